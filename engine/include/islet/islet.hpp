@@ -1,0 +1,8 @@
+// Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all the public ones.
+#pragma once
+
+#include "islet/geometry.hpp"
+#include "islet/layout.hpp"
+#include "islet/math.hpp"
+#include "islet/types.hpp"
+#include "islet/world.hpp"

@@ -1,0 +1,133 @@
+// How a world's block of memory is laid out: a handful of arrays whose sizes follow from the capacity alone.
+//
+//   | World + Core (host part: pointers, hook) | persistent: State, bodies, shapes, geometries, contacts, ... | output | scratch |
+//
+// The persistent region has fixed-width fields, explicit padding and no pointers: its bytes mean the same on 32- and 64-bit machines. Output
+// holds the events of the last step. Scratch is meaningful only inside one call.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "islet/types.hpp"
+
+namespace islet {
+
+/// Alignment that World::create demands of its block.
+inline constexpr std::size_t world_alignment = 64;
+
+/// No capacity may exceed this.
+inline constexpr std::uint32_t max_capacity = 1u << 22;
+
+namespace detail {
+
+inline constexpr std::size_t core_bytes = 448;  // room for Core inside World
+inline constexpr std::size_t host_bytes = 512;  // room for World at the start of the block
+
+// The widest lanes that the build can use decide how the constraint rows are padded in scratch.
+#if defined(ISLET_MAX_LANES)
+inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
+#elif defined(__x86_64__) || defined(_M_X64)
+inline constexpr std::uint32_t max_lanes = 8;
+#elif defined(__SSE2__) || defined(__ARM_NEON) || defined(__wasm_simd128__)
+inline constexpr std::uint32_t max_lanes = 4;
+#else
+inline constexpr std::uint32_t max_lanes = 1;
+#endif
+
+// Sizes of the records, checked against the structs by static_assert in world/core.cpp.
+inline constexpr std::size_t state_bytes = 256;
+inline constexpr std::size_t pose_bytes = 32;
+inline constexpr std::size_t motion_bytes = 32;
+inline constexpr std::size_t body_bytes = 88;
+inline constexpr std::size_t shape_bytes = 72;
+inline constexpr std::size_t box_bytes = 16;
+inline constexpr std::size_t geometry_bytes = 160;
+inline constexpr std::size_t tree_node_bytes = 32;
+inline constexpr std::size_t contact_bytes = 32;
+inline constexpr std::size_t manifold_bytes = 96;
+inline constexpr std::size_t solver_body_bytes = 32;
+inline constexpr std::size_t solver_motion_bytes = 32;
+inline constexpr std::size_t row_bytes = 128;     // per contact, in a block of rows
+inline constexpr std::size_t sweep_bytes = 40;    // per shape, while pairs are found
+inline constexpr std::uint32_t color_count = 32;  // constraint colours: bits of a body's mask
+inline constexpr std::uint32_t batch_contacts = 2048;  // a batch of islands closes at this many contacts
+
+constexpr std::uint32_t next_power_of_two(std::uint32_t n) {
+    std::uint32_t p = 1;
+    while (p < n) p *= 2;
+    return p;
+}
+
+constexpr std::size_t words_for(std::uint32_t bits) { return (std::size_t{bits} + 63) / 64; }
+
+constexpr std::uint32_t geometry_capacity(const Capacity& c) { return c.geometries != 0 ? c.geometries : c.shapes; }
+
+/// Batches that the islands of a world can make, at most.
+constexpr std::uint32_t batch_capacity(const Capacity& c) { return c.contacts / batch_contacts + 2; }
+
+/// Contact rows including the padding that fills up the last block of each colour of each batch.
+constexpr std::size_t row_capacity(const Capacity& c) {
+    return std::size_t{c.contacts} + std::size_t{batch_capacity(c)} * color_count * (max_lanes - 1);
+}
+
+/// Offsets from the start of the block, bytes.
+struct Layout {
+    std::size_t state, poses, motions, bodies, shapes, boxes, geometries, geometry_buckets, tree, contacts, manifolds, pairs;
+    std::size_t awake_bodies, awake_contacts, moved_shapes;
+    std::size_t persistent_end;
+    std::size_t begin_events, end_events, moved_events, slept_events;
+    std::size_t scratch, end;
+};
+
+constexpr std::size_t align_up(std::size_t n) { return (n + 63) / 64 * 64; }
+
+constexpr std::size_t scratch_bytes(const Capacity& c) {
+    // Finding pairs: sort keys and the boxes as columns. Solving: bodies in batch order, union-find, batch tables, contact rows.
+    const std::size_t pairs = align_up(std::size_t{c.shapes} * sweep_bytes) + 1024 * 8 + 64 * 16;
+    const std::size_t solve = align_up((std::size_t{c.bodies} + 1) * (solver_body_bytes + solver_motion_bytes + 4 * 6)) +
+                              align_up(std::size_t{batch_capacity(c)} * (color_count + 2) * 12) + align_up(row_capacity(c) * 4) +
+                              row_capacity(c) * row_bytes + 64 * 16;
+    const std::size_t collide = words_for(c.contacts) * 8 * 2 + words_for(c.bodies) * 8 + 64 * 4 + std::size_t{c.bodies} * 4;
+    return solve + (pairs > collide ? pairs : collide);
+}
+
+constexpr Layout layout_of(const Capacity& c) {
+    Layout l{};
+    std::size_t at = host_bytes;
+    const auto take = [&at](std::size_t bytes) {
+        const std::size_t offset = at;
+        at = align_up(at + bytes);
+        return offset;
+    };
+    l.state = take(state_bytes);
+    l.poses = take(c.bodies * pose_bytes);
+    l.motions = take(c.bodies * motion_bytes);
+    l.bodies = take(c.bodies * body_bytes);
+    l.shapes = take(c.shapes * shape_bytes);
+    l.boxes = take(c.shapes * box_bytes);
+    l.geometries = take(geometry_capacity(c) * geometry_bytes);
+    l.geometry_buckets = take(next_power_of_two(geometry_capacity(c)) * std::size_t{4});
+    l.tree = take(2 * c.shapes * tree_node_bytes);
+    l.contacts = take(c.contacts * contact_bytes);
+    l.manifolds = take(c.contacts * manifold_bytes);
+    l.pairs = take(next_power_of_two(2 * c.contacts) * std::size_t{8});
+    l.awake_bodies = take(words_for(c.bodies) * 8);
+    l.awake_contacts = take(words_for(c.contacts) * 8);
+    l.moved_shapes = take(words_for(c.shapes) * 8);
+    l.persistent_end = at;
+    l.begin_events = take(c.contacts * sizeof(TouchEvent));
+    l.end_events = take(c.contacts * sizeof(TouchEvent));
+    l.moved_events = take(c.bodies * sizeof(BodyId));
+    l.slept_events = take(c.bodies * sizeof(BodyId));
+    l.scratch = at;
+    l.end = align_up(at + scratch_bytes(c));
+    return l;
+}
+
+}  // namespace detail
+
+/// Bytes of memory a world of this capacity needs, everything included.
+constexpr std::size_t world_bytes(const Capacity& capacity) { return detail::layout_of(capacity).end; }
+
+}  // namespace islet

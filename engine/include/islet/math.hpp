@@ -1,0 +1,120 @@
+// Vectors, rotations, transforms and boxes: plain data and the arithmetic on it.
+//
+// Every operator here is forced inline, so that the engine's copy is always compiled with the engine's flags: results never
+// depend on what a user's translation unit was built with. Functions that take more than a few operations are not inline.
+#pragma once
+
+#include <cstdint>
+
+#define ISLET_INLINE [[gnu::always_inline]] constexpr inline
+
+namespace islet {
+
+inline constexpr float pi = 3.14159265358979f;
+
+/// A point or direction, metres unless said otherwise.
+struct Vec2 {
+    float x = 0;
+    float y = 0;
+    friend bool operator==(const Vec2&, const Vec2&) = default;
+};
+
+/// A rotation as cosine and sine of its angle; the default turns by nothing. Invariant: c^2 + s^2 = 1 within rounding.
+struct Rot {
+    float c = 1;
+    float s = 0;
+    friend bool operator==(const Rot&, const Rot&) = default;
+};
+
+/// A pose: rotate by q, then move by p (metres).
+struct Transform {
+    Vec2 p;
+    Rot q;
+    friend bool operator==(const Transform&, const Transform&) = default;
+};
+
+/// An axis-aligned box. Valid when lower <= upper on both axes.
+struct Aabb {
+    Vec2 lower;
+    Vec2 upper;
+    friend bool operator==(const Aabb&, const Aabb&) = default;
+};
+
+ISLET_INLINE Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+ISLET_INLINE Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+ISLET_INLINE Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
+ISLET_INLINE Vec2 operator*(float s, Vec2 a) { return {s * a.x, s * a.y}; }
+ISLET_INLINE Vec2 operator*(Vec2 a, float s) { return {s * a.x, s * a.y}; }
+ISLET_INLINE Vec2& operator+=(Vec2& a, Vec2 b) { return a = a + b; }
+ISLET_INLINE Vec2& operator-=(Vec2& a, Vec2 b) { return a = a - b; }
+ISLET_INLINE Vec2& operator*=(Vec2& a, float s) { return a = s * a; }
+
+ISLET_INLINE float dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+/// z of the three-dimensional cross product a x b.
+ISLET_INLINE float cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+/// w (about z) crossed with r: the velocity of a point at r on a body turning at w.
+ISLET_INLINE Vec2 cross(float w, Vec2 r) { return {-w * r.y, w * r.x}; }
+/// a turned by +90 degrees.
+ISLET_INLINE Vec2 left_perp(Vec2 a) { return {-a.y, a.x}; }
+/// a turned by -90 degrees.
+ISLET_INLINE Vec2 right_perp(Vec2 a) { return {a.y, -a.x}; }
+ISLET_INLINE float length_squared(Vec2 a) { return dot(a, a); }
+ISLET_INLINE float distance_squared(Vec2 a, Vec2 b) { return length_squared(b - a); }
+ISLET_INLINE Vec2 lerp(Vec2 a, Vec2 b, float t) { return a + t * (b - a); }
+
+ISLET_INLINE float min(float a, float b) { return a < b ? a : b; }
+ISLET_INLINE float max(float a, float b) { return a > b ? a : b; }
+ISLET_INLINE float abs(float a) { return a < 0 ? -a : a; }
+ISLET_INLINE float clamp(float a, float lo, float hi) { return a < lo ? lo : (a > hi ? hi : a); }
+ISLET_INLINE Vec2 min(Vec2 a, Vec2 b) { return {min(a.x, b.x), min(a.y, b.y)}; }
+ISLET_INLINE Vec2 max(Vec2 a, Vec2 b) { return {max(a.x, b.x), max(a.y, b.y)}; }
+
+/// v turned by q.
+ISLET_INLINE Vec2 rotate(Rot q, Vec2 v) { return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
+/// v turned by the inverse of q.
+ISLET_INLINE Vec2 inv_rotate(Rot q, Vec2 v) { return {q.c * v.x + q.s * v.y, -q.s * v.x + q.c * v.y}; }
+/// First r, then q.
+ISLET_INLINE Rot operator*(Rot q, Rot r) { return {q.c * r.c - q.s * r.s, q.s * r.c + q.c * r.s}; }
+ISLET_INLINE Rot inverse(Rot q) { return {q.c, -q.s}; }
+/// inverse(q) * r: the rotation that leads from q to r.
+ISLET_INLINE Rot inv_mul(Rot q, Rot r) { return {q.c * r.c + q.s * r.s, q.c * r.s - q.s * r.c}; }
+
+ISLET_INLINE Vec2 transform_point(const Transform& t, Vec2 v) { return rotate(t.q, v) + t.p; }
+ISLET_INLINE Vec2 inv_transform_point(const Transform& t, Vec2 v) { return inv_rotate(t.q, v - t.p); }
+/// The pose of b seen from a: inverse(a) * b.
+ISLET_INLINE Transform inv_mul(const Transform& a, const Transform& b) { return {inv_rotate(a.q, b.p - a.p), inv_mul(a.q, b.q)}; }
+
+ISLET_INLINE bool overlaps(const Aabb& a, const Aabb& b) {
+    return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
+}
+ISLET_INLINE bool contains(const Aabb& outer, const Aabb& inner) {
+    return outer.lower.x <= inner.lower.x && outer.lower.y <= inner.lower.y && inner.upper.x <= outer.upper.x && inner.upper.y <= outer.upper.y;
+}
+ISLET_INLINE Aabb merge(const Aabb& a, const Aabb& b) { return {min(a.lower, b.lower), max(a.upper, b.upper)}; }
+ISLET_INLINE Aabb expand(const Aabb& a, float margin) { return {{a.lower.x - margin, a.lower.y - margin}, {a.upper.x + margin, a.upper.y + margin}}; }
+ISLET_INLINE float perimeter(const Aabb& a) { return 2.0f * ((a.upper.x - a.lower.x) + (a.upper.y - a.lower.y)); }
+
+/// True for every number but NaN and the infinities.
+ISLET_INLINE bool is_finite(float a) { return a - a == 0.0f; }
+ISLET_INLINE bool is_finite(Vec2 a) { return is_finite(a.x) && is_finite(a.y); }
+
+/// Euclidean length; correctly rounded square root, the same bits everywhere.
+float length(Vec2 a);
+float distance(Vec2 a, Vec2 b);
+/// a / |a|, or the zero vector if |a| is below 1e-18 m, above 1e19 m (its square overflows) or not finite.
+Vec2 normalize(Vec2 a);
+
+/// Sine and cosine of any finite angle in radians, the same bits on every machine. The error is stated and tested in math/trig.cpp.
+/// Huge angles are reduced exactly, but are themselves rounded (0.004 rad at 1e5); a non-finite angle gives the identity rotation.
+Rot make_rot(float radians);
+/// Angle of q in (-pi, pi], radians.
+float angle_of(Rot q);
+/// Angle of the vector (x, y) in (-pi, pi], radians; 0 for the zero vector or a non-finite one. The same bits everywhere.
+float atan2(float y, float x);
+/// q scaled back to unit length; the identity if q is degenerate.
+Rot normalize(Rot q);
+/// q turned further by a small angle d (radians) and normalised: the integration of an angular velocity over a step. The turn is short by
+/// d^5 / 45, and never beyond half a turn; a non-finite d turns nothing.
+Rot integrate(Rot q, float delta_radians);
+
+}  // namespace islet

@@ -1,0 +1,180 @@
+// Ids, definitions, errors, events and reports: everything a user hands to a World or reads back from it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "islet/geometry.hpp"
+#include "islet/math.hpp"
+
+namespace islet {
+
+/// Handle of a body. Default-constructed: null. Safe to keep: an id whose object was destroyed is stale, never wrong.
+struct BodyId {
+    std::uint32_t index1 = 0;      // slot + 1; 0 is null
+    std::uint32_t generation = 0;  // of the slot when the id was handed out
+    friend bool operator==(const BodyId&, const BodyId&) = default;
+    explicit constexpr operator bool() const { return index1 != 0; }
+};
+
+/// Handle of a shape; as BodyId.
+struct ShapeId {
+    std::uint32_t index1 = 0;
+    std::uint32_t generation = 0;
+    friend bool operator==(const ShapeId&, const ShapeId&) = default;
+    explicit constexpr operator bool() const { return index1 != 0; }
+};
+
+/// How many objects of each kind a world can hold. Decides the size of its memory block (world_bytes) and nothing else.
+struct Capacity {
+    std::uint32_t bodies = 0;
+    std::uint32_t shapes = 0;
+    std::uint32_t contacts = 0;    ///< Pairs of shapes whose fat boxes overlap, touching or not: 3 to 5 a body in a dense pile.
+    std::uint32_t joints = 0;
+    std::uint32_t geometries = 0;  ///< Different geometries (equal ones are stored once); 0 means as many as shapes.
+    friend bool operator==(const Capacity&, const Capacity&) = default;
+};
+
+/// What went wrong in the last call that failed. describe(e) says it in a sentence, with the way to mend it.
+enum class Error : std::uint8_t {
+    none,
+    null_id,             ///< the id is null
+    stale_id,            ///< the object was destroyed, or the id belongs to another world
+    not_finite,          ///< an argument is NaN or infinite
+    out_of_range,        ///< a number is outside the range its comment states
+    bad_time_step,       ///< dt is not above 0 and at most 1 s
+    bad_geometry,        ///< the geometry breaks its own rules
+    bad_chain,           ///< fewer than 2 points (3 for a loop), or neighbours closer than 0.005 m
+    bodies_full,         ///< raise Capacity::bodies
+    shapes_full,         ///< raise Capacity::shapes
+    contacts_full,       ///< raise Capacity::contacts (the contact is retried every step)
+    geometries_full,     ///< raise Capacity::geometries
+    block_too_small,     ///< the memory given is smaller than world_bytes(capacity)
+    block_misaligned,    ///< the memory given is not aligned to world_alignment
+    bad_capacity,        ///< a capacity is zero where at least one is needed, or above max_capacity
+    events_full,         ///< more contacts ended than there is room to report
+};
+
+/// A sentence: what was wrong and how to mend it. Never null.
+const char* describe(Error e);
+
+/// Receives each error as it happens. Must not call the world.
+using ErrorHook = void (*)(Error error, void* context);
+
+/// The order of the numbers in a step. `soft` is the default; `classic` is one position-corrected velocity solve per step.
+enum class Schedule : std::uint8_t {
+    soft,     ///< substeps of: integrate, biased sweep with soft contacts, integrate positions, relax sweep
+    classic,  ///< per substep: integrate, `iterations` sweeps with Baumgarte bias, integrate positions. Use with substeps = 1.
+};
+
+/// How the solver works. Change it at any time with World::set_solver.
+struct SolverDef {
+    Schedule schedule = Schedule::soft;
+    std::uint32_t substeps = 4;          ///< 1 to 64. More: stiffer stacks and joints, cost in proportion.
+    std::uint32_t iterations = 1;        ///< 1 to 256 biased sweeps per substep.
+    std::uint32_t relax_iterations = 1;  ///< 0 to 256 unbiased sweeps per substep (soft schedule).
+    float contact_hertz = 30.0f;         ///< Hz, > 0. Stiffness of soft contacts; capped at an eighth of the substep rate.
+    float contact_damping_ratio = 10.0f; ///< >= 0. Soft contacts are overdamped so that they do not bounce.
+    float contact_push_speed = 3.0f;     ///< m/s, >= 0. Fastest that overlap is pushed apart.
+    float baumgarte = 0.2f;              ///< 0 to 1. Share of the overlap mended per step (classic schedule).
+    float omega = 1.0f;                  ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
+    bool warm_start = true;              ///< Start each solve from the impulses of the last.
+};
+
+/// What a new world is like.
+struct WorldDef {
+    Vec2 gravity = {0, -10};             ///< m/s^2
+    SolverDef solver;
+    bool enable_sleep = true;            ///< Let islands at rest fall asleep after 0.5 s.
+    float restitution_threshold = 1.0f;  ///< m/s, >= 0. Slower impacts do not bounce.
+    float max_speed = 400.0f;            ///< m/s, > 0. No body moves faster.
+    std::uint32_t lanes = 0;             ///< 1, 4 or 8 constraints at once; 0 picks the widest the processor has. The bits are the same.
+    ErrorHook error_hook = nullptr;
+    void* error_context = nullptr;
+};
+
+enum class BodyType : std::uint8_t {
+    static_body,     ///< Never moves, infinite mass.
+    kinematic,       ///< Moves by its velocity only, infinite mass.
+    dynamic,         ///< Moves by forces and contacts.
+};
+
+/// What a new body is like.
+struct BodyDef {
+    BodyType type = BodyType::static_body;
+    Vec2 position;                  ///< m, of the body's origin
+    float angle = 0;                ///< rad
+    Vec2 linear_velocity;           ///< m/s, of the centre of mass
+    float angular_velocity = 0;     ///< rad/s
+    float linear_damping = 0;       ///< 1/s, >= 0
+    float angular_damping = 0;      ///< 1/s, >= 0
+    float gravity_scale = 1;
+    float sleep_threshold = 0.05f;  ///< m/s, >= 0. Slower bodies may fall asleep.
+    bool enable_sleep = true;       ///< false: keeps itself and its island awake.
+    bool awake = true;              ///< false: starts asleep.
+    bool fixed_rotation = false;    ///< true: infinite rotational inertia.
+    std::uint64_t user_data = 0;
+};
+
+/// Which shapes meet: equal positive groups always, equal negative groups never, else both masks must hold the other's category.
+struct Filter {
+    std::uint32_t category = 1;
+    std::uint32_t mask = 0xffffffffu;
+    std::int32_t group = 0;
+};
+
+/// What a new shape is like.
+struct ShapeDef {
+    float friction = 0.6f;           ///< Coulomb coefficient, >= 0. Two shapes mix by the geometric mean.
+    float restitution = 0;           ///< 0 to 1. Two shapes mix by the larger.
+    float rolling_resistance = 0;    ///< >= 0, times the larger radius: lever arm of the resisting torque. Two shapes mix by the larger.
+    float tangent_speed = 0;         ///< m/s. A conveyor: the surface runs to the left along the outline. Two shapes add.
+    float density = 1;               ///< kg/m^2, >= 0
+    Filter filter;
+    std::uint64_t user_data = 0;
+};
+
+/// Two shapes began or ceased to touch in the last step (or ceased because one was destroyed since). An id in an end event may be stale.
+struct TouchEvent {
+    ShapeId shape_a;
+    ShapeId shape_b;
+};
+
+/// What the last step did.
+struct StepReport {
+    std::uint32_t bodies = 0;            ///< all, of every type
+    std::uint32_t awake_bodies = 0;      ///< awake dynamic and kinematic ones after the step
+    std::uint32_t shapes = 0;
+    std::uint32_t contacts = 0;          ///< pairs with overlapping fat boxes, touching or not, asleep or not
+    std::uint32_t touching_contacts = 0; ///< of the awake ones
+    std::uint32_t recycled_contacts = 0; ///< awake contacts whose manifold was kept
+    std::uint32_t dropped_contacts = 0;  ///< pairs that found no room this step; they are retried every step
+    std::uint32_t dropped_events = 0;    ///< end events that found no room
+    std::uint32_t islands = 0;           ///< awake islands
+    std::uint32_t colors = 0;            ///< constraint colours in use
+    std::uint32_t overflow_contacts = 0; ///< contacts that found no colour and were solved one by one
+    std::uint32_t batches = 0;
+};
+
+/// One touching point of a contact, in world coordinates.
+struct ContactPoint {
+    Vec2 point;                ///< m, midway between the surfaces
+    float separation = 0;      ///< m, negative when overlapping
+    float normal_impulse = 0;  ///< N s over the last substep
+    float tangent_impulse = 0; ///< N s over the last substep
+    std::uint32_t feature = 0; ///< which features of the two shapes made the point
+};
+
+/// A contact as the user sees it.
+struct ContactInfo {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    Vec2 normal;               ///< unit, from a to b
+    ContactPoint points[2];
+    std::uint32_t point_count = 0;
+    float friction = 0;
+    float restitution = 0;
+};
+
+}  // namespace islet

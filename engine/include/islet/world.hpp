@@ -1,0 +1,211 @@
+// The world: one block of memory that holds every body, shape and contact, and steps them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "islet/layout.hpp"
+#include "islet/types.hpp"
+
+namespace islet {
+
+namespace detail {
+struct Core;
+}
+
+/// A world lives at the start of the block of memory it was created in and never moves, allocates or frees. Not copyable.
+///
+/// Every function checks its arguments in every build. On bad input it changes nothing, returns a null or zero value, sets last_error() and
+/// calls the error hook, if there is one. Units: metres, kilograms, seconds, radians.
+///
+/// Spans returned by a world are valid until the next call that changes it.
+class World {
+public:
+    /// Makes a world in `block`, which must be aligned to world_alignment and hold at least world_bytes(capacity) bytes, all of which the
+    /// world then owns. Returns null, and sets *error if given, when the block or the capacity or the definition will not do.
+    static World* create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error = nullptr);
+
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    // -- the world ---------------------------------------------------------------------------------------------------------------
+
+    /// Advances time by dt seconds: 0 < dt <= 1. 1/60 is usual; see SolverDef for what a step consists of.
+    void step(float dt);
+
+    Vec2 gravity() const;
+    void set_gravity(Vec2 gravity);
+    const SolverDef& solver() const;
+    /// Out of range values are refused (out_of_range) and nothing changes.
+    void set_solver(const SolverDef& solver);
+    /// Turning sleep off wakes everything.
+    void enable_sleep(bool enable);
+
+    const Capacity& capacity() const;
+    /// What the last step did, and how full the pools are.
+    const StepReport& report() const;
+    /// The last error since creation or clear_error().
+    Error last_error() const;
+    void clear_error();
+    /// Hash of all persistent state that affects the future, and nothing else: equal worlds have equal futures.
+    std::uint64_t hash() const;
+    /// Steps taken since creation.
+    std::uint64_t step_count() const;
+    /// Checks every internal invariant (links, pools, trees, colours). Slow; for tests. Returns null or a sentence naming what is broken.
+    const char* validate() const;
+
+    // -- events of the last step -----------------------------------------------------------------------------------------------
+
+    std::span<const TouchEvent> begin_touch_events() const;
+    std::span<const TouchEvent> end_touch_events() const;
+    /// Bodies that the last step moved (every awake one), ordered by slot.
+    std::span<const BodyId> moved_bodies() const;
+    /// Bodies that fell asleep in the last step, ordered by slot.
+    std::span<const BodyId> slept_bodies() const;
+
+    // -- bodies ----------------------------------------------------------------------------------------------------------------
+
+    BodyId create_body(const BodyDef& def);
+    /// Destroys the body with its shapes and contacts; wakes what touched it.
+    void destroy_body(BodyId body);
+    bool is_valid(BodyId body) const;
+    /// Number of live bodies.
+    std::uint32_t body_count() const;
+    /// Id of the body in slot 0 <= slot < capacity().bodies; null if the slot is free. For walking over all bodies.
+    BodyId body_at(std::uint32_t slot) const;
+
+    Transform transform(BodyId body) const;
+    /// The body's origin.
+    Vec2 position(BodyId body) const;
+    /// (-pi, pi]
+    float angle(BodyId body) const;
+    Vec2 center_of_mass(BodyId body) const;
+    Vec2 local_center_of_mass(BodyId body) const;
+    /// Of the centre of mass.
+    Vec2 linear_velocity(BodyId body) const;
+    float angular_velocity(BodyId body) const;
+    /// Velocity of the point of the body that is now at world position `point`.
+    Vec2 velocity_at(BodyId body, Vec2 point) const;
+    /// Teleports. Contacts are found anew; velocity is kept. Wakes the body and what it touched.
+    void set_transform(BodyId body, Vec2 position, float angle);
+    /// No effect on static bodies. Wakes the body if the velocity is not zero.
+    void set_linear_velocity(BodyId body, Vec2 velocity);
+    void set_angular_velocity(BodyId body, float velocity);
+
+    /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s)
+    /// act at once.
+    void apply_force(BodyId body, Vec2 force, Vec2 point);
+    void apply_force_to_center(BodyId body, Vec2 force);
+    void apply_torque(BodyId body, float torque);
+    void apply_linear_impulse(BodyId body, Vec2 impulse, Vec2 point);
+    void apply_linear_impulse_to_center(BodyId body, Vec2 impulse);
+    void apply_angular_impulse(BodyId body, float impulse);
+
+    BodyType type(BodyId body) const;
+    /// Changes the type; contacts are found anew. A body that becomes static loses its velocity.
+    void set_type(BodyId body, BodyType type);
+    float mass(BodyId body) const;
+    /// About the centre of mass.
+    float rotational_inertia(BodyId body) const;
+    /// Replaces what the shapes gave, until a shape is added or removed or reset_mass is called. mass > 0, inertia >= 0 (0: does not turn).
+    void set_mass(BodyId body, const MassData& mass);
+    /// Mass, centre and inertia from the shapes' densities again.
+    void reset_mass(BodyId body);
+    float linear_damping(BodyId body) const;
+    void set_linear_damping(BodyId body, float damping);
+    float angular_damping(BodyId body) const;
+    void set_angular_damping(BodyId body, float damping);
+    float gravity_scale(BodyId body) const;
+    void set_gravity_scale(BodyId body, float scale);
+    void set_fixed_rotation(BodyId body, bool fixed);
+    void enable_sleep(BodyId body, bool enable);
+    bool is_awake(BodyId body) const;
+    /// Wakes the body and its island.
+    void wake(BodyId body);
+    std::uint64_t user_data(BodyId body) const;
+    void set_user_data(BodyId body, std::uint64_t data);
+    /// Writes the ids of the body's shapes, newest first, as far as they fit; returns how many there are.
+    std::uint32_t shapes(BodyId body, std::span<ShapeId> out) const;
+
+    // -- shapes ----------------------------------------------------------------------------------------------------------------
+
+    ShapeId create_shape(BodyId body, const Circle& circle, const ShapeDef& def = {});
+    ShapeId create_shape(BodyId body, const Capsule& capsule, const ShapeDef& def = {});
+    ShapeId create_shape(BodyId body, const Segment& segment, const ShapeDef& def = {});
+    ShapeId create_shape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
+    ShapeId create_shape(BodyId body, const ChainSegment& segment, const ShapeDef& def = {});
+    /// A chain of ChainSegments through `points` (2 or more; 3 for a loop), which collides on the right of its direction and does not catch at
+    /// its inner corners. All or nothing. Returns the number of segments made, and their ids in `out` as far as they fit.
+    std::uint32_t create_chain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {}, std::span<ShapeId> out = {});
+    /// Destroys the shape and its contacts; the body's mass follows.
+    void destroy_shape(ShapeId shape);
+    bool is_valid(ShapeId shape) const;
+    std::uint32_t shape_count() const;
+
+    BodyId body(ShapeId shape) const;
+    ShapeType shape_type(ShapeId shape) const;
+    /// The geometry, or null if the shape is of another type or invalid (which alone is an error).
+    const Circle* circle(ShapeId shape) const;
+    const Capsule* capsule(ShapeId shape) const;
+    const Segment* segment(ShapeId shape) const;
+    const Polygon* polygon(ShapeId shape) const;
+    const ChainSegment* chain_segment(ShapeId shape) const;
+    /// The tight box around the shape, world coordinates.
+    Aabb aabb(ShapeId shape) const;
+    float friction(ShapeId shape) const;
+    void set_friction(ShapeId shape, float friction);
+    float restitution(ShapeId shape) const;
+    void set_restitution(ShapeId shape, float restitution);
+    float rolling_resistance(ShapeId shape) const;
+    void set_rolling_resistance(ShapeId shape, float resistance);
+    float tangent_speed(ShapeId shape) const;
+    void set_tangent_speed(ShapeId shape, float speed);
+    Filter filter(ShapeId shape) const;
+    /// Contacts that the new filter forbids end; new ones are found in the next step.
+    void set_filter(ShapeId shape, const Filter& filter);
+    std::uint64_t user_data(ShapeId shape) const;
+    void set_user_data(ShapeId shape, std::uint64_t data);
+
+    // -- contacts --------------------------------------------------------------------------------------------------------------
+
+    /// Pairs of shapes with overlapping fat boxes, touching or not.
+    std::uint32_t contact_count() const;
+    /// Reads the contact in slot 0 <= slot < capacity().contacts. False if the slot is free or the shapes do not touch.
+    bool contact_at(std::uint32_t slot, ContactInfo& out) const;
+
+private:
+    friend struct detail::Core;
+    World() = default;
+    ~World() = default;
+    detail::Core& core();
+    const detail::Core& core() const;
+
+    alignas(16) std::byte core_[detail::core_bytes];
+};
+
+static_assert(sizeof(World) <= detail::host_bytes);
+
+namespace detail {
+/// The world that StaticWorld falls back to: default definition, last_error() already set to `error`.
+World& create_default(std::span<std::byte> block, const Capacity& capacity, Error error);
+}
+
+/// A world with its memory inside: for static storage, the stack or a member. world() may be called after create().
+template <Capacity C>
+class StaticWorld {
+public:
+    /// Makes the world anew, dropping whatever it held. A definition that breaks its rules falls back to the default one with the error set:
+    /// see World::last_error.
+    World& create(const WorldDef& def = {}) {
+        Error error = Error::none;
+        World* world = World::create(block_, C, def, &error);
+        return world != nullptr ? *world : detail::create_default(block_, C, error);
+    }
+    static constexpr std::size_t bytes = world_bytes(C);
+
+private:
+    alignas(world_alignment) std::byte block_[world_bytes(C)];
+};
+
+}  // namespace islet

@@ -1,0 +1,126 @@
+#include "broadphase/contacts.hpp"
+
+#include "memory/colors.hpp"
+#include "math/scalar.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+// The narrow phase has one function for each unordered pair of types; the shape of the higher rank is A.
+std::uint32_t rank(const Core& core, std::uint32_t shape) {
+    switch (static_cast<ShapeType>(core.geometries[core.shapes[shape].geometry].type)) {
+        case ShapeType::circle: return 0;
+        case ShapeType::capsule: return 1;
+        case ShapeType::polygon: return 2;
+        case ShapeType::segment: return 3;
+        case ShapeType::chain_segment: return 4;
+    }
+    return 0;
+}
+
+bool filters_agree(const Filter& a, const Filter& b) {
+    if (a.group == b.group && a.group != 0) return a.group > 0;
+    return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
+}
+
+void link(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
+    Contact& c = core.contacts[contact];
+    Body& b = core.bodies[body];
+    const std::uint32_t key = contact * 2 + side + 1;
+    c.prev[side] = 0;
+    c.next[side] = b.contact_head;
+    if (b.contact_head != 0) core.contacts[contact_of_key(b.contact_head)].prev[side_of_key(b.contact_head)] = key;
+    b.contact_head = key;
+    ++b.contact_count;
+}
+
+void unlink(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
+    const Contact& c = core.contacts[contact];
+    Body& b = core.bodies[body];
+    const std::uint32_t prev = c.prev[side];
+    const std::uint32_t next = c.next[side];
+    if (prev != 0) {
+        core.contacts[contact_of_key(prev)].next[side_of_key(prev)] = next;
+    } else {
+        b.contact_head = next;
+    }
+    if (next != 0) core.contacts[contact_of_key(next)].prev[side_of_key(next)] = prev;
+    --b.contact_count;
+}
+
+}  // namespace
+
+bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    const Shape& s1 = core.shapes[shape_1];
+    const Shape& s2 = core.shapes[shape_2];
+    if (s1.body == s2.body) return false;
+    if (!core.is_dynamic(s1.body) && !core.is_dynamic(s2.body)) return false;
+    if (!filters_agree(s1.filter, s2.filter)) return false;
+    return rank(core, shape_1) < 3 || rank(core, shape_2) < 3;
+}
+
+bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    const std::uint32_t index = pool_take(core.state->contact_pool, core.contacts, core.capacity.contacts);
+    if (index == null_index) return false;
+
+    const std::uint32_t rank_1 = rank(core, shape_1);
+    const std::uint32_t rank_2 = rank(core, shape_2);
+    const bool in_order = rank_1 != rank_2 ? rank_1 > rank_2 : shape_1 < shape_2;
+    Contact& c = core.contacts[index];
+    c.shape_a = in_order ? shape_1 : shape_2;
+    c.shape_b = in_order ? shape_2 : shape_1;
+    c.next_free = null_index;
+
+    ContactManifold& m = core.manifolds[index];
+    m = ContactManifold{};
+    m.body_a = core.shapes[c.shape_a].body;
+    m.body_b = core.shapes[c.shape_b].body;
+    m.set_color(no_color);
+    mix_materials(core, index);
+
+    link(core, index, 0, m.body_a);
+    link(core, index, 1, m.body_b);
+    core.pairs.insert(PairSet::key(shape_1, shape_2));
+    core.awake_contacts.assign(index, core.is_awake(m.body_a) || core.is_awake(m.body_b));
+    return true;
+}
+
+void destroy_contact(Core& core, std::uint32_t index) {
+    Contact& c = core.contacts[index];
+    ContactManifold& m = core.manifolds[index];
+    if ((m.flags & contact_touching) != 0) record_end_event(core, index);
+    release_color(core, index);
+    unlink(core, index, 0, m.body_a);
+    unlink(core, index, 1, m.body_b);
+    core.pairs.erase(PairSet::key(c.shape_a, c.shape_b));
+    core.awake_contacts.clear(index);
+    const std::uint32_t generation = c.generation;
+    c = Contact{};
+    c.generation = generation;
+    m = ContactManifold{};
+    pool_give(core.state->contact_pool, core.contacts, index);
+}
+
+void mix_materials(Core& core, std::uint32_t contact) {
+    const Contact& c = core.contacts[contact];
+    const Shape& a = core.shapes[c.shape_a];
+    const Shape& b = core.shapes[c.shape_b];
+    ContactManifold& m = core.manifolds[contact];
+    m.friction = sqrt(a.friction * b.friction);
+    m.restitution = max(a.restitution, b.restitution);
+    const bool special = a.rolling_resistance > 0 || b.rolling_resistance > 0 || a.tangent_speed != 0 || b.tangent_speed != 0;
+    m.flags = special ? m.flags | contact_special : m.flags & ~static_cast<std::uint32_t>(contact_special);
+}
+
+void record_end_event(Core& core, std::uint32_t contact) {
+    if (core.end_count == core.capacity.contacts) {
+        ++core.report.dropped_events;
+        core.fail(Error::events_full);
+        return;
+    }
+    const Contact& c = core.contacts[contact];
+    core.end_events[core.end_count++] = {core.shape_id(c.shape_a), core.shape_id(c.shape_b)};
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,44 @@
+// The graph of contacts: one node a body, one edge a pair of shapes with overlapping fat boxes.
+//
+// Each body heads a doubly linked list of its contacts, linked by contact keys (contact * 2 + side + 1), so that an edge leaves both of its lists
+// in O(1). The pair set answers whether two shapes already have a contact.
+#pragma once
+
+#include "memory/core.hpp"
+
+namespace islet::detail {
+
+inline std::uint32_t contact_of_key(std::uint32_t key) { return (key - 1) >> 1; }
+inline std::uint32_t side_of_key(std::uint32_t key) { return (key - 1) & 1u; }
+
+/// Calls visit(contact, side) for each contact of a body, newest first; `visit` may destroy that contact.
+template <class Visit>
+void for_each_contact(Core& core, std::uint32_t body, Visit&& visit) {
+    for (std::uint32_t key = core.bodies[body].contact_head; key != 0;) {
+        const std::uint32_t contact = contact_of_key(key);
+        const std::uint32_t side = side_of_key(key);
+        key = core.contacts[contact].next[side];
+        visit(contact, side);
+    }
+}
+
+/// The body at the other end of an edge.
+inline std::uint32_t other_body(const Core& core, std::uint32_t contact, std::uint32_t side) {
+    return side == 0 ? core.manifolds[contact].body_b : core.manifolds[contact].body_a;
+}
+
+/// True if the two shapes may have a contact: other bodies, one dynamic, geometry that collides, filters that agree.
+bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+
+/// Adds a contact, not yet touching. False if the pool is full.
+bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+
+/// Removes a contact and its colour. If it touched, an end event is recorded.
+void destroy_contact(Core& core, std::uint32_t contact);
+
+/// Friction, restitution and whether rolling resistance or a tangent speed act, from the two shapes.
+void mix_materials(Core& core, std::uint32_t contact);
+
+void record_end_event(Core& core, std::uint32_t contact);
+
+}  // namespace islet::detail

@@ -1,0 +1,44 @@
+// Bounding-box tree of the shapes at rest: those of static and of sleeping bodies.
+//
+// A binary tree kept in balance (AVL) by rotations while leaves come and go; insertion follows the branch whose perimeter grows least (the
+// surface area heuristic; see Catto's GDC 2019 talk on dynamic bounding volume hierarchies). Shapes in motion are not in it: they
+// are found by sorting (pairs.hpp). So nothing in the tree changes while bodies sleep.
+#pragma once
+
+#include "memory/records.hpp"
+
+namespace islet::detail {
+
+struct Tree {
+    TreeState* state;
+    TreeNode* nodes;
+};
+
+/// Adds a leaf for `shape`; returns the node. The pool of nodes holds twice as many as there are shapes, so there is always room.
+std::uint32_t tree_insert(Tree tree, const Aabb& box, std::uint32_t shape);
+void tree_remove(Tree tree, std::uint32_t leaf);
+/// Null, or a sentence naming what is broken.
+const char* tree_validate(Tree tree);
+
+/// Room for a traversal: an AVL tree of 2^22 leaves is at most 1.44 * 22 = 32 levels high, and a traversal holds one node a level.
+inline constexpr std::uint32_t tree_stack = 64;
+
+/// Calls visit(shape) for every leaf whose box overlaps `box`, in an order that depends on the tree.
+template <class Visit>
+void tree_query(Tree tree, const Aabb& box, Visit&& visit) {
+    std::uint32_t stack[tree_stack];
+    std::uint32_t top = 0;
+    if (tree.state->root != null_index) stack[top++] = tree.state->root;
+    while (top > 0) {
+        const TreeNode& node = tree.nodes[stack[--top]];
+        if (!overlaps(node.box, box)) continue;
+        if (node.child1 == null_index) {
+            visit(node.child2);
+        } else {
+            stack[top++] = node.child2;
+            stack[top++] = node.child1;
+        }
+    }
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,43 @@
+// Contact manifolds: up to two points that say where two shapes meet, for every pair of shapes.
+//
+// Everything is in the local frame of shape A's body ("frame A"): the narrow phase never sees large world coordinates, so a scene 10 km from
+// the origin collides exactly like one at the origin.
+#pragma once
+
+#include <cstdint>
+
+#include "islet/geometry.hpp"
+
+namespace islet::detail {
+
+inline constexpr float linear_slop = 0.005f;                       // m: a length that is numerically large and visually small
+inline constexpr float speculative_distance = 4.0f * linear_slop;  // m: contacts are made this long before surfaces meet
+
+struct ManifoldPoint {
+    Vec2 point;              // m, frame A, midway between the two surfaces
+    float separation = 0;    // m, along the normal; negative when overlapping
+    std::uint16_t id = 0;    // feature id: which vertex or edge of A and of B; stable from step to step while the features are the same
+};
+
+struct Manifold {
+    Vec2 normal;             // unit, frame A, from A to B
+    ManifoldPoint points[2];
+    std::uint32_t count = 0; // 0: no contact closer than the margin
+};
+
+// Each returns the manifold of shapes a and b, where b_in_a is the pose of B's body frame in A's body frame. Points with separation above
+// `margin` (m, >= speculative_distance) are left out.
+Manifold collide(const Circle& a, const Circle& b, const Transform& b_in_a, float margin);
+Manifold collide(const Capsule& a, const Circle& b, const Transform& b_in_a, float margin);
+Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, float margin);
+Manifold collide(const Segment& a, const Circle& b, const Transform& b_in_a, float margin);
+Manifold collide(const Segment& a, const Capsule& b, const Transform& b_in_a, float margin);
+Manifold collide(const Segment& a, const Polygon& b, const Transform& b_in_a, float margin);
+Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, float margin);
+Manifold collide(const Polygon& a, const Capsule& b, const Transform& b_in_a, float margin);
+Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin);
+Manifold collide(const ChainSegment& a, const Circle& b, const Transform& b_in_a, float margin);
+Manifold collide(const ChainSegment& a, const Capsule& b, const Transform& b_in_a, float margin);
+Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& b_in_a, float margin);
+
+}  // namespace islet::detail

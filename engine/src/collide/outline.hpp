@@ -1,0 +1,92 @@
+// What all pairs with straight faces share: a convex outline seen in frame A, and one face clipped against another.
+//
+//            2 ___i1____ 1        incident face, clipped to the ends of the reference face; each of the two points that remain
+//         ---+-.------ .-+---     is named after the corner of either face next to it: (ref 1, inc 2) and (ref 2, inc 1).
+//            1           2        The names stay when the other shape becomes the reference.
+//              reference
+#pragma once
+
+#include "collide/manifold.hpp"
+#include "math/scalar.hpp"
+
+namespace islet::detail {
+
+// Below this difference (m) two directions or two shapes' faces count as equally good, so that a choice does not flicker with rounding.
+inline constexpr float separation_tie = 0.1f * linear_slop;
+
+// A convex core, counter-clockwise, with outward normals, grown by a radius. Capsules and segments are outlines with two corners and two
+// opposite faces. Positions are relative to an origin near the contact, to keep digits.
+struct Outline {
+    Vec2 vertices[max_polygon_vertices];
+    Vec2 normals[max_polygon_vertices];
+    std::uint32_t count = 0;
+    float radius = 0;
+};
+
+struct Face {
+    Vec2 v1;
+    Vec2 v2;
+    Vec2 normal;
+    float radius = 0;
+    std::uint32_t index1 = 0;
+    std::uint32_t index2 = 0;
+};
+
+inline std::uint16_t feature_id(std::uint32_t index_a, std::uint32_t index_b) {
+    return static_cast<std::uint16_t>(index_a << 8 | index_b);
+}
+
+// v / |v| and |v|; a vector too short to have a direction gets `fallback`, which must be unit.
+struct Direction {
+    Vec2 unit;
+    float length = 0;
+};
+
+inline Direction direction_of(Vec2 v, Vec2 fallback) {
+    const float squared = length_squared(v);
+    const float length = sqrt(squared);
+    if (squared < 1e-14f) {  // (1e-7 m)^2
+        return {fallback, length};
+    }
+    return {(1.0f / length) * v, length};
+}
+
+inline Face face_of(const Outline& o, std::uint32_t i) {
+    const std::uint32_t next = i + 1 < o.count ? i + 1 : 0;
+    return {o.vertices[i], o.vertices[next], o.normals[i], o.radius, i, next};
+}
+
+// The face that looks most directly against direction n.
+inline std::uint32_t face_against(const Outline& o, Vec2 n) {
+    std::uint32_t best = 0;
+    float best_value = dot(n, o.normals[0]);
+    for (std::uint32_t i = 1; i < o.count; ++i) {
+        const float value = dot(n, o.normals[i]);
+        best = value < best_value ? i : best;
+        best_value = min(value, best_value);
+    }
+    return best;
+}
+
+// p relative to origin, in frame A already.
+Outline outline_of(const Polygon& p, Vec2 origin);
+// p moved by t, relative to origin.
+Outline outline_of(const Polygon& p, const Transform& t, Vec2 origin);
+// Two-cornered outline around p1-p2, already relative to the origin.
+Outline outline_of(Vec2 p1, Vec2 p2, float radius);
+
+// One point between a corner or surface point `a` of core A and `b` of core B, which are `gap` apart along the unit normal.
+Manifold point_manifold(Vec2 a, float radius_a, Vec2 b, float radius_b, Vec2 normal, float gap, std::uint16_t id);
+
+// Up to two points where the incident face lies over the reference face; none where they do not lie over each other.
+Manifold clip_faces(const Face& reference, const Face& incident, bool reference_is_b, Vec2 origin, float margin);
+
+// The whole test of two outlines in one frame; the manifold is moved by origin.
+Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float margin);
+
+// Box against box, when both are rectangles by their normals.
+bool is_box(const Polygon& p);
+// False if the answer needs more than faces (corner against corner): then use collide_outlines.
+bool collide_boxes(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin, Manifold& manifold);
+
+}  // namespace islet::detail

@@ -1,0 +1,135 @@
+// Pairs with straight faces: separating axes first, then the faces that look at each other are clipped, then corners if faces do not do.
+//
+// For two convex outlines every face normal gives a lower bound of the distance; the greatest of them picks the reference face. If the
+// face it looks at, clipped to it, comes as close as that bound, face contact is the answer. Otherwise two corners are closest, and GJK
+// says which. (The order of these steps, and that rounded and speculative contacts need the last one, is learnt from Box2D 3.)
+#include "collide/distance.hpp"
+#include "collide/outline.hpp"
+
+namespace islet::detail {
+namespace {
+
+struct Axis {
+    float separation = 0;  // m, between the cores
+    std::uint32_t face = 0;
+};
+
+// The face of p that q is furthest in front of. Stops at the first that is further than `limit`.
+Axis best_axis(const Outline& p, const Outline& q, float limit) {
+    Axis best = {-3e38f, 0};
+    for (std::uint32_t i = 0; i < p.count; ++i) {
+        const Vec2 n = p.normals[i];
+        float nearest = dot(n, q.vertices[0]);
+        for (std::uint32_t j = 1; j < q.count; ++j) {
+            nearest = min(nearest, dot(n, q.vertices[j]));
+        }
+        const float separation = nearest - dot(n, p.vertices[i]);
+        if (separation > best.separation) {
+            best = {separation, i};
+            if (separation > limit) {
+                break;
+            }
+        }
+    }
+    return best;
+}
+
+// Overlapping outlines whose faces miss each other: the deepest corner alone.
+Manifold deepest_corner(const Outline& reference, const Axis& axis, const Outline& other, bool reference_is_b, Vec2 origin) {
+    const Face face = face_of(reference, axis.face);
+    std::uint32_t deepest = 0;
+    float depth = dot(face.normal, other.vertices[0]);
+    for (std::uint32_t i = 1; i < other.count; ++i) {
+        const float value = dot(face.normal, other.vertices[i]);
+        deepest = value < depth ? i : deepest;
+        depth = min(value, depth);
+    }
+    const Vec2 corner = other.vertices[deepest] + origin;
+    const Vec2 foot = corner - axis.separation * face.normal;
+    if (reference_is_b) {
+        return point_manifold(corner, other.radius, foot, reference.radius, -face.normal, axis.separation, feature_id(deepest, face.index1));
+    }
+    return point_manifold(foot, reference.radius, corner, other.radius, face.normal, axis.separation, feature_id(face.index1, deepest));
+}
+
+float least_separation(const Manifold& m) {
+    return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
+}
+
+}  // namespace
+
+Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float margin) {
+    const float radii = a.radius + b.radius;
+    const float limit = margin + radii;
+    const Axis axis_a = best_axis(a, b, limit);
+    if (axis_a.separation > limit) {
+        return {};
+    }
+    const Axis axis_b = best_axis(b, a, limit);
+    if (axis_b.separation > limit) {
+        return {};
+    }
+
+    // A is the reference unless B is clearly better.
+    const bool reference_is_b = axis_b.separation > axis_a.separation + separation_tie;
+    const Outline& reference = reference_is_b ? b : a;
+    const Outline& other = reference_is_b ? a : b;
+    const Axis& axis = reference_is_b ? axis_b : axis_a;
+    const Face face = face_of(reference, axis.face);
+    const Manifold clipped = clip_faces(face, face_of(other, face_against(other, face.normal)), reference_is_b, origin, margin);
+
+    // No clipped point can be closer than the best axis says, and none needs to be.
+    const float bound = max(axis_a.separation, axis_b.separation);
+    if (clipped.count > 0 && (bound <= separation_tie || least_separation(clipped) <= bound - radii + separation_tie)) {
+        return clipped;
+    }
+
+    const DistanceResult near = core_distance(a.vertices, a.count, b.vertices, b.count);
+    if (near.distance <= 1e-5f) {  // m; overlapping, or too close for a direction between corners
+        if (clipped.count > 0) {
+            return clipped;
+        }
+        return axis_b.separation > axis_a.separation ? deepest_corner(b, axis_b, a, true, origin) : deepest_corner(a, axis_a, b, false, origin);
+    }
+    if (clipped.count > 0 && least_separation(clipped) <= near.distance - radii + separation_tie) {
+        return clipped;
+    }
+    if (near.distance > limit) {
+        return {};
+    }
+    return point_manifold(near.point_a + origin, a.radius, near.point_b + origin, b.radius, near.normal, near.distance,
+                          feature_id(near.index_a[0], near.index_b[0]));
+}
+
+Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin) {
+    Manifold m;
+    if (is_box(a) && is_box(b) && collide_boxes(a, b, b_in_a, margin, m)) {
+        return m;
+    }
+    const Vec2 origin = a.vertices[0];
+    return collide_outlines(outline_of(a, origin), outline_of(b, b_in_a, origin), origin, margin);
+}
+
+Manifold collide(const Polygon& a, const Capsule& b, const Transform& b_in_a, float margin) {
+    const Vec2 origin = a.vertices[0];
+    const Transform t = {b_in_a.p - origin, b_in_a.q};
+    return collide_outlines(outline_of(a, origin), outline_of(transform_point(t, b.point1), transform_point(t, b.point2), b.radius), origin, margin);
+}
+
+Manifold collide(const Segment& a, const Polygon& b, const Transform& b_in_a, float margin) {
+    const Vec2 origin = a.point1;
+    return collide_outlines(outline_of({}, a.point2 - origin, 0), outline_of(b, b_in_a, origin), origin, margin);
+}
+
+Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, float margin) {
+    const Vec2 origin = a.point1;
+    const Transform t = {b_in_a.p - origin, b_in_a.q};
+    return collide_outlines(outline_of({}, a.point2 - origin, a.radius),
+                            outline_of(transform_point(t, b.point1), transform_point(t, b.point2), b.radius), origin, margin);
+}
+
+Manifold collide(const Segment& a, const Capsule& b, const Transform& b_in_a, float margin) {
+    return collide(Capsule{a.point1, a.point2, 0}, b, b_in_a, margin);
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,30 @@
+// The limits of what counts as a shape, and the test for a convex polygon.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "islet/geometry.hpp"
+
+namespace islet::detail {
+
+// m: segments, capsule axes and the edges of a computed hull are longer than this. The solver lets shapes sink into each other by as much,
+// so anything shorter has no direction worth speaking of.
+inline constexpr float min_length = 0.005f;
+
+// m: no coordinate, radius or extent of a shape is larger, so that the fourth powers in an inertia stay far from overflow.
+inline constexpr float max_coordinate = 1e7f;
+
+/// False for NaN as well.
+ISLET_INLINE bool in_range(float a) { return abs(a) <= max_coordinate; }
+ISLET_INLINE bool in_range(Vec2 a) { return in_range(a.x) && in_range(a.y); }
+ISLET_INLINE bool is_radius(float r) { return r >= 0 && r <= max_coordinate; }
+
+/// The index after i in a loop of count.
+ISLET_INLINE std::uint32_t next(std::uint32_t i, std::uint32_t count) { return i + 1 < count ? i + 1 : 0; }
+
+/// True if every point lies strictly to the left of every edge it is not an end of: convex, counter-clockwise, going round just once,
+/// no two points alike and no three in a line.
+bool is_strictly_convex(std::span<const Vec2> points);
+
+}  // namespace islet::detail

@@ -1,0 +1,42 @@
+// Islands and batches: who is solved with whom.
+//
+// An island is a set of dynamic bodies linked by touching contacts; static and kinematic bodies link nothing. Islands are found anew in every
+// step by union-find, so they link as soon as a contact touches and split as soon as one goes. Several islands make a batch, sized so that a batch's
+// bodies and rows fit a core's cache; within a batch, contacts are grouped by colour.
+//
+//   slots:   | 0: static | batch 0's bodies | batch 1's bodies | ...
+//   rows:    | batch 0: colour 0 (padded to whole blocks), colour 1, ... | batch 1: ... |        + one row a block for the overflow
+//
+// Which island, batch or slot a body gets never changes a result: rows of one colour are independent, and so are islands.
+#pragma once
+
+#include "memory/core.hpp"
+
+namespace islet::detail {
+
+/// A run of islands solved together. Offsets are in blocks of `lanes` contacts; overflow in contacts.
+struct Batch {
+    std::uint32_t first_slot = 0, end_slot = 0;
+    std::uint32_t first_block[color_count + 1] = {};
+    std::uint32_t first_overflow = 0, end_overflow = 0;
+};
+
+/// The plan of one solve, in scratch.
+struct Plan {
+    std::uint32_t slot_count = 0;             // slot 0 included
+    std::uint32_t* body_of = nullptr;         // by slot
+    std::uint32_t* slot_of = nullptr;         // by body; 0 for those at rest
+    std::uint32_t* island_of = nullptr;       // by slot; null_index for kinematic bodies
+    std::uint32_t island_count = 0;
+    Batch* batches = nullptr;
+    std::uint32_t batch_count = 0;
+    std::uint32_t* contacts = nullptr;        // by row: blocks first, then overflow; null_index in the padding
+    std::uint32_t block_count = 0;
+    std::uint32_t overflow_count = 0;
+    std::uint32_t colors = 0;                 // in use
+    std::uint32_t touching_count = 0;
+};
+
+Plan make_plan(const Core& core, Arena& arena);
+
+}  // namespace islet::detail

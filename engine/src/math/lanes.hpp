@@ -1,0 +1,165 @@
+// Lanes: 1, 4 or 8 floats that go through the same arithmetic side by side. The solver's kernels are written once, over these types.
+//
+// A lane never sees another lane's value and every operation is a single IEEE operation, so each width gives the same bits.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "islet/math.hpp"
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#define ISLET_LANE [[gnu::always_inline]] inline
+
+namespace islet::detail {
+
+// One lane: the processor's own float.
+using islet::max;
+using islet::min;
+ISLET_LANE float select(bool mask, float a, float b) { return mask ? a : b; }
+
+struct Lane1 {
+    using F = float;
+    static constexpr std::uint32_t width = 1;
+    ISLET_LANE static F splat(float a) { return a; }
+    ISLET_LANE static F load(const float* p) { return *p; }
+    ISLET_LANE static void store(float* p, F a) { *p = a; }
+
+    /// Column i of the output is word i of the record at base + stride * index.
+    template <std::uint32_t stride>
+    ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
+        const float* p = base + std::size_t{stride} * index[0];
+        for (int i = 0; i < 8; ++i) out[i] = p[i];
+    }
+    template <std::uint32_t stride>
+    ISLET_LANE static void gather4(const float* base, const std::uint32_t* index, F out[4]) {
+        const float* p = base + std::size_t{stride} * index[0];
+        for (int i = 0; i < 4; ++i) out[i] = p[i];
+    }
+    /// Writes four columns back to the first four words of each record.
+    template <std::uint32_t stride>
+    ISLET_LANE static void scatter4(float* base, const std::uint32_t* index, const F in[4]) {
+        float* p = base + std::size_t{stride} * index[0];
+        for (int i = 0; i < 4; ++i) p[i] = in[i];
+    }
+};
+
+// Four lanes by the compiler's vector extension: SSE2, NEON, wasm-simd128, or plain code where there is none.
+typedef float f4 __attribute__((vector_size(16)));
+typedef std::int32_t i4 __attribute__((vector_size(16)));
+
+ISLET_LANE f4 select(i4 mask, f4 a, f4 b) { return reinterpret_cast<f4>((mask & reinterpret_cast<i4>(a)) | (~mask & reinterpret_cast<i4>(b))); }
+#if defined(__SSE2__)
+ISLET_LANE f4 min(f4 a, f4 b) { return _mm_min_ps(a, b); }  // a < b ? a : b, as for one lane
+ISLET_LANE f4 max(f4 a, f4 b) { return _mm_max_ps(a, b); }
+#else
+ISLET_LANE f4 min(f4 a, f4 b) { return select(a < b, a, b); }
+ISLET_LANE f4 max(f4 a, f4 b) { return select(a > b, a, b); }
+#endif
+
+ISLET_LANE f4 load4(const float* p) {
+    f4 a;
+    std::memcpy(&a, p, 16);
+    return a;
+}
+ISLET_LANE void store4(float* p, f4 a) { std::memcpy(p, &a, 16); }
+
+ISLET_LANE void transpose4(f4 r0, f4 r1, f4 r2, f4 r3, f4* out) {
+    const f4 a = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
+    const f4 b = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);
+    const f4 c = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
+    const f4 d = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
+    out[0] = __builtin_shufflevector(a, b, 0, 1, 4, 5);
+    out[1] = __builtin_shufflevector(a, b, 2, 3, 6, 7);
+    out[2] = __builtin_shufflevector(c, d, 0, 1, 4, 5);
+    out[3] = __builtin_shufflevector(c, d, 2, 3, 6, 7);
+}
+
+struct Lane4 {
+    using F = f4;
+    static constexpr std::uint32_t width = 4;
+    ISLET_LANE static F splat(float a) { return F{a, a, a, a}; }
+    ISLET_LANE static F load(const float* p) { return load4(p); }
+    ISLET_LANE static void store(float* p, F a) { store4(p, a); }
+
+    template <std::uint32_t stride>
+    ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
+        const float* p[4];
+        for (int i = 0; i < 4; ++i) p[i] = base + std::size_t{stride} * index[i];
+        transpose4(load4(p[0]), load4(p[1]), load4(p[2]), load4(p[3]), out);
+        transpose4(load4(p[0] + 4), load4(p[1] + 4), load4(p[2] + 4), load4(p[3] + 4), out + 4);
+    }
+    template <std::uint32_t stride>
+    ISLET_LANE static void gather4(const float* base, const std::uint32_t* index, F out[4]) {
+        const float* p[4];
+        for (int i = 0; i < 4; ++i) p[i] = base + std::size_t{stride} * index[i];
+        transpose4(load4(p[0]), load4(p[1]), load4(p[2]), load4(p[3]), out);
+    }
+    template <std::uint32_t stride>
+    ISLET_LANE static void scatter4(float* base, const std::uint32_t* index, const F in[4]) {
+        f4 r[4];
+        transpose4(in[0], in[1], in[2], in[3], r);
+        for (int i = 0; i < 4; ++i) store4(base + std::size_t{stride} * index[i], r[i]);
+    }
+};
+
+#if defined(__AVX2__)
+// Eight lanes. This part is seen only by the translation units compiled for AVX2.
+typedef float f8 __attribute__((vector_size(32)));
+typedef std::int32_t i8 __attribute__((vector_size(32)));
+
+ISLET_LANE f8 select(i8 mask, f8 a, f8 b) { return _mm256_blendv_ps(b, a, reinterpret_cast<f8>(mask)); }
+ISLET_LANE f8 min(f8 a, f8 b) { return _mm256_min_ps(a, b); }
+ISLET_LANE f8 max(f8 a, f8 b) { return _mm256_max_ps(a, b); }
+
+struct Lane8 {
+    using F = f8;
+    static constexpr std::uint32_t width = 8;
+    ISLET_LANE static F splat(float a) { return _mm256_set1_ps(a); }
+    ISLET_LANE static F load(const float* p) { return _mm256_loadu_ps(p); }
+    ISLET_LANE static void store(float* p, F a) { _mm256_storeu_ps(p, a); }
+
+    template <std::uint32_t stride>
+    ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
+        gather4<stride>(base, index, out);
+        gather4<stride>(base + 4, index, out + 4);
+    }
+    template <std::uint32_t stride>
+    ISLET_LANE static void gather4(const float* base, const std::uint32_t* index, F out[4]) {
+        // Rows i and i + 4 share a register, so that what is left are two 4 x 4 transpositions side by side.
+        f8 r[4];
+        for (int i = 0; i < 4; ++i) {
+            const float* p = base + std::size_t{stride} * index[i];
+            const float* q = base + std::size_t{stride} * index[i + 4];
+            r[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p)), _mm_loadu_ps(q), 1);
+        }
+        transpose(r, out);
+    }
+    template <std::uint32_t stride>
+    ISLET_LANE static void scatter4(float* base, const std::uint32_t* index, const F in[4]) {
+        f8 r[4];
+        transpose(in, r);
+        for (int i = 0; i < 4; ++i) {
+            _mm_storeu_ps(base + std::size_t{stride} * index[i], _mm256_castps256_ps128(r[i]));
+            _mm_storeu_ps(base + std::size_t{stride} * index[i + 4], _mm256_extractf128_ps(r[i], 1));
+        }
+    }
+
+private:
+    ISLET_LANE static void transpose(const f8 r[4], f8 out[4]) {
+        const f8 a = _mm256_unpacklo_ps(r[0], r[1]);
+        const f8 b = _mm256_unpacklo_ps(r[2], r[3]);
+        const f8 c = _mm256_unpackhi_ps(r[0], r[1]);
+        const f8 d = _mm256_unpackhi_ps(r[2], r[3]);
+        out[0] = _mm256_shuffle_ps(a, b, 0x44);
+        out[1] = _mm256_shuffle_ps(a, b, 0xee);
+        out[2] = _mm256_shuffle_ps(c, d, 0x44);
+        out[3] = _mm256_shuffle_ps(c, d, 0xee);
+    }
+};
+#endif
+
+}  // namespace islet::detail

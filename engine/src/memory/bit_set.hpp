@@ -1,0 +1,38 @@
+// A fixed set of bits over words that live in the world's block: a view, like a span. Walking it visits indices in ascending order.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "islet/layout.hpp"
+
+namespace islet::detail {
+
+struct BitSet {
+    std::uint64_t* words = nullptr;
+    std::uint32_t word_count = 0;
+
+    bool test(std::uint32_t i) const { return (words[i / 64] >> (i % 64) & 1) != 0; }
+    void set(std::uint32_t i) const { words[i / 64] |= std::uint64_t{1} << (i % 64); }
+    void clear(std::uint32_t i) const { words[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
+    void assign(std::uint32_t i, bool on) const { on ? set(i) : clear(i); }
+    void clear_all() const { std::memset(words, 0, std::size_t{word_count} * 8); }
+
+    std::uint32_t count() const {
+        std::uint32_t n = 0;
+        for (std::uint32_t w = 0; w < word_count; ++w)
+            for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) ++n;
+        return n;
+    }
+
+    /// Calls visit(index) for each set bit in ascending order. A word is read once before its bits are visited, so `visit` may clear
+    /// bits freely; bits set in later words are visited, those set in the current one are not.
+    template <class Visit>
+    [[gnu::always_inline]] void for_each(Visit&& visit) const {
+        for (std::uint32_t w = 0; w < word_count; ++w)
+            for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1)
+                visit(w * 64 + static_cast<std::uint32_t>(__builtin_ctzll(bits)));
+    }
+};
+
+}  // namespace islet::detail

@@ -1,0 +1,66 @@
+// Core: the host's view of a world's block. Pointers to the arrays, the error hook, and the report of the last step; none of it persists.
+#pragma once
+
+#include <cstdint>
+
+#include "islet/world.hpp"
+#include "memory/arena.hpp"
+#include "memory/bit_set.hpp"
+#include "memory/pair_set.hpp"
+#include "memory/records.hpp"
+
+namespace islet::detail {
+
+struct Core {
+    Capacity capacity;
+    std::uint32_t lanes = 1;
+    Error last_error = Error::none;
+    ErrorHook error_hook = nullptr;
+    void* error_context = nullptr;
+
+    State* state = nullptr;
+    Pose* poses = nullptr;
+    Motion* motions = nullptr;
+    Body* bodies = nullptr;
+    Shape* shapes = nullptr;
+    Aabb* boxes = nullptr;            // fat boxes, by shape
+    Geometry* geometries = nullptr;
+    std::uint32_t* geometry_buckets = nullptr;
+    TreeNode* tree = nullptr;
+    Contact* contacts = nullptr;
+    ContactManifold* manifolds = nullptr;
+    PairSet pairs;
+    BitSet awake_bodies;              // dynamic and kinematic bodies that move or may move
+    BitSet awake_contacts;            // contacts of an awake body
+    BitSet moved_shapes;              // shapes whose fat box changed since pairs were last found
+
+    TouchEvent* begin_events = nullptr;
+    TouchEvent* end_events = nullptr;
+    BodyId* moved_events = nullptr;
+    BodyId* slept_events = nullptr;
+    std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0;
+
+    std::byte* scratch = nullptr;
+    std::byte* scratch_end = nullptr;
+    StepReport report;
+
+    Arena arena() const { return {scratch, scratch_end}; }
+
+    void fail(Error error) {
+        last_error = error;
+        if (error_hook != nullptr) error_hook(error, error_context);
+    }
+
+    BodyId body_id(std::uint32_t i) const { return {i + 1, bodies[i].generation}; }
+    ShapeId shape_id(std::uint32_t i) const { return {i + 1, shapes[i].generation}; }
+    bool is_awake(std::uint32_t body) const { return awake_bodies.test(body); }
+    bool is_dynamic(std::uint32_t body) const { return bodies[body].type() == BodyType::dynamic; }
+
+    static Core& of(World& world) { return world.core(); }
+    static const Core& of(const World& world) { return world.core(); }
+};
+
+static_assert(sizeof(Core) <= core_bytes);
+static_assert(sizeof(State) == state_bytes);
+
+}  // namespace islet::detail

@@ -1,0 +1,170 @@
+// The records in the world's block: fixed-width fields, explicit padding, indices instead of pointers. Hot and cold data are apart.
+#pragma once
+
+#include <cstdint>
+
+#include "islet/geometry.hpp"
+#include "islet/layout.hpp"
+#include "islet/types.hpp"
+#include "memory/pool.hpp"
+
+namespace islet::detail {
+
+enum PoseFlags : std::uint32_t {
+    pose_fast = 1u,   // moved so far in the last step that its contacts look further ahead
+    pose_moved = 2u,  // a fat box of it changed since contacts were last updated
+};
+
+/// Where a body is and how heavy: eight words, loaded at once by the narrow phase and the solver.
+struct Pose {
+    Vec2 center;             // m, centre of mass in the world
+    Rot q;
+    float inv_mass = 0;      // 1/kg, 0 unless dynamic
+    float inv_inertia = 0;   // 1/(kg m^2)
+    float max_extent = 0;    // m, from the centre of mass to the farthest point of the body's shapes
+    std::uint32_t flags = 0; // PoseFlags
+};
+
+/// How a body moves.
+struct Motion {
+    Vec2 v;                  // m/s, of the centre of mass
+    float w = 0;             // rad/s
+    float slack = 0;         // m the body may still move before one of its shapes could leave its fat box
+    Vec2 force;              // N, for the next step
+    float torque = 0;        // N m
+    float sleep_time = 0;    // s at rest
+};
+
+enum BodyFlags : std::uint32_t {
+    body_type_mask = 3u,     // BodyType
+    body_fixed_rotation = 4u,
+    body_may_sleep = 8u,
+    body_mass_override = 16u,
+};
+
+struct Body {
+    Vec2 origin;             // m, of the body frame in the world
+    Vec2 local_center;       // m
+    float linear_damping = 0, angular_damping = 0, gravity_scale = 1, sleep_threshold = 0;
+    float mass = 0, inertia = 0;  // kg, kg m^2 about the centre of mass
+    float min_extent = 0;    // m, smallest half-thickness of its shapes
+    std::uint32_t flags = 0;
+    std::uint32_t shape_head = null_index;
+    std::uint32_t contact_head = 0;  // contact key: contact * 2 + side + 1; 0 ends the list
+    std::uint32_t shape_count = 0;
+    std::uint32_t contact_count = 0;
+    std::uint32_t colors = 0;        // bit i: one of its constraints has colour i
+    std::uint32_t generation = 0;
+    std::uint64_t user_data = 0;
+    std::uint32_t next_free = null_index;
+    std::uint32_t pad = 0;
+
+    BodyType type() const { return static_cast<BodyType>(flags & body_type_mask); }
+};
+
+struct Shape {
+    std::uint32_t geometry = 0;
+    std::uint32_t body = 0;
+    std::uint32_t next = null_index, prev = null_index;  // among the body's shapes
+    std::uint32_t tree_node = null_index;                // leaf in the tree of resting shapes, or null while the body is awake
+    float friction = 0, restitution = 0, rolling_resistance = 0, tangent_speed = 0, density = 0;
+    Filter filter;
+    std::uint32_t generation = 0;
+    float margin = 0;                                    // m, by which the fat box exceeds the tight one
+    std::uint32_t next_free = null_index;
+    std::uint64_t user_data = 0;
+};
+
+/// A geometry, stored once however many shapes share it.
+struct Geometry {
+    std::uint32_t type = 0;       // ShapeType
+    std::uint32_t references = 0;
+    std::uint32_t hash = 0;
+    std::uint32_t next = null_index;  // in its bucket; in the free list while unused
+    union {
+        Circle circle;
+        Capsule capsule;
+        Segment segment;
+        ChainSegment chain;
+        Polygon polygon;
+        std::uint32_t words[36];
+    };
+    Geometry() : words{} {}
+};
+
+enum ContactFlags : std::uint32_t {
+    contact_touching = 1u,
+    contact_posed = 2u,        // the relative pose in the manifold is valid: it may be recycled
+    contact_special = 4u,      // has rolling resistance or a tangent speed
+    contact_count_shift = 4,   // 2 bits: manifold points
+    contact_color_shift = 8,   // 8 bits: colour, or no_color
+};
+inline constexpr std::uint32_t no_color = 0xff;
+
+/// Two shapes whose fat boxes overlap: the links.
+struct Contact {
+    std::uint32_t shape_a = null_index, shape_b = null_index;
+    std::uint32_t next[2] = {0, 0}, prev[2] = {0, 0};  // contact keys, in the lists of the two bodies
+    std::uint32_t generation = 0;
+    std::uint32_t next_free = null_index;
+};
+
+/// What the narrow phase found and the solver keeps, in body A's frame relative to A's centre of mass: three groups of eight words,
+/// loaded in lanes.
+struct ContactManifold {
+    std::uint32_t body_a = 0, body_b = 0;
+    std::uint32_t flags = 0;       // ContactFlags
+    std::uint32_t ids = 0;         // feature ids of the two points, 16 bits each
+    Vec2 normal;                   // unit, from A to B
+    float friction = 0, restitution = 0;
+
+    Vec2 rel_position;             // of B's centre in A's frame when the manifold was made
+    Rot rel_rotation;              // of B in A
+    Vec2 anchors[2];               // contact points relative to A's centre
+
+    float normal_impulse[2] = {0, 0};
+    float tangent_impulse[2] = {0, 0};
+    float rolling_impulse = 0;
+    float separation[2] = {0, 0};  // when the manifold was made
+    float pad = 0;
+
+    std::uint32_t count() const { return flags >> contact_count_shift & 3u; }
+    std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }
+    void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
+};
+
+/// A node of a bounding-box tree; see broadphase/tree.hpp.
+struct TreeNode {
+    Aabb box;
+    std::uint32_t parent = null_index;
+    std::uint32_t child1 = null_index;  // a leaf has none
+    std::uint32_t child2 = null_index;  // a leaf keeps its shape here
+    std::uint32_t height = 0;
+};
+
+struct TreeState {
+    std::uint32_t root = null_index;
+    std::uint32_t free_head = null_index;
+    std::uint32_t high_water = 0;
+    std::uint32_t leaf_count = 0;
+};
+
+/// Everything persistent that is not in an array.
+struct State {
+    PoolState body_pool, shape_pool, contact_pool, geometry_pool;  // 48
+    TreeState tree;                                                // 16
+    Vec2 gravity;
+    float restitution_threshold = 1;
+    float max_speed = 400;                                         // 16
+    SolverDef solver;                                              // 44
+    std::uint32_t enable_sleep = 1;
+    std::uint64_t steps = 0;
+    std::uint32_t moved_count = 0;                                 // shapes whose fat box changed since pairs were last found
+    std::uint32_t pad[28] = {};
+};
+
+static_assert(sizeof(Pose) == pose_bytes && sizeof(Motion) == motion_bytes && sizeof(Body) == body_bytes);
+static_assert(sizeof(Shape) == shape_bytes && sizeof(Geometry) == geometry_bytes && sizeof(Aabb) == box_bytes);
+static_assert(sizeof(Contact) == contact_bytes && sizeof(ContactManifold) == manifold_bytes && sizeof(TreeNode) == tree_node_bytes);
+
+}  // namespace islet::detail

@@ -1,0 +1,19 @@
+// The kernel for eight lanes: this file alone is compiled for AVX2 (never FMA, which would change the bits).
+#include "solver/kernel.hpp"
+
+namespace islet::detail {
+
+#if defined(__AVX2__)
+void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count) { ContactKernel<Lane8>::prepare(in, rows, count); }
+void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers) {
+    ContactKernel<Lane8>::solve(bodies, rows, count, numbers);
+}
+void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, float threshold) {
+    ContactKernel<Lane8>::restitute(bodies, rows, count, threshold);
+}
+void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count) {
+    ContactKernel<Lane8>::store(manifolds, rows, count);
+}
+#endif
+
+}  // namespace islet::detail

@@ -1,0 +1,84 @@
+// What the solver works on: bodies and contact rows, gathered into contiguous scratch for one solve.
+#pragma once
+
+#include <cstdint>
+
+#include "memory/records.hpp"
+
+namespace islet::detail {
+
+/// A body during a solve: eight words, loaded in lanes. Slot 0 stands for all static bodies.
+struct SolverBody {
+    Vec2 v;                 // m/s
+    float w = 0;            // rad/s
+    float inv_mass = 0;
+    Vec2 dp;                // m moved since the step began. Before the first substep: the velocity that warm starting adds
+    float dq = 0;           // rad turned since the step began
+    float inv_inertia = 0;
+};
+
+/// What a substep's integration needs besides.
+struct SolverMotion {
+    Vec2 v_free;            // m/s, velocity after the last integration, before warm start and sweeps
+    float w_free = 0;       // rad/s
+    float angular_factor = 1;  // damping over a substep: v <- factor (v + a)
+    Vec2 a;                 // m/s gained in a substep from gravity and forces
+    float alpha = 0;        // rad/s gained in a substep from torque
+    float linear_factor = 1;
+};
+
+static_assert(sizeof(SolverBody) == solver_body_bytes && sizeof(SolverMotion) == solver_motion_bytes);
+
+/// The rows of W contacts of one colour: for each of up to two points one row along the normal n and one along the tangent t = right_perp(n).
+///
+/// Anchors are kept in the contact's own frame: r = an n + at t. So r x n = at and r x t = -an, which are the angular entries of the two
+/// Jacobians, and turning a body by a small angle q moves its anchor along n by q at - q^2/2 an. The contact point is the same for both bodies,
+/// so B's anchor is A's plus (dn, dt), the vector from B's centre to A's.
+template <std::uint32_t W>
+struct alignas(W * 4) ContactRows {
+    struct Point {
+        float an[W], at[W];       // m
+        float separation[W];      // m, at the start of the step
+        float normal_mass[W];     // kg, times the relaxation factor
+        float tangent_mass[W];    // kg, times the relaxation factor
+        float normal_impulse[W];  // N s
+        float tangent_impulse[W]; // N s
+    };
+    std::uint32_t body_a[W], body_b[W];  // solver slots; 0 in the padding
+    std::uint32_t contact[W];            // null_index in the padding
+    float nx[W], ny[W];
+    float friction[W];
+    float dn[W], dt[W];
+    Point points[2];
+    float rolling_mass[W], rolling_impulse[W], rolling_resistance[W], tangent_speed[W];  // if special
+    float restitution[W], approach[2][W], peak[2][W];  // if bouncy: normal velocity before the step, largest impulse in it
+    bool two_points, special, bouncy;
+    std::uint8_t pad[W * 4 - 3];
+};
+
+static_assert(sizeof(ContactRows<1>) == row_bytes && sizeof(ContactRows<4>) == 4 * row_bytes && sizeof(ContactRows<8>) == 8 * row_bytes);
+
+/// Constants of one solve.
+struct StepNumbers {
+    float dt = 0;           // s
+    float h = 0;            // s, substep
+    float inv_h = 0;
+    float omega = 1;
+    float warm = 1;         // 1 or 0: share of last step's impulses to start from
+    float restitution_threshold = 0;
+    float max_speed = 0, max_turn = 0;
+};
+
+/// How one sweep treats penetration: velocity bias = max(bias_rate (s + slop), -push_speed), where s < 0 is the separation; for soft
+/// contacts bias_rate already includes mass_scale.
+struct SweepNumbers {
+    float inv_h = 0;
+    float bias_rate = 0;    // 1/s; 0 in a relax sweep
+    float mass_scale = 1;
+    float impulse_scale = 0;
+    float push_speed = 0;
+    float slop = 0;
+    bool friction = true;
+};
+
+}  // namespace islet::detail

@@ -1,0 +1,280 @@
+#include "solver/solver.hpp"
+
+#include "math/lanes.hpp"
+#include "math/scalar.hpp"
+#include "memory/colors.hpp"
+#include "solver/kernel.hpp"
+
+namespace islet::detail {
+
+extern template struct ContactKernel<Lane1>;
+extern template struct ContactKernel<Lane4>;
+#if defined(__x86_64__)
+// Eight lanes, from kernel_avx2.cpp; only the declarations can be seen here, where AVX2 is not assumed.
+void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count);
+void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers);
+void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, float threshold);
+void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count);
+
+struct Kernel8 {
+    static constexpr std::uint32_t W = 8;
+    using Rows = ContactRows<8>;
+    static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { prepare_8(in, rows, count); }
+    static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& n) { solve_8(bodies, rows, count, n); }
+    static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float t) { restitute_8(bodies, rows, count, t); }
+    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) { store_8(manifolds, rows, count); }
+};
+#endif
+
+namespace {
+
+/// What all batches of one solve share.
+struct Solve {
+    Core& core;
+    const Plan& plan;
+    StepNumbers numbers;
+    SweepNumbers biased, ground, relaxed;  // `ground`: for the colours of static contacts, which are stiffer
+    SolverBody* bodies;
+    SolverMotion* motions;
+    std::byte* blocks;                     // ContactRows of the core's lanes
+    ContactRows<1>* overflow;
+};
+
+// A spring of `hertz` and a damping ratio, integrated implicitly over h, as scales on the mass and the accumulated impulse (Catto 2011).
+SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, float h) {
+    const float omega = 2.0f * pi * hertz;
+    const float a1 = 2.0f * damping_ratio + h * omega;
+    const float a2 = h * omega * a1;
+    const float a3 = 1.0f / (1.0f + a2);
+    SweepNumbers n;
+    n.inv_h = 1.0f / h;
+    n.bias_rate = omega / a1 * (a2 * a3);
+    n.mass_scale = a2 * a3;
+    n.impulse_scale = a3;
+    n.push_speed = push_speed;
+    return n;
+}
+
+void choose_numbers(Solve& s, float dt) {
+    const State& state = *s.core.state;
+    const SolverDef& def = state.solver;
+    StepNumbers& n = s.numbers;
+    n.dt = dt;
+    n.h = dt / static_cast<float>(def.substeps);
+    n.inv_h = 1.0f / n.h;
+    n.omega = def.omega;
+    n.warm = def.warm_start ? 1.0f : 0.0f;
+    n.restitution_threshold = state.restitution_threshold;
+    n.max_speed = state.max_speed;
+    n.max_turn = 0.5f * pi / dt;
+
+    s.relaxed.inv_h = n.inv_h;
+    if (def.schedule == Schedule::soft) {
+        const float hertz = min(def.contact_hertz, 0.125f * n.inv_h);
+        s.biased = soft_sweep(hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
+        s.ground = soft_sweep(2.0f * hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
+        s.biased.impulse_scale *= n.omega;
+        s.ground.impulse_scale *= n.omega;
+        // Friction belongs to the relaxed sweep, where the normal impulses are not inflated by the push (as in Box2D 3.2).
+        s.biased.friction = s.ground.friction = def.relax_iterations == 0;
+    } else {
+        s.biased.inv_h = n.inv_h;
+        s.biased.bias_rate = def.baumgarte * n.inv_h;
+        s.biased.push_speed = def.contact_push_speed;
+        s.biased.slop = 0.005f;
+        s.ground = s.biased;
+    }
+}
+
+void gather_bodies(Solve& s, const Batch& batch) {
+    const Core& core = s.core;
+    const Vec2 gravity = core.state->gravity;
+    const float h = s.numbers.h;
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
+        const std::uint32_t i = s.plan.body_of[slot];
+        const Pose& pose = core.poses[i];
+        const Motion& motion = core.motions[i];
+        const Body& body = core.bodies[i];
+        SolverBody& b = s.bodies[slot];
+        SolverMotion& m = s.motions[slot];
+        // Adding +0 turns -0 into +0. From then on no sum of the solve is ever -0, so a lane that adds nothing changes no bit.
+        b.v = {motion.v.x + 0.0f, motion.v.y + 0.0f};
+        b.w = motion.w + 0.0f;
+        b.inv_mass = pose.inv_mass;
+        b.dp = {0, 0};
+        b.dq = 0;
+        b.inv_inertia = pose.inv_inertia;
+        m = SolverMotion{};
+        if (pose.inv_mass > 0) {
+            m.a = h * (body.gravity_scale * gravity + pose.inv_mass * motion.force);
+            m.alpha = h * (pose.inv_inertia * motion.torque);
+            m.linear_factor = 1.0f / (1.0f + h * body.linear_damping);
+            m.angular_factor = 1.0f / (1.0f + h * body.angular_damping);
+        }
+    }
+}
+
+// v <- factor (v + a) + warm start. Within a step anchors and normals do not change, so the warm start of a later substep, M^-1 J^T lambda summed over a
+// body's rows, is just what the sweeps of the substep before made of its velocity: v - v_free. One addition a body replaces a pass over all rows.
+void integrate_velocities(Solve& s, const Batch& batch, bool first) {
+    const float max_speed = s.numbers.max_speed;
+    const float max_turn = s.numbers.max_turn;
+    const bool warm = s.numbers.warm > 0;
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
+        SolverBody& b = s.bodies[slot];
+        SolverMotion& m = s.motions[slot];
+        Vec2 dv = b.v - m.v_free;
+        float dw = b.w - m.w_free;
+        if (first) {
+            dv = b.dp;
+            dw = b.dq;
+            b.dp = {0, 0};
+            b.dq = 0;
+        } else if (!warm) {
+            dv = {0, 0};
+            dw = 0;
+        }
+        Vec2 v = m.linear_factor * (b.v + m.a);
+        float w = m.angular_factor * (b.w + m.alpha);
+        const float speed2 = dot(v, v);
+        if (speed2 > max_speed * max_speed) v *= max_speed / sqrt(speed2);
+        w = clamp(w, -max_turn, max_turn);
+        m.v_free = v;
+        m.w_free = w;
+        b.v = v + dv;
+        b.w = w + dw;
+    }
+}
+
+void integrate_positions(Solve& s, const Batch& batch) {
+    const float h = s.numbers.h;
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
+        SolverBody& b = s.bodies[slot];
+        b.dp += h * b.v;
+        b.dq += h * b.w;
+    }
+}
+
+void scatter_bodies(Solve& s, const Batch& batch) {
+    const float max_turn = 0.5f * pi;
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
+        const std::uint32_t i = s.plan.body_of[slot];
+        SolverBody& b = s.bodies[slot];
+        b.dq = clamp(b.dq, -max_turn, max_turn);
+        Pose& pose = s.core.poses[i];
+        Motion& motion = s.core.motions[i];
+        motion.v = b.v;
+        motion.w = b.w;
+        motion.force = {0, 0};
+        motion.torque = 0;
+        pose.center += b.dp;
+        if (b.dq != 0) pose.q = integrate(pose.q, b.dq);
+    }
+}
+
+// Names the contacts of each block. Rolling resistance and surface speed come from the shapes; they are rare, so they are not in the manifold.
+template <std::uint32_t W>
+void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, const std::uint32_t* contacts) {
+    for (std::uint32_t block = 0; block < count; ++block) {
+        ContactRows<W>& r = rows[block];
+        std::uint32_t any = 0;
+        for (std::uint32_t i = 0; i < W; ++i) {
+            const std::uint32_t c = contacts[block * W + i];
+            r.contact[i] = c;
+            if (c != null_index) any |= core.manifolds[c].flags;
+        }
+        if ((any & contact_special) == 0) continue;
+        for (std::uint32_t i = 0; i < W; ++i) {
+            r.rolling_resistance[i] = 0;
+            r.tangent_speed[i] = 0;
+            if (r.contact[i] == null_index) continue;
+            const Contact& c = core.contacts[r.contact[i]];
+            const Shape& a = core.shapes[c.shape_a];
+            const Shape& b = core.shapes[c.shape_b];
+            const auto radius = [&](const Shape& shape) {
+                const Geometry& g = core.geometries[shape.geometry];
+                switch (static_cast<ShapeType>(g.type)) {
+                    case ShapeType::circle: return g.circle.radius;
+                    case ShapeType::capsule: return g.capsule.radius;
+                    case ShapeType::polygon: return g.polygon.radius;
+                    default: return 0.0f;
+                }
+            };
+            r.rolling_resistance[i] = max(a.rolling_resistance, b.rolling_resistance) * max(radius(a), radius(b));
+            r.tangent_speed[i] = a.tangent_speed + b.tangent_speed;
+        }
+    }
+}
+
+// Every colour of a batch, those of static contacts last.
+template <class K>
+void sweep(Solve& s, const Batch& batch, typename K::Rows* rows, const SweepNumbers& dynamic, const SweepNumbers& ground) {
+    ContactKernel<Lane1>::solve(s.bodies, s.overflow + batch.first_overflow, batch.end_overflow - batch.first_overflow, dynamic);
+    for (std::uint32_t c = 0; c < color_count; ++c) {
+        const std::uint32_t first = batch.first_block[c];
+        const std::uint32_t end = batch.first_block[c + 1];
+        if (first == end) continue;
+        K::solve(s.bodies, rows + first, end - first, c < dynamic_color_limit ? dynamic : ground);
+    }
+}
+
+template <class K>
+void solve_batch(Solve& s, const Batch& batch) {
+    typename K::Rows* rows = reinterpret_cast<typename K::Rows*>(s.blocks);
+    const SolverDef& def = s.core.state->solver;
+    const std::uint32_t first_block = batch.first_block[0];
+    const std::uint32_t blocks = batch.first_block[color_count] - first_block;
+    const std::uint32_t overflow = batch.end_overflow - batch.first_overflow;
+    ContactRows<1>* overflow_rows = s.overflow + batch.first_overflow;
+    const std::uint32_t* overflow_contacts = s.plan.contacts + std::size_t{s.plan.block_count} * K::W + batch.first_overflow;
+
+    gather_bodies(s, batch);
+    name_contacts(s.core, rows + first_block, blocks, s.plan.contacts + std::size_t{first_block} * K::W);
+    name_contacts(s.core, overflow_rows, overflow, overflow_contacts);
+    const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.numbers};
+    // Colour by colour: rows of one colour share no body, which warm starting relies on.
+    for (std::uint32_t c = 0; c < color_count; ++c)
+        K::prepare(in, rows + batch.first_block[c], batch.first_block[c + 1] - batch.first_block[c]);
+    ContactKernel<Lane1>::prepare(in, overflow_rows, overflow);
+
+    for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
+        integrate_velocities(s, batch, substep == 0);
+        for (std::uint32_t i = 0; i < def.iterations; ++i) sweep<K>(s, batch, rows, s.biased, s.ground);
+        integrate_positions(s, batch);
+        if (def.schedule == Schedule::classic) continue;
+        for (std::uint32_t i = 0; i < def.relax_iterations; ++i) sweep<K>(s, batch, rows, s.relaxed, s.relaxed);
+    }
+
+    ContactKernel<Lane1>::restitute(s.bodies, overflow_rows, overflow, s.numbers.restitution_threshold);
+    for (std::uint32_t c = 0; c < color_count; ++c) {
+        const std::uint32_t count = batch.first_block[c + 1] - batch.first_block[c];
+        K::restitute(s.bodies, rows + batch.first_block[c], count, s.numbers.restitution_threshold);
+    }
+    K::store(s.core.manifolds, rows + first_block, blocks);
+    ContactKernel<Lane1>::store(s.core.manifolds, overflow_rows, overflow);
+    scatter_bodies(s, batch);
+}
+
+}  // namespace
+
+const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
+    Solve s{core, plan, {}, {}, {}, {}, nullptr, nullptr, nullptr, nullptr};
+    choose_numbers(s, dt);
+    s.bodies = arena.take<SolverBody>(plan.slot_count);
+    s.motions = arena.take<SolverMotion>(plan.slot_count);
+    s.bodies[0] = SolverBody{};
+    s.blocks = arena.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
+    s.overflow = arena.take<ContactRows<1>>(plan.overflow_count);
+    for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
+        switch (core.lanes) {
+#if defined(__x86_64__)
+            case 8: solve_batch<Kernel8>(s, plan.batches[b]); break;
+#endif
+            case 4: solve_batch<ContactKernel<Lane4>>(s, plan.batches[b]); break;
+            default: solve_batch<ContactKernel<Lane1>>(s, plan.batches[b]); break;
+        }
+    }
+    return s.bodies;
+}
+
+}  // namespace islet::detail

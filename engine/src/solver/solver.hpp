@@ -1,0 +1,13 @@
+// The solve: all substeps of one batch after another.
+#pragma once
+
+#include "island/batches.hpp"
+#include "solver/rows.hpp"
+
+namespace islet::detail {
+
+/// Solves the contacts of all awake bodies over dt and moves the bodies. Writes impulses, velocities, centres and rotations back, and clears forces.
+/// Returns the bodies by slot, in scratch: dp and dq are the way each made.
+const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt);
+
+}  // namespace islet::detail

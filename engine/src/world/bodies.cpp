@@ -1,0 +1,328 @@
+// The public functions on bodies.
+#include "broadphase/contacts.hpp"
+#include "broadphase/pairs.hpp"
+#include "world/bounds.hpp"
+#include "world/checks.hpp"
+#include "world/shapes.hpp"
+#include "world/sleep.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace detail {
+
+std::uint32_t find_body(const Core& core, BodyId id) {
+    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
+    const std::uint32_t i = id.index1 - 1;
+    const bool live = pool_live(core.state->body_pool, core.bodies, i) && core.bodies[i].generation == id.generation;
+    return check(core, live, Error::stale_id) ? i : null_index;
+}
+
+}  // namespace detail
+
+namespace {
+
+bool check_def(const Core& core, const BodyDef& d) {
+    const bool finite = is_finite(d.position) && is_finite(d.angle) && is_finite(d.linear_velocity) && is_finite(d.angular_velocity) &&
+                        is_finite(d.linear_damping) && is_finite(d.angular_damping) && is_finite(d.gravity_scale) && is_finite(d.sleep_threshold);
+    return check(core, finite, Error::not_finite) &&
+           check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range);
+}
+
+void destroy_contacts(Core& core, std::uint32_t body) {
+    wake_neighbors(core, body, core.arena());
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) { destroy_contact(core, contact); });
+}
+
+// Takes the slot of a dynamic body and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.
+std::uint32_t push(Core& core, BodyId id) {
+    const std::uint32_t i = find_body(core, id);
+    if (i == null_index || !core.is_dynamic(i)) return null_index;
+    wake_island(core, i, core.arena());
+    return i;
+}
+
+void kick(Core& core, std::uint32_t i, Vec2 impulse, float angular_impulse) {
+    core.motions[i].v += core.poses[i].inv_mass * impulse;
+    core.motions[i].w += core.poses[i].inv_inertia * angular_impulse;
+}
+
+}  // namespace
+
+BodyId World::create_body(const BodyDef& def) {
+    Core& c = core();
+    if (!check_def(c, def)) return {};
+    const std::uint32_t i = pool_take(c.state->body_pool, c.bodies, c.capacity.bodies);
+    if (i == null_index) {
+        c.fail(Error::bodies_full);
+        return {};
+    }
+    Body& b = c.bodies[i];
+    const std::uint32_t generation = b.generation;
+    b = Body{};
+    b.generation = generation;
+    b.origin = def.position;
+    b.linear_damping = def.linear_damping;
+    b.angular_damping = def.angular_damping;
+    b.gravity_scale = def.gravity_scale;
+    b.sleep_threshold = def.sleep_threshold;
+    b.flags = static_cast<std::uint32_t>(def.type) | (def.fixed_rotation ? body_fixed_rotation : 0u) | (def.enable_sleep ? body_may_sleep : 0u);
+    b.user_data = def.user_data;
+    c.poses[i] = Pose{};
+    c.poses[i].center = def.position;
+    c.poses[i].q = make_rot(def.angle);
+    c.motions[i] = Motion{};
+    const bool moves = def.type != BodyType::static_body;
+    if (moves) {
+        c.motions[i].v = def.linear_velocity;
+        c.motions[i].w = def.angular_velocity;
+    }
+    c.awake_bodies.assign(i, moves && def.awake);
+    c.motions[i].slack = 3.0e38f;
+    update_mass(c, i);
+    return c.body_id(i);
+}
+
+void World::destroy_body(BodyId id) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index) return;
+    destroy_contacts(c, i);
+    while (c.bodies[i].shape_head != null_index) remove_shape(c, c.bodies[i].shape_head);
+    c.awake_bodies.clear(i);
+    const std::uint32_t generation = c.bodies[i].generation;
+    c.bodies[i] = Body{};
+    c.bodies[i].generation = generation;
+    c.poses[i] = Pose{};
+    c.motions[i] = Motion{};
+    pool_give(c.state->body_pool, c.bodies, i);
+}
+
+bool World::is_valid(BodyId id) const {
+    const Core& c = core();
+    return id.index1 != 0 && pool_live(c.state->body_pool, c.bodies, id.index1 - 1) && c.bodies[id.index1 - 1].generation == id.generation;
+}
+
+std::uint32_t World::body_count() const { return core().state->body_pool.count; }
+
+BodyId World::body_at(std::uint32_t slot) const {
+    const Core& c = core();
+    return pool_live(c.state->body_pool, c.bodies, slot) ? c.body_id(slot) : BodyId{};
+}
+
+// Reading: value if the id is good, else the type's zero.
+#define ISLET_READ_BODY(value)                            \
+    const Core& c = core();                               \
+    const std::uint32_t i = find_body(c, id);             \
+    if (i == null_index) return {};                       \
+    return value
+
+Transform World::transform(BodyId id) const { ISLET_READ_BODY(body_transform(c, i)); }
+Vec2 World::position(BodyId id) const { ISLET_READ_BODY(c.bodies[i].origin); }
+float World::angle(BodyId id) const { ISLET_READ_BODY(angle_of(c.poses[i].q)); }
+Vec2 World::center_of_mass(BodyId id) const { ISLET_READ_BODY(c.poses[i].center); }
+Vec2 World::local_center_of_mass(BodyId id) const { ISLET_READ_BODY(c.bodies[i].local_center); }
+Vec2 World::linear_velocity(BodyId id) const { ISLET_READ_BODY(c.motions[i].v); }
+float World::angular_velocity(BodyId id) const { ISLET_READ_BODY(c.motions[i].w); }
+BodyType World::type(BodyId id) const { ISLET_READ_BODY(c.bodies[i].type()); }
+float World::mass(BodyId id) const { ISLET_READ_BODY(c.bodies[i].mass); }
+float World::rotational_inertia(BodyId id) const { ISLET_READ_BODY(c.bodies[i].inertia); }
+float World::linear_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].linear_damping); }
+float World::angular_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].angular_damping); }
+float World::gravity_scale(BodyId id) const { ISLET_READ_BODY(c.bodies[i].gravity_scale); }
+bool World::is_awake(BodyId id) const { ISLET_READ_BODY(c.is_awake(i)); }
+std::uint64_t World::user_data(BodyId id) const { ISLET_READ_BODY(c.bodies[i].user_data); }
+
+#undef ISLET_READ_BODY
+
+Vec2 World::velocity_at(BodyId id, Vec2 point) const {
+    const Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check_finite(c, point)) return {};
+    return c.motions[i].v + cross(c.motions[i].w, point - c.poses[i].center);
+}
+
+std::uint32_t World::shapes(BodyId id, std::span<ShapeId> out) const {
+    const Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index) return 0;
+    std::uint32_t n = 0;
+    for (std::uint32_t s = c.bodies[i].shape_head; s != null_index; s = c.shapes[s].next, ++n)
+        if (n < out.size()) out[n] = c.shape_id(s);
+    return n;
+}
+
+void World::set_transform(BodyId id, Vec2 position, float angle) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check_finite(c, position) || !check_finite(c, angle)) return;
+    destroy_contacts(c, i);
+    wake_island(c, i, c.arena());
+    const bool at_rest = !c.is_awake(i);
+    if (at_rest) unrest_shapes(c, i);
+    c.bodies[i].origin = position;
+    c.poses[i].q = make_rot(angle);
+    c.poses[i].center = transform_point(body_transform(c, i), c.bodies[i].local_center);
+    update_boxes(c, i, true);
+    if (at_rest) rest_shapes(c, i);
+}
+
+void World::set_linear_velocity(BodyId id, Vec2 velocity) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
+    if (velocity != Vec2{}) wake_island(c, i, c.arena());
+    if (c.is_awake(i)) c.motions[i].v = velocity;
+}
+
+void World::set_angular_velocity(BodyId id, float velocity) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
+    if (velocity != 0) wake_island(c, i, c.arena());
+    if (c.is_awake(i)) c.motions[i].w = velocity;
+}
+
+void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
+    Core& c = core();
+    if (!check_finite(c, force) || !check_finite(c, point)) return;
+    const std::uint32_t i = push(c, id);
+    if (i == null_index) return;
+    c.motions[i].force += force;
+    c.motions[i].torque += cross(point - c.poses[i].center, force);
+}
+
+void World::apply_force_to_center(BodyId id, Vec2 force) {
+    Core& c = core();
+    if (!check_finite(c, force)) return;
+    const std::uint32_t i = push(c, id);
+    if (i != null_index) c.motions[i].force += force;
+}
+
+void World::apply_torque(BodyId id, float torque) {
+    Core& c = core();
+    if (!check_finite(c, torque)) return;
+    const std::uint32_t i = push(c, id);
+    if (i != null_index) c.motions[i].torque += torque;
+}
+
+void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {
+    Core& c = core();
+    if (!check_finite(c, impulse) || !check_finite(c, point)) return;
+    const std::uint32_t i = push(c, id);
+    if (i != null_index) kick(c, i, impulse, cross(point - c.poses[i].center, impulse));
+}
+
+void World::apply_linear_impulse_to_center(BodyId id, Vec2 impulse) {
+    Core& c = core();
+    if (!check_finite(c, impulse)) return;
+    const std::uint32_t i = push(c, id);
+    if (i != null_index) kick(c, i, impulse, 0);
+}
+
+void World::apply_angular_impulse(BodyId id, float impulse) {
+    Core& c = core();
+    if (!check_finite(c, impulse)) return;
+    const std::uint32_t i = push(c, id);
+    if (i != null_index) kick(c, i, {0, 0}, impulse);
+}
+
+void World::set_type(BodyId id, BodyType type) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check(c, type <= BodyType::dynamic, Error::out_of_range)) return;
+    Body& b = c.bodies[i];
+    if (b.type() == type) return;
+    // Colours depend on the types, so contacts go before the type changes.
+    destroy_contacts(c, i);
+    unrest_shapes(c, i);
+    c.awake_bodies.clear(i);
+    b.flags = (b.flags & ~(body_type_mask | body_mass_override)) | static_cast<std::uint32_t>(type);
+    c.motions[i].force = {0, 0};
+    c.motions[i].torque = 0;
+    c.motions[i].sleep_time = 0;
+    if (type == BodyType::static_body) {
+        c.motions[i].v = {0, 0};
+        c.motions[i].w = 0;
+        c.poses[i].flags = 0;
+    } else {
+        c.awake_bodies.set(i);
+    }
+    update_mass(c, i);
+    update_boxes(c, i, true);
+    if (type == BodyType::static_body) rest_shapes(c, i);
+}
+
+void World::set_mass(BodyId id, const MassData& mass) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check_range(c, mass.mass, 1.0e-30f, 1.0e30f) || !check_finite(c, mass.center) ||
+        !check_range(c, mass.inertia, 0, no_limit) || !core().is_dynamic(i))
+        return;
+    wake_island(c, i, c.arena());
+    c.bodies[i].flags |= body_mass_override;
+    apply_mass(c, i, mass);
+}
+
+void World::reset_mass(BodyId id) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index) return;
+    wake_island(c, i, c.arena());
+    c.bodies[i].flags &= ~static_cast<std::uint32_t>(body_mass_override);
+    update_mass(c, i);
+}
+
+void World::set_linear_damping(BodyId id, float damping) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i != null_index && check_range(c, damping, 0, no_limit)) c.bodies[i].linear_damping = damping;
+}
+
+void World::set_angular_damping(BodyId id, float damping) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i != null_index && check_range(c, damping, 0, no_limit)) c.bodies[i].angular_damping = damping;
+}
+
+void World::set_gravity_scale(BodyId id, float scale) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check_finite(c, scale)) return;
+    c.bodies[i].gravity_scale = scale;
+    wake_island(c, i, c.arena());
+}
+
+void World::set_fixed_rotation(BodyId id, bool fixed) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index) return;
+    Body& b = c.bodies[i];
+    b.flags = fixed ? b.flags | body_fixed_rotation : b.flags & ~static_cast<std::uint32_t>(body_fixed_rotation);
+    if (fixed) c.motions[i].w = 0;
+    apply_mass(c, i, {b.mass, b.local_center, b.inertia});
+}
+
+void World::enable_sleep(BodyId id, bool enable) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index) return;
+    Body& b = c.bodies[i];
+    b.flags = enable ? b.flags | body_may_sleep : b.flags & ~static_cast<std::uint32_t>(body_may_sleep);
+    if (!enable) wake_island(c, i, c.arena());
+}
+
+void World::wake(BodyId id) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i != null_index) wake_island(c, i, c.arena());
+}
+
+void World::set_user_data(BodyId id, std::uint64_t data) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i != null_index) c.bodies[i].user_data = data;
+}
+
+}  // namespace islet

@@ -1,0 +1,155 @@
+#include "world/bounds.hpp"
+
+#include "broadphase/pairs.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+inline constexpr float max_box_margin = 0.05f;       // m, so that a body can move a little before its pairs are found anew
+inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: small things get small margins
+
+// Farthest distance of the shape's points from `center`, and the smallest half-thickness.
+struct Extent {
+    float max = 0;
+    float min = 0;
+};
+
+Extent extent_of(const Geometry& g, Vec2 center) {
+    const auto far = [&](Vec2 p) { return distance(p, center); };
+    switch (static_cast<ShapeType>(g.type)) {
+        case ShapeType::circle: return {far(g.circle.center) + g.circle.radius, g.circle.radius};
+        case ShapeType::capsule: return {max(far(g.capsule.point1), far(g.capsule.point2)) + g.capsule.radius, g.capsule.radius};
+        case ShapeType::segment: return {max(far(g.segment.point1), far(g.segment.point2)), 0};
+        case ShapeType::chain_segment: return {max(far(g.chain.segment.point1), far(g.chain.segment.point2)), 0};
+        case ShapeType::polygon: {
+            const Polygon& p = g.polygon;
+            Extent e{0, 3.0e38f};
+            for (std::uint32_t i = 0; i < p.count; ++i) {
+                e.max = max(e.max, far(p.vertices[i]));
+                e.min = min(e.min, dot(p.normals[i], p.vertices[i] - p.centroid));
+            }
+            return {e.max + p.radius, e.min + p.radius};
+        }
+    }
+    return {};
+}
+
+Vec2 middle_of(const Geometry& g) {
+    switch (static_cast<ShapeType>(g.type)) {
+        case ShapeType::circle: return g.circle.center;
+        case ShapeType::capsule: return lerp(g.capsule.point1, g.capsule.point2, 0.5f);
+        case ShapeType::segment: return lerp(g.segment.point1, g.segment.point2, 0.5f);
+        case ShapeType::chain_segment: return lerp(g.chain.segment.point1, g.chain.segment.point2, 0.5f);
+        case ShapeType::polygon: return g.polygon.centroid;
+    }
+    return {};
+}
+
+Aabb aabb_of(const Geometry& g, const Transform& t) {
+    switch (static_cast<ShapeType>(g.type)) {
+        case ShapeType::circle: return compute_aabb(g.circle, t);
+        case ShapeType::capsule: return compute_aabb(g.capsule, t);
+        case ShapeType::segment: return compute_aabb(g.segment, t);
+        case ShapeType::chain_segment: return compute_aabb(g.chain.segment, t);
+        case ShapeType::polygon: return compute_aabb(g.polygon, t);
+    }
+    return {};
+}
+
+MassData mass_of(const Geometry& g, float density) {
+    switch (static_cast<ShapeType>(g.type)) {
+        case ShapeType::circle: return compute_mass(g.circle, density);
+        case ShapeType::capsule: return compute_mass(g.capsule, density);
+        case ShapeType::polygon: return compute_mass(g.polygon, density);
+        default: return {};
+    }
+}
+
+}  // namespace
+
+Transform body_transform(const Core& core, std::uint32_t body) { return {core.bodies[body].origin, core.poses[body].q}; }
+
+Aabb shape_aabb(const Core& core, std::uint32_t shape) {
+    const Shape& s = core.shapes[shape];
+    return aabb_of(core.geometries[s.geometry], body_transform(core, s.body));
+}
+
+void update_boxes(Core& core, std::uint32_t body, bool force, Vec2 ahead) {
+    const bool is_static = core.bodies[body].type() == BodyType::static_body;
+    const Transform t = body_transform(core, body);
+    float slack = 3.0e38f;
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+        Shape& shape = core.shapes[s];
+        const Geometry& g = core.geometries[shape.geometry];
+        // Contacts are made a little before surfaces meet; the moving side's box makes room for that.
+        Aabb tight = aabb_of(g, t);
+        if (!is_static) tight = expand(tight, speculative_distance);
+        Aabb& fat = core.boxes[s];
+        const Aabb reach{min(tight.lower, tight.lower + ahead), max(tight.upper, tight.upper + ahead)};
+        if (force || !contains(fat, reach)) {
+            shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
+            fat = expand(reach, shape.margin);
+            mark_moved(core, s);
+        }
+        slack = min(slack, min(min(tight.lower.x - fat.lower.x, tight.lower.y - fat.lower.y),
+                               min(fat.upper.x - tight.upper.x, fat.upper.y - tight.upper.y)));
+    }
+    core.motions[body].slack = slack;
+}
+
+void update_extents(Core& core, std::uint32_t body) {
+    Body& b = core.bodies[body];
+    Pose& pose = core.poses[body];
+    pose.max_extent = 0;
+    b.min_extent = 3.0e38f;
+    for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
+        const Extent e = extent_of(core.geometries[core.shapes[s].geometry], b.local_center);
+        pose.max_extent = max(pose.max_extent, e.max);
+        b.min_extent = min(b.min_extent, e.min);
+    }
+}
+
+void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
+    Body& b = core.bodies[body];
+    Pose& pose = core.poses[body];
+    Motion& motion = core.motions[body];
+    const bool dynamic = b.type() == BodyType::dynamic;
+    const bool turns = dynamic && (b.flags & body_fixed_rotation) == 0 && mass.inertia > 0;
+    b.mass = dynamic ? mass.mass : 0;
+    b.inertia = dynamic ? mass.inertia : 0;
+    pose.inv_mass = dynamic && mass.mass > 0 ? 1.0f / mass.mass : 0;
+    pose.inv_inertia = turns ? 1.0f / mass.inertia : 0;
+
+    const Vec2 old_center = pose.center;
+    b.local_center = mass.center;
+    pose.center = transform_point(body_transform(core, body), mass.center);
+    motion.v += cross(motion.w, pose.center - old_center);
+    update_extents(core, body);
+}
+
+void update_mass(Core& core, std::uint32_t body) {
+    Body& b = core.bodies[body];
+    if (b.type() != BodyType::dynamic) {
+        apply_mass(core, body, {});
+        return;
+    }
+    MassData total;
+    float inertia = 0;  // about the body's origin
+    for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
+        const MassData m = mass_of(core.geometries[core.shapes[s].geometry], core.shapes[s].density);
+        total.mass += m.mass;
+        total.center += m.mass * m.center;
+    }
+    if (total.mass > 0) total.center *= 1.0f / total.mass;
+    for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
+        const MassData m = mass_of(core.geometries[core.shapes[s].geometry], core.shapes[s].density);
+        inertia += m.inertia + m.mass * distance_squared(m.center, total.center);
+    }
+    // A dynamic body without mass would not move: it weighs a kilogram, and turns only if its shapes give it inertia.
+    if (total.mass <= 0) total = {1.0f, {0, 0}, 0};
+    total.inertia = inertia;
+    apply_mass(core, body, total);
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,29 @@
+// Argument checks shared by the public functions: each records the error and says whether the call may go on.
+#pragma once
+
+#include "memory/core.hpp"
+
+namespace islet::detail {
+
+// The error state is not part of the world's value, so const functions may record errors too.
+inline Core& writable(const Core& core) { return const_cast<Core&>(core); }
+
+/// Slot of a live body, or null_index with the error recorded.
+std::uint32_t find_body(const Core& core, BodyId id);
+std::uint32_t find_shape(const Core& core, ShapeId id);
+
+inline bool check(const Core& core, bool good, Error error) {
+    if (!good) writable(core).fail(error);
+    return good;
+}
+inline bool check_finite(const Core& core, float a) { return check(core, is_finite(a), Error::not_finite); }
+inline bool check_finite(const Core& core, Vec2 a) { return check(core, is_finite(a), Error::not_finite); }
+/// Finite and lo <= a <= hi.
+inline bool check_range(const Core& core, float a, float lo, float hi) {
+    return check_finite(core, a) && check(core, a >= lo && a <= hi, Error::out_of_range);
+}
+inline constexpr float no_limit = 3.4e38f;
+
+bool check_solver(const SolverDef& def, Error& error);
+
+}  // namespace islet::detail

@@ -1,0 +1,194 @@
+// A contact whose bodies hardly moved relative to each other since its manifold was made keeps it (the idea of contact recycling is Box2D 3.2's,
+// which credits persistent manifolds as in PhysX). Here the manifold lives in body A's frame, so bodies that move and turn together keep theirs for
+// ever, and the test asks how far B's material has moved at the contact points themselves. The solver works out the new separations.
+#include "world/contact_update.hpp"
+
+#include "broadphase/contacts.hpp"
+#include "collide/manifold.hpp"
+#include "math/scalar.hpp"
+#include "memory/colors.hpp"
+#include "world/sleep.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that a contact point may slip before its manifold is made anew
+inline constexpr float recycle_turn = 0.05f;                   // rad that B may turn in A's frame
+
+/// B's centre and rotation in A's frame, relative to A's centre.
+struct RelativePose {
+    Vec2 p;
+    Rot q;
+};
+
+bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b, const RelativePose& rel) {
+    if ((m.flags & contact_posed) == 0 || ((a.flags | b.flags) & pose_fast) != 0) return false;
+    const Rot turn = rel.q * inverse(m.rel_rotation);
+    if (turn.c < 0 || abs(turn.s) > recycle_turn) return false;
+    const Vec2 shift = rel.p - m.rel_position;
+    const std::uint32_t count = m.count();
+    if (count == 0) {
+        // Nothing touches yet: bound the motion of any point of B, and stay well within the speculative margin.
+        const float reach = 0.5f * speculative_distance - b.max_extent * abs(turn.s);
+        return reach > 0 && length_squared(shift) < reach * reach;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec2 r = m.anchors[i] - m.rel_position;
+        const Vec2 moved = shift + Vec2{(turn.c - 1.0f) * r.x - turn.s * r.y, turn.s * r.x + (turn.c - 1.0f) * r.y};
+        if (length_squared(moved) > recycle_distance * recycle_distance) return false;
+    }
+    return true;
+}
+
+// The narrow phase function for the two types; A has the higher rank (see contacts.cpp).
+Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin) {
+    const auto type_b = static_cast<ShapeType>(b.type);
+    const auto against = [&](const auto& shape_a) {
+        switch (type_b) {
+            case ShapeType::circle: return collide(shape_a, b.circle, b_in_a, margin);
+            case ShapeType::capsule: return collide(shape_a, b.capsule, b_in_a, margin);
+            case ShapeType::polygon: return collide(shape_a, b.polygon, b_in_a, margin);
+            default: return Manifold{};
+        }
+    };
+    switch (static_cast<ShapeType>(a.type)) {
+        case ShapeType::circle: return collide(a.circle, b.circle, b_in_a, margin);
+        case ShapeType::capsule:
+            return type_b == ShapeType::circle ? collide(a.capsule, b.circle, b_in_a, margin) : collide(a.capsule, b.capsule, b_in_a, margin);
+        case ShapeType::polygon: return against(a.polygon);
+        case ShapeType::segment: return against(a.segment);
+        case ShapeType::chain_segment: return against(a.chain);
+    }
+    return {};
+}
+
+// A new manifold that keeps the impulses of points whose features it shares with the old one.
+void remake(Core& core, std::uint32_t index, const RelativePose& rel, float dt) {
+    const Contact& c = core.contacts[index];
+    ContactManifold& m = core.manifolds[index];
+    const Pose& pa = core.poses[m.body_a];
+    const Pose& pb = core.poses[m.body_b];
+    const Vec2 center_a = core.bodies[m.body_a].local_center;
+    const Vec2 center_b = core.bodies[m.body_b].local_center;
+    const Transform b_in_a{rel.p + center_a - rotate(rel.q, center_b), rel.q};
+
+    // Fast bodies look as far ahead as they may come in this step; of what they see there only what they are about to hit counts.
+    const bool fast = ((pa.flags | pb.flags) & pose_fast) != 0;
+    const Motion& ma = core.motions[m.body_a];
+    const Motion& mb = core.motions[m.body_b];
+    const Vec2 relative_velocity = mb.v - ma.v;
+    float margin = speculative_distance;
+    if (fast) margin += dt * (length(relative_velocity) + abs(ma.w) * pa.max_extent + abs(mb.w) * pb.max_extent);
+    Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a, margin);
+    if (fast) {
+        const Vec2 normal = rotate(pa.q, fresh.normal);
+        std::uint32_t kept = 0;
+        for (std::uint32_t i = 0; i < fresh.count; ++i) {
+            const Vec2 ra = rotate(pa.q, fresh.points[i].point - center_a);
+            const Vec2 rb = ra + pa.center - pb.center;
+            const float vn = dot(normal, relative_velocity + cross(mb.w, rb) - cross(ma.w, ra));
+            if (fresh.points[i].separation + min(vn * dt, 0) <= speculative_distance) fresh.points[kept++] = fresh.points[i];
+        }
+        fresh.count = kept;
+    }
+
+    const ContactManifold old = m;
+    m.normal = fresh.normal;
+    m.rel_position = rel.p;
+    m.rel_rotation = rel.q;
+    m.ids = 0;
+    if (fresh.count == 0) m.rolling_impulse = 0;
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        m.anchors[i] = {0, 0};
+        m.separation[i] = m.normal_impulse[i] = m.tangent_impulse[i] = 0;
+        if (i >= fresh.count) continue;
+        const ManifoldPoint& point = fresh.points[i];
+        m.anchors[i] = point.point - center_a;
+        m.separation[i] = point.separation;
+        m.ids |= static_cast<std::uint32_t>(point.id) << (16 * i);
+        for (std::uint32_t j = 0; j < old.count(); ++j) {
+            if ((old.ids >> (16 * j) & 0xffffu) != point.id) continue;
+            m.normal_impulse[i] = old.normal_impulse[j];
+            m.tangent_impulse[i] = old.tangent_impulse[j];
+        }
+    }
+    m.flags = (m.flags & ~(3u << contact_count_shift)) | fresh.count << contact_count_shift | contact_posed;
+}
+
+enum class Change : std::uint8_t { none, begins, ends, parts };
+
+// Works on one contact alone, so contacts may be updated in any order or in parallel; what changes shared state is only reported.
+Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled) {
+    ContactManifold& m = core.manifolds[index];
+    const Pose& a = core.poses[m.body_a];
+    const Pose& b = core.poses[m.body_b];
+    if (((a.flags | b.flags) & pose_moved) != 0) {
+        const Contact& c = core.contacts[index];
+        if (!overlaps(core.boxes[c.shape_a], core.boxes[c.shape_b])) return Change::parts;
+    }
+    const RelativePose rel{inv_rotate(a.q, b.center - a.center), inv_mul(a.q, b.q)};
+    if (can_recycle(m, a, b, rel)) {
+        ++recycled;
+        return Change::none;
+    }
+    remake(core, index, rel, dt);
+    const bool was = (m.flags & contact_touching) != 0;
+    const bool is = m.count() > 0;
+    if (was == is) return Change::none;
+    return is ? Change::begins : Change::ends;
+}
+
+void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
+    ContactManifold& m = core.manifolds[index];
+    const Contact& c = core.contacts[index];
+    m.flags |= contact_touching;
+    assign_color(core, index);
+    core.begin_events[core.begin_count++] = {core.shape_id(c.shape_a), core.shape_id(c.shape_b)};
+    if (core.is_dynamic(m.body_a) && !core.is_awake(m.body_a)) to_wake.set(m.body_a);
+    if (core.is_dynamic(m.body_b) && !core.is_awake(m.body_b)) to_wake.set(m.body_b);
+}
+
+void end_touch(Core& core, std::uint32_t index) {
+    core.manifolds[index].flags &= ~static_cast<std::uint32_t>(contact_touching);
+    release_color(core, index);
+    record_end_event(core, index);
+}
+
+}  // namespace
+
+void update_contacts(Core& core, float dt) {
+    Arena arena = core.arena();
+    const auto take_bits = [&](std::uint32_t bits) {
+        const auto words = static_cast<std::uint32_t>(words_for(bits));
+        BitSet set{arena.take<std::uint64_t>(words), words};
+        set.clear_all();
+        return set;
+    };
+    const BitSet changed = take_bits(core.capacity.contacts);
+    const BitSet parted = take_bits(core.capacity.contacts);
+    const BitSet to_wake = take_bits(core.capacity.bodies);
+
+    std::uint32_t recycled = 0;
+    core.awake_contacts.for_each([&](std::uint32_t i) {
+        const Change change = update(core, i, dt, recycled);
+        if (change == Change::none) return;
+        changed.set(i);
+        if (change == Change::parts) parted.set(i);
+    });
+    core.report.recycled_contacts = recycled;
+
+    changed.for_each([&](std::uint32_t i) {
+        if (parted.test(i)) {
+            destroy_contact(core, i);
+        } else if (core.manifolds[i].count() > 0) {
+            begin_touch(core, i, to_wake);
+        } else {
+            end_touch(core, i);
+        }
+    });
+    core.awake_bodies.for_each([&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
+    to_wake.for_each([&](std::uint32_t body) { wake_island(core, body, arena); });
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,27 @@
+#include "islet/types.hpp"
+
+namespace islet {
+
+const char* describe(Error e) {
+    switch (e) {
+        case Error::none: return "No error.";
+        case Error::null_id: return "The id is null: use one that a create function returned, and check it for null there.";
+        case Error::stale_id: return "The id is stale: the object was destroyed, or belongs to another world. Drop the id.";
+        case Error::not_finite: return "A number is NaN or infinite: check the arguments of the call.";
+        case Error::out_of_range: return "A number is outside its range: the comment on the field or function gives the range.";
+        case Error::bad_time_step: return "The time step must be above 0 and at most 1 second: 1/60 is usual.";
+        case Error::bad_geometry: return "The geometry breaks its rules (size above 0, convex, counter-clockwise): make polygons with make_polygon or make_box.";
+        case Error::bad_chain: return "A chain needs at least 2 points (3 for a loop), neighbours more than 0.005 m apart.";
+        case Error::bodies_full: return "No room for another body: raise Capacity::bodies.";
+        case Error::shapes_full: return "No room for another shape: raise Capacity::shapes.";
+        case Error::contacts_full: return "No room for another contact: raise Capacity::contacts. The pair is tried again in every step.";
+        case Error::geometries_full: return "No room for another different geometry: raise Capacity::geometries.";
+        case Error::block_too_small: return "The memory given is too small: world_bytes(capacity) says how much is needed.";
+        case Error::block_misaligned: return "The memory given must be aligned to world_alignment bytes.";
+        case Error::bad_capacity: return "A world needs room for at least one body, shape and contact, and for at most max_capacity of each.";
+        case Error::events_full: return "More contacts ended than there is room to report: raise Capacity::contacts or destroy less between steps.";
+    }
+    return "Unknown error.";
+}
+
+}  // namespace islet

@@ -1,0 +1,76 @@
+#include "world/finish.hpp"
+
+#include "broadphase/contacts.hpp"
+#include "world/bounds.hpp"
+#include "world/sleep.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+inline constexpr float fast_fraction = 0.25f;  // of its smallest half-thickness: who moves more in a step looks ahead for contacts
+
+// Pose and boxes after the way made. The slack says how far the body may go on before a box could be left, so most bodies need no look at their shapes.
+void move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt) {
+    Pose& pose = core.poses[i];
+    Motion& motion = core.motions[i];
+    Body& body = core.bodies[i];
+    body.origin = pose.center - rotate(pose.q, body.local_center);
+
+    const float moved = length(way.dp) + abs(way.dq) * pose.max_extent;
+    const float ahead = dt * (length(motion.v) + abs(motion.w) * pose.max_extent);
+    const bool fast = max(moved, ahead) > fast_fraction * body.min_extent;
+    pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
+    motion.slack -= moved;
+    if (fast) {
+        update_boxes(core, i, false, dt * motion.v);
+    } else if (motion.slack < 0) {
+        update_boxes(core, i, false);
+    }
+
+    // Sleep watches the way made too, so that bodies that are being pushed apart stay awake.
+    const float speed = max(ahead / dt, 0.5f * moved / dt);
+    const bool resting = speed <= body.sleep_threshold && (body.flags & body_may_sleep) != 0;
+    motion.sleep_time = resting ? motion.sleep_time + dt : 0;
+}
+
+void sleep_islands(Core& core, const Plan& plan, Arena& arena) {
+    // The shortest rest of any of its bodies decides for an island; touching an awake kinematic body keeps it awake.
+    float* rest = arena.take<float>(plan.island_count);
+    for (std::uint32_t i = 0; i < plan.island_count; ++i) rest[i] = 3.0e38f;
+    for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
+        const std::uint32_t body = plan.body_of[slot];
+        const std::uint32_t island = plan.island_of[slot];
+        if (island != null_index) {
+            rest[island] = min(rest[island], core.motions[body].sleep_time);
+            continue;
+        }
+        for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
+            const std::uint32_t other = plan.slot_of[other_body(core, contact, side)];
+            if (other != 0 && (core.manifolds[contact].flags & contact_touching) != 0) rest[plan.island_of[other]] = 0;
+        });
+    }
+    for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
+        const std::uint32_t body = plan.body_of[slot];
+        const std::uint32_t island = plan.island_of[slot];
+        const float time = island != null_index ? rest[island] : core.motions[body].sleep_time;
+        if (time >= time_to_sleep) put_to_sleep(core, body);
+    }
+}
+
+}  // namespace
+
+void finish_bodies(Core& core, const Plan& plan, const SolverBody* bodies, Arena& arena, float dt) {
+    for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) move_body(core, plan.body_of[slot], bodies[slot], dt);
+
+    // Who moved is reported in slot order of the pool; so is who falls asleep.
+    core.awake_bodies.for_each([&](std::uint32_t body) { core.moved_events[core.moved_count++] = core.body_id(body); });
+    if (core.state->enable_sleep == 0) return;
+    sleep_islands(core, plan, arena);
+    for (std::uint32_t i = 0; i < core.moved_count; ++i) {
+        const BodyId id = core.moved_events[i];
+        if (!core.is_awake(id.index1 - 1)) core.slept_events[core.slept_count++] = id;
+    }
+}
+
+}  // namespace islet::detail

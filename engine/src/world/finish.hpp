@@ -1,0 +1,12 @@
+// The end of a step: poses, fat boxes, sleep and events.
+#pragma once
+
+#include "island/batches.hpp"
+#include "solver/rows.hpp"
+
+namespace islet::detail {
+
+/// `bodies` are the solver's, by slot; their dp and dq are the way each made.
+void finish_bodies(Core& core, const Plan& plan, const SolverBody* bodies, Arena& arena, float dt);
+
+}  // namespace islet::detail

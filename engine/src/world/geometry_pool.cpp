@@ -1,0 +1,57 @@
+#include "world/geometry_pool.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+constexpr std::uint32_t word_count = sizeof(Geometry::words) / 4;
+
+std::uint32_t hash_of(const Geometry& g) {
+    std::uint32_t h = 2166136261u ^ g.type;  // FNV-1a over words
+    for (std::uint32_t i = 0; i < word_count; ++i) h = (h ^ g.words[i]) * 16777619u;
+    return h ^ h >> 15;
+}
+
+}  // namespace
+
+std::uint32_t share_geometry(Core& core, const Geometry& g) {
+    const std::uint32_t capacity = geometry_capacity(core.capacity);
+    const std::uint32_t hash = hash_of(g);
+    std::uint32_t& bucket = core.geometry_buckets[hash & (next_power_of_two(capacity) - 1)];
+    for (std::uint32_t i = bucket; i != null_index; i = core.geometries[i].next) {
+        Geometry& other = core.geometries[i];
+        if (other.hash != hash || other.type != g.type || std::memcmp(other.words, g.words, sizeof(g.words)) != 0) continue;
+        ++other.references;
+        return i;
+    }
+    PoolState& pool = core.state->geometry_pool;
+    std::uint32_t index = pool.free_head;
+    if (index != null_index) {
+        pool.free_head = core.geometries[index].next;
+    } else {
+        if (pool.high_water == capacity) return null_index;
+        index = pool.high_water++;
+    }
+    ++pool.count;
+    core.geometries[index] = g;
+    core.geometries[index].references = 1;
+    core.geometries[index].hash = hash;
+    core.geometries[index].next = bucket;
+    bucket = index;
+    return index;
+}
+
+void release_geometry(Core& core, std::uint32_t index) {
+    Geometry& g = core.geometries[index];
+    if (--g.references != 0) return;
+    std::uint32_t* link = &core.geometry_buckets[g.hash & (next_power_of_two(geometry_capacity(core.capacity)) - 1)];
+    while (*link != index) link = &core.geometries[*link].next;
+    *link = g.next;
+    g = Geometry{};
+    PoolState& pool = core.state->geometry_pool;
+    g.next = pool.free_head;
+    pool.free_head = index;
+    --pool.count;
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,12 @@
+// Geometries, each stored once: equal shapes share one record, so a pyramid of 5000 equal boxes keeps one box, in the cache.
+#pragma once
+
+#include "memory/core.hpp"
+
+namespace islet::detail {
+
+/// Index of the stored geometry that equals g (bit by bit), with one more reference; null_index if there is no room for a new one.
+std::uint32_t share_geometry(Core& core, const Geometry& g);
+void release_geometry(Core& core, std::uint32_t index);
+
+}  // namespace islet::detail

@@ -1,0 +1,98 @@
+// The state hash: all persistent state that affects the future, word by word, so that it does not depend on the byte order of the machine.
+#include "world/checks.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace {
+
+struct Hasher {
+    std::uint64_t h = 0x9e3779b97f4a7c15ull;
+
+    // One round of a multiply and xor-shift mix per word.
+    void word(std::uint32_t w) {
+        h = (h ^ w) * 0xd6e8feb86659fd93ull;
+        h ^= h >> 32;
+    }
+    void number(float f) {
+        std::uint32_t w = 0;
+        std::memcpy(&w, &f, 4);
+        word(w);
+    }
+    void long_word(std::uint64_t w) {
+        word(static_cast<std::uint32_t>(w));
+        word(static_cast<std::uint32_t>(w >> 32));
+    }
+    /// Records made of 32-bit words only.
+    template <class T>
+    void records(const T* items, std::uint32_t count) {
+        static_assert(sizeof(T) % 4 == 0);
+        const auto* bytes = reinterpret_cast<const std::byte*>(items);
+        for (std::size_t i = 0; i < std::size_t{count} * sizeof(T); i += 4) {
+            std::uint32_t w = 0;
+            std::memcpy(&w, bytes + i, 4);
+            word(w);
+        }
+    }
+    void bits(const BitSet& set) {
+        for (std::uint32_t i = 0; i < set.word_count; ++i) long_word(set.words[i]);
+    }
+    void pool(const PoolState& p) { records(&p, 1); }
+};
+
+}  // namespace
+
+std::uint64_t World::hash() const {
+    const Core& c = core();
+    const State& s = *c.state;
+    Hasher h;
+    h.pool(s.body_pool);
+    h.pool(s.shape_pool);
+    h.pool(s.contact_pool);
+    h.pool(s.geometry_pool);
+    h.records(&s.tree, 1);
+    h.number(s.gravity.x);
+    h.number(s.gravity.y);
+    h.number(s.restitution_threshold);
+    h.number(s.max_speed);
+    h.word(s.enable_sleep);
+    h.word(s.moved_count);
+
+    const SolverDef& d = s.solver;
+    h.word(static_cast<std::uint32_t>(d.schedule));
+    h.word(d.substeps);
+    h.word(d.iterations);
+    h.word(d.relax_iterations);
+    h.number(d.contact_hertz);
+    h.number(d.contact_damping_ratio);
+    h.number(d.contact_push_speed);
+    h.number(d.baumgarte);
+    h.number(d.omega);
+    h.word(d.warm_start ? 1 : 0);
+
+    h.records(c.poses, s.body_pool.high_water);
+    h.records(c.motions, s.body_pool.high_water);
+    for (std::uint32_t i = 0; i < s.body_pool.high_water; ++i) {
+        // User data is carried, but decides nothing.
+        Body b = c.bodies[i];
+        b.user_data = 0;
+        h.records(&b, 1);
+    }
+    for (std::uint32_t i = 0; i < s.shape_pool.high_water; ++i) {
+        Shape b = c.shapes[i];
+        b.user_data = 0;
+        h.records(&b, 1);
+    }
+    h.records(c.boxes, s.shape_pool.high_water);
+    h.records(c.geometries, s.geometry_pool.high_water);
+    h.records(c.contacts, s.contact_pool.high_water);
+    h.records(c.manifolds, s.contact_pool.high_water);
+    h.records(c.tree, s.tree.high_water);
+    h.bits(c.awake_bodies);
+    h.bits(c.awake_contacts);
+    h.bits(c.moved_shapes);
+    return h.h;
+}
+
+}  // namespace islet

@@ -1,0 +1,327 @@
+// The public functions on shapes.
+#include "world/shapes.hpp"
+
+#include "broadphase/contacts.hpp"
+#include "broadphase/pairs.hpp"
+#include "broadphase/tree.hpp"
+#include "world/bounds.hpp"
+#include "world/checks.hpp"
+#include "world/geometry_pool.hpp"
+#include "world/sleep.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace detail {
+
+std::uint32_t find_shape(const Core& core, ShapeId id) {
+    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
+    const std::uint32_t i = id.index1 - 1;
+    const bool live = pool_live(core.state->shape_pool, core.shapes, i) && core.shapes[i].generation == id.generation;
+    return check(core, live, Error::stale_id) ? i : null_index;
+}
+
+void remove_shape(Core& core, std::uint32_t index) {
+    Shape& s = core.shapes[index];
+    const std::uint32_t body = s.body;
+    Body& b = core.bodies[body];
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
+        const Contact& c = core.contacts[contact];
+        if (c.shape_a != index && c.shape_b != index) return;
+        if ((core.manifolds[contact].flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), core.arena());
+        destroy_contact(core, contact);
+    });
+    if (s.tree_node != null_index) tree_remove({&core.state->tree, core.tree}, s.tree_node);
+    if (core.moved_shapes.test(index)) {
+        core.moved_shapes.clear(index);
+        --core.state->moved_count;
+    }
+    (s.prev != null_index ? core.shapes[s.prev].next : b.shape_head) = s.next;
+    if (s.next != null_index) core.shapes[s.next].prev = s.prev;
+    --b.shape_count;
+    release_geometry(core, s.geometry);
+    const std::uint32_t generation = s.generation;
+    s = Shape{};
+    s.generation = generation;
+    core.boxes[index] = Aabb{};
+    pool_give(core.state->shape_pool, core.shapes, index);
+}
+
+}  // namespace detail
+
+namespace {
+
+bool check_def(const Core& core, const ShapeDef& d) {
+    const bool finite = is_finite(d.friction) && is_finite(d.restitution) && is_finite(d.rolling_resistance) && is_finite(d.tangent_speed) &&
+                        is_finite(d.density);
+    return check(core, finite, Error::not_finite) &&
+           check(core, d.friction >= 0 && d.restitution >= 0 && d.restitution <= 1 && d.rolling_resistance >= 0 && d.density >= 0, Error::out_of_range);
+}
+
+void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32_t geometry, const ShapeDef& def) {
+    Shape& s = core.shapes[index];
+    Body& b = core.bodies[body];
+    const std::uint32_t generation = s.generation;
+    s = Shape{};
+    s.generation = generation;
+    s.geometry = geometry;
+    s.body = body;
+    s.friction = def.friction;
+    s.restitution = def.restitution;
+    s.rolling_resistance = def.rolling_resistance;
+    s.tangent_speed = def.tangent_speed;
+    s.density = def.density;
+    s.filter = def.filter;
+    s.user_data = def.user_data;
+    s.next = b.shape_head;
+    if (b.shape_head != null_index) core.shapes[b.shape_head].prev = index;
+    b.shape_head = index;
+    ++b.shape_count;
+    core.boxes[index] = {{1, 1}, {-1, -1}};  // holds nothing, so that update_boxes makes it anew
+}
+
+// After shapes were added to a body or taken from it: mass (the override ends), boxes, the tree.
+void shapes_changed(Core& core, std::uint32_t body) {
+    core.bodies[body].flags &= ~static_cast<std::uint32_t>(body_mass_override);
+    update_mass(core, body);
+    update_boxes(core, body, false);
+    if (!core.is_awake(body)) rest_shapes(core, body);
+}
+
+std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& g, const ShapeDef& def) {
+    const std::uint32_t geometry = share_geometry(core, g);
+    if (!check(core, geometry != null_index, Error::geometries_full)) return null_index;
+    const std::uint32_t index = pool_take(core.state->shape_pool, core.shapes, core.capacity.shapes);
+    if (!check(core, index != null_index, Error::shapes_full)) {
+        release_geometry(core, geometry);
+        return null_index;
+    }
+    link_shape(core, body, index, geometry, def);
+    return index;
+}
+
+ShapeId attach(Core& core, BodyId id, const Geometry& g, bool valid, const ShapeDef& def) {
+    const std::uint32_t body = find_body(core, id);
+    if (body == null_index || !check(core, valid, Error::bad_geometry) || !check_def(core, def)) return {};
+    const std::uint32_t index = add_shape(core, body, g, def);
+    if (index == null_index) return {};
+    shapes_changed(core, body);
+    return core.shape_id(index);
+}
+
+Geometry blank(ShapeType type) {
+    Geometry g;
+    g.type = static_cast<std::uint32_t>(type);
+    return g;
+}
+
+}  // namespace
+
+ShapeId World::create_shape(BodyId body, const Circle& circle, const ShapeDef& def) {
+    Geometry g = blank(ShapeType::circle);
+    g.circle = circle;
+    return attach(core(), body, g, islet::is_valid(circle), def);
+}
+
+ShapeId World::create_shape(BodyId body, const Capsule& capsule, const ShapeDef& def) {
+    Geometry g = blank(ShapeType::capsule);
+    g.capsule = capsule;
+    return attach(core(), body, g, islet::is_valid(capsule), def);
+}
+
+ShapeId World::create_shape(BodyId body, const Segment& segment, const ShapeDef& def) {
+    Geometry g = blank(ShapeType::segment);
+    g.segment = segment;
+    return attach(core(), body, g, islet::is_valid(segment), def);
+}
+
+ShapeId World::create_shape(BodyId body, const ChainSegment& segment, const ShapeDef& def) {
+    Geometry g = blank(ShapeType::chain_segment);
+    g.chain = segment;
+    return attach(core(), body, g, islet::is_valid(segment), def);
+}
+
+ShapeId World::create_shape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
+    Geometry g = blank(ShapeType::polygon);
+    const bool valid = islet::is_valid(polygon);
+    if (valid) {
+        // Only what counts: equal polygons must be equal bit by bit.
+        g.polygon.count = polygon.count;
+        g.polygon.radius = polygon.radius;
+        g.polygon.centroid = polygon.centroid;
+        for (std::uint32_t i = 0; i < polygon.count; ++i) {
+            g.polygon.vertices[i] = polygon.vertices[i];
+            g.polygon.normals[i] = polygon.normals[i];
+        }
+    }
+    return attach(core(), body, g, valid, def);
+}
+
+std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool loop, const ShapeDef& def, std::span<ShapeId> out) {
+    Core& c = core();
+    const std::uint32_t body = find_body(c, id);
+    if (body == null_index || !check_def(c, def)) return 0;
+    const std::size_t n = points.size();
+    if (!check(c, n >= (loop ? 3u : 2u) && n <= max_capacity, Error::bad_chain)) return 0;
+    const auto segments = static_cast<std::uint32_t>(loop ? n : n - 1);
+
+    // An open end goes on straight, so its ghost is the mirror image of the next point.
+    const auto segment_at = [&](std::uint32_t i) {
+        const Vec2 p1 = points[i];
+        const Vec2 p2 = points[(i + 1) % n];
+        const Vec2 before = i > 0 ? points[i - 1] : (loop ? points[n - 1] : p1 - (p2 - p1));
+        const Vec2 after = i + 2 < n ? points[i + 2] : (loop ? points[(i + 2) % n] : p2 + (p2 - p1));
+        return ChainSegment{before, {p1, p2}, after};
+    };
+    for (std::uint32_t i = 0; i < segments; ++i) {
+        const ChainSegment s = segment_at(i);
+        if (!check_finite(c, s.segment.point1) || !check_finite(c, s.segment.point2)) return 0;
+        if (!check(c, islet::is_valid(s), Error::bad_chain)) return 0;
+    }
+    if (!check(c, c.capacity.shapes - c.state->shape_pool.count >= segments, Error::shapes_full)) return 0;
+
+    for (std::uint32_t i = 0; i < segments; ++i) {
+        Geometry g = blank(ShapeType::chain_segment);
+        g.chain = segment_at(i);
+        const std::uint32_t index = add_shape(c, body, g, def);
+        if (index == null_index) {
+            // No room for another geometry: what was made, newest first, goes again.
+            for (std::uint32_t made = 0; made < i; ++made) remove_shape(c, c.bodies[body].shape_head);
+            return 0;
+        }
+        if (i < out.size()) out[i] = c.shape_id(index);
+    }
+    shapes_changed(c, body);
+    return segments;
+}
+
+void World::destroy_shape(ShapeId id) {
+    Core& c = core();
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index) return;
+    const std::uint32_t body = c.shapes[i].body;
+    wake_island(c, body, c.arena());
+    remove_shape(c, i);
+    shapes_changed(c, body);
+}
+
+bool World::is_valid(ShapeId id) const {
+    const Core& c = core();
+    return id.index1 != 0 && pool_live(c.state->shape_pool, c.shapes, id.index1 - 1) && c.shapes[id.index1 - 1].generation == id.generation;
+}
+
+std::uint32_t World::shape_count() const { return core().state->shape_pool.count; }
+
+// Reading: value if the id is good, else the type's zero.
+#define ISLET_READ_SHAPE(value)                            \
+    const Core& c = core();                                \
+    const std::uint32_t i = find_shape(c, id);             \
+    if (i == null_index) return {};                        \
+    return value
+
+BodyId World::body(ShapeId id) const { ISLET_READ_SHAPE(c.body_id(c.shapes[i].body)); }
+ShapeType World::shape_type(ShapeId id) const { ISLET_READ_SHAPE(static_cast<ShapeType>(c.geometries[c.shapes[i].geometry].type)); }
+Aabb World::aabb(ShapeId id) const { ISLET_READ_SHAPE(shape_aabb(c, i)); }
+float World::friction(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].friction); }
+float World::restitution(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].restitution); }
+float World::rolling_resistance(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].rolling_resistance); }
+float World::tangent_speed(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].tangent_speed); }
+Filter World::filter(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].filter); }
+std::uint64_t World::user_data(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].user_data); }
+
+#undef ISLET_READ_SHAPE
+
+namespace {
+
+const Geometry* geometry_if(const Core& c, ShapeId id, ShapeType type) {
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index) return nullptr;
+    const Geometry& g = c.geometries[c.shapes[i].geometry];
+    return static_cast<ShapeType>(g.type) == type ? &g : nullptr;
+}
+
+// Materials are mixed when a contact is made, so a change goes through the shape's contacts.
+void remix(Core& core, std::uint32_t shape) {
+    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t) { mix_materials(core, contact); });
+    wake_island(core, core.shapes[shape].body, core.arena());
+}
+
+}  // namespace
+
+const Circle* World::circle(ShapeId id) const {
+    const Geometry* g = geometry_if(core(), id, ShapeType::circle);
+    return g != nullptr ? &g->circle : nullptr;
+}
+const Capsule* World::capsule(ShapeId id) const {
+    const Geometry* g = geometry_if(core(), id, ShapeType::capsule);
+    return g != nullptr ? &g->capsule : nullptr;
+}
+const Segment* World::segment(ShapeId id) const {
+    const Geometry* g = geometry_if(core(), id, ShapeType::segment);
+    return g != nullptr ? &g->segment : nullptr;
+}
+const Polygon* World::polygon(ShapeId id) const {
+    const Geometry* g = geometry_if(core(), id, ShapeType::polygon);
+    return g != nullptr ? &g->polygon : nullptr;
+}
+const ChainSegment* World::chain_segment(ShapeId id) const {
+    const Geometry* g = geometry_if(core(), id, ShapeType::chain_segment);
+    return g != nullptr ? &g->chain : nullptr;
+}
+
+void World::set_friction(ShapeId id, float friction) {
+    Core& c = core();
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index || !check_range(c, friction, 0, no_limit)) return;
+    c.shapes[i].friction = friction;
+    remix(c, i);
+}
+
+void World::set_restitution(ShapeId id, float restitution) {
+    Core& c = core();
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index || !check_range(c, restitution, 0, 1)) return;
+    c.shapes[i].restitution = restitution;
+    remix(c, i);
+}
+
+void World::set_rolling_resistance(ShapeId id, float resistance) {
+    Core& c = core();
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index || !check_range(c, resistance, 0, no_limit)) return;
+    c.shapes[i].rolling_resistance = resistance;
+    remix(c, i);
+}
+
+void World::set_tangent_speed(ShapeId id, float speed) {
+    Core& c = core();
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index || !check_finite(c, speed)) return;
+    c.shapes[i].tangent_speed = speed;
+    remix(c, i);
+}
+
+void World::set_filter(ShapeId id, const Filter& filter) {
+    Core& c = core();
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index) return;
+    c.shapes[i].filter = filter;
+    const std::uint32_t body = c.shapes[i].body;
+    wake_island(c, body, c.arena());
+    for_each_contact(c, body, [&](std::uint32_t contact, std::uint32_t side) {
+        const Contact& link = c.contacts[contact];
+        if ((link.shape_a != i && link.shape_b != i) || may_collide(c, link.shape_a, link.shape_b)) return;
+        if ((c.manifolds[contact].flags & contact_touching) != 0) wake_island(c, other_body(c, contact, side), c.arena());
+        destroy_contact(c, contact);
+    });
+    mark_moved(c, i);
+}
+
+void World::set_user_data(ShapeId id, std::uint64_t data) {
+    Core& c = core();
+    const std::uint32_t i = find_shape(c, id);
+    if (i != null_index) c.shapes[i].user_data = data;
+}
+
+}  // namespace islet

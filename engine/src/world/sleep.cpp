@@ -1,0 +1,73 @@
+#include "world/sleep.hpp"
+
+#include "broadphase/contacts.hpp"
+#include "broadphase/tree.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+void wake_one(Core& core, std::uint32_t body) {
+    core.awake_bodies.set(body);
+    core.motions[body].sleep_time = 0;
+    unrest_shapes(core, body);
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) { core.awake_contacts.set(contact); });
+}
+
+}  // namespace
+
+void rest_shapes(Core& core, std::uint32_t body) {
+    const Tree tree{&core.state->tree, core.tree};
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
+        if (core.shapes[s].tree_node == null_index) core.shapes[s].tree_node = tree_insert(tree, core.boxes[s], s);
+}
+
+void unrest_shapes(Core& core, std::uint32_t body) {
+    const Tree tree{&core.state->tree, core.tree};
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+        if (core.shapes[s].tree_node == null_index) continue;
+        tree_remove(tree, core.shapes[s].tree_node);
+        core.shapes[s].tree_node = null_index;
+    }
+}
+
+void wake_island(Core& core, std::uint32_t body, Arena arena) {
+    if (core.bodies[body].type() == BodyType::static_body) return;
+    if (core.is_awake(body)) {
+        core.motions[body].sleep_time = 0;
+        return;
+    }
+    // Each body enters the queue once, when it wakes.
+    std::uint32_t* queue = arena.take<std::uint32_t>(core.capacity.bodies);
+    std::uint32_t end = 0;
+    wake_one(core, body);
+    queue[end++] = body;
+    for (std::uint32_t at = 0; at < end; ++at) {
+        for_each_contact(core, queue[at], [&](std::uint32_t contact, std::uint32_t side) {
+            const std::uint32_t other = other_body(core, contact, side);
+            if ((core.manifolds[contact].flags & contact_touching) == 0 || !core.is_dynamic(other) || core.is_awake(other)) return;
+            wake_one(core, other);
+            queue[end++] = other;
+        });
+    }
+}
+
+void wake_neighbors(Core& core, std::uint32_t body, Arena arena) {
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
+        if ((core.manifolds[contact].flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), arena);
+    });
+}
+
+void put_to_sleep(Core& core, std::uint32_t body) {
+    core.awake_bodies.clear(body);
+    core.motions[body].v = {0, 0};
+    core.motions[body].w = 0;
+    core.motions[body].sleep_time = 0;
+    core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_fast);
+    rest_shapes(core, body);
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
+        if (!core.is_awake(other_body(core, contact, side))) core.awake_contacts.clear(contact);
+    });
+}
+
+}  // namespace islet::detail

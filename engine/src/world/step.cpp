@@ -1,0 +1,56 @@
+// A step, as a table of contents.
+#include "broadphase/pairs.hpp"
+#include "island/batches.hpp"
+#include "solver/solver.hpp"
+#include "world/contact_update.hpp"
+#include "world/finish.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace {
+
+// Events of the last step go; those of calls made since (a touching shape was destroyed) stay for this step's reader.
+void clear_events(Core& core) {
+    const std::uint32_t pending = core.end_count - core.end_reported;
+    std::memmove(core.end_events, core.end_events + core.end_reported, std::size_t{pending} * sizeof(TouchEvent));
+    core.end_count = pending;
+    core.begin_count = core.moved_count = core.slept_count = 0;
+    core.report.dropped_events = 0;
+}
+
+void fill_report(Core& core, const Plan& plan) {
+    StepReport& r = core.report;
+    r.bodies = core.state->body_pool.count;
+    r.awake_bodies = core.awake_bodies.count();
+    r.shapes = core.state->shape_pool.count;
+    r.contacts = core.state->contact_pool.count;
+    r.touching_contacts = plan.touching_count;
+    r.islands = plan.island_count;
+    r.colors = 0;
+    for (std::uint32_t colors = plan.colors; colors != 0; colors &= colors - 1) ++r.colors;
+    r.overflow_contacts = plan.overflow_count;
+    r.batches = plan.batch_count;
+    core.end_reported = core.end_count;
+    ++core.state->steps;
+}
+
+}  // namespace
+
+void World::step(float dt) {
+    Core& c = core();
+    if (!(dt > 0) || !(dt <= 1.0f)) return c.fail(Error::bad_time_step);
+    clear_events(c);
+
+    find_pairs(c);
+    update_contacts(c, dt);
+
+    Arena arena = c.arena();
+    const Plan plan = make_plan(c, arena);
+    const SolverBody* bodies = detail::solve(c, plan, arena, dt);
+    finish_bodies(c, plan, bodies, arena, dt);
+    fill_report(c, plan);
+}
+
+}  // namespace islet

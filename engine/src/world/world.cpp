@@ -1,0 +1,196 @@
+// Making a world, and what concerns it as a whole.
+#include "islet/world.hpp"
+
+#include "world/checks.hpp"
+#include "world/cpu.hpp"
+#include "world/sleep.hpp"
+
+// A placement new without <new>: the engine needs no C++ runtime.
+struct IsletPlace {};
+inline void* operator new(std::size_t, void* at, IsletPlace) noexcept { return at; }
+
+namespace islet {
+
+using namespace detail;
+
+Core& World::core() { return *reinterpret_cast<Core*>(core_); }
+const Core& World::core() const { return *reinterpret_cast<const Core*>(core_); }
+
+namespace {
+
+Error check_capacity(const Capacity& c) {
+    const bool some = c.bodies > 0 && c.shapes > 0 && c.contacts > 0;
+    const bool sane = c.bodies <= max_capacity && c.shapes <= max_capacity && c.contacts <= max_capacity && c.joints <= max_capacity &&
+                      c.geometries <= max_capacity;
+    return some && sane ? Error::none : Error::bad_capacity;
+}
+
+Error check_def(const WorldDef& def) {
+    if (!is_finite(def.gravity) || !is_finite(def.restitution_threshold) || !is_finite(def.max_speed)) return Error::not_finite;
+    if (def.restitution_threshold < 0 || def.max_speed <= 0) return Error::out_of_range;
+    if (def.lanes != 0 && def.lanes != 1 && def.lanes != 4 && def.lanes != 8) return Error::out_of_range;
+    Error error = Error::none;
+    check_solver(def.solver, error);
+    return error;
+}
+
+std::uint32_t choose_lanes(std::uint32_t wanted) {
+    std::uint32_t widest = max_lanes;
+    if (widest == 8 && !cpu_has_avx2()) widest = 4;
+    return wanted == 0 || wanted > widest ? widest : wanted;
+}
+
+template <class T>
+T* place(std::byte* block, std::size_t offset) {
+    return reinterpret_cast<T*>(block + offset);
+}
+
+void point_into(Core& core, std::byte* block) {
+    const Layout l = layout_of(core.capacity);
+    const Capacity& c = core.capacity;
+    const auto bits = [&](std::size_t offset, std::uint32_t n) {
+        return BitSet{place<std::uint64_t>(block, offset), static_cast<std::uint32_t>(words_for(n))};
+    };
+    core.state = place<State>(block, l.state);
+    core.poses = place<Pose>(block, l.poses);
+    core.motions = place<Motion>(block, l.motions);
+    core.bodies = place<Body>(block, l.bodies);
+    core.shapes = place<Shape>(block, l.shapes);
+    core.boxes = place<Aabb>(block, l.boxes);
+    core.geometries = place<Geometry>(block, l.geometries);
+    core.geometry_buckets = place<std::uint32_t>(block, l.geometry_buckets);
+    core.tree = place<TreeNode>(block, l.tree);
+    core.contacts = place<Contact>(block, l.contacts);
+    core.manifolds = place<ContactManifold>(block, l.manifolds);
+    core.pairs = {place<std::uint64_t>(block, l.pairs), next_power_of_two(2 * c.contacts) - 1};
+    core.awake_bodies = bits(l.awake_bodies, c.bodies);
+    core.awake_contacts = bits(l.awake_contacts, c.contacts);
+    core.moved_shapes = bits(l.moved_shapes, c.shapes);
+    core.begin_events = place<TouchEvent>(block, l.begin_events);
+    core.end_events = place<TouchEvent>(block, l.end_events);
+    core.moved_events = place<BodyId>(block, l.moved_events);
+    core.slept_events = place<BodyId>(block, l.slept_events);
+    core.scratch = block + l.scratch;
+    core.scratch_end = block + l.end;
+}
+
+}  // namespace
+
+World* World::create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error) {
+    Error problem = check_capacity(capacity);
+    if (problem == Error::none && reinterpret_cast<std::uintptr_t>(block.data()) % world_alignment != 0) problem = Error::block_misaligned;
+    if (problem == Error::none && (block.data() == nullptr || block.size() < world_bytes(capacity))) problem = Error::block_too_small;
+    if (problem == Error::none) problem = check_def(def);
+    if (error != nullptr) *error = problem;
+    if (problem != Error::none) {
+        if (def.error_hook != nullptr) def.error_hook(problem, def.error_context);
+        return nullptr;
+    }
+
+    World* world = new (block.data(), IsletPlace{}) World;
+    Core& core = *new (world->core_, IsletPlace{}) Core;
+    core.capacity = capacity;
+    core.lanes = choose_lanes(def.lanes);
+    core.error_hook = def.error_hook;
+    core.error_context = def.error_context;
+    point_into(core, block.data());
+
+    // Persistent memory starts as zeros, so that no byte of a world depends on what the block held before.
+    const Layout l = layout_of(capacity);
+    std::memset(block.data() + l.state, 0, l.persistent_end - l.state);
+    std::memset(core.geometry_buckets, 0xff, std::size_t{next_power_of_two(geometry_capacity(capacity))} * 4);
+    State& state = *new (core.state, IsletPlace{}) State;
+    state.gravity = def.gravity;
+    state.restitution_threshold = def.restitution_threshold;
+    state.max_speed = def.max_speed;
+    state.solver = def.solver;
+    state.enable_sleep = def.enable_sleep ? 1 : 0;
+    return world;
+}
+
+namespace detail {
+
+World& create_default(std::span<std::byte> block, const Capacity& capacity, Error error) {
+    World* world = World::create(block, capacity, WorldDef{});
+    if (world == nullptr) __builtin_trap();  // StaticWorld's own block always fits; only a capacity of 0 bodies, shapes or contacts gets here
+    Core::of(*world).last_error = error;
+    return *world;
+}
+
+bool check_solver(const SolverDef& d, Error& error) {
+    const bool finite = is_finite(d.contact_hertz) && is_finite(d.contact_damping_ratio) && is_finite(d.contact_push_speed) &&
+                        is_finite(d.baumgarte) && is_finite(d.omega);
+    const bool sane = (d.schedule == Schedule::soft || d.schedule == Schedule::classic) && d.substeps >= 1 && d.substeps <= 64 &&
+                      d.iterations >= 1 && d.iterations <= 256 && d.relax_iterations <= 256 && d.contact_hertz > 0 &&
+                      d.contact_damping_ratio >= 0 && d.contact_push_speed >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 &&
+                      d.omega < 2;
+    error = !finite ? Error::not_finite : !sane ? Error::out_of_range : Error::none;
+    return error == Error::none;
+}
+
+}  // namespace detail
+
+Vec2 World::gravity() const { return core().state->gravity; }
+
+void World::set_gravity(Vec2 gravity) {
+    if (check_finite(core(), gravity)) core().state->gravity = gravity;
+}
+
+const SolverDef& World::solver() const { return core().state->solver; }
+
+void World::set_solver(const SolverDef& solver) {
+    Error error = Error::none;
+    if (!check_solver(solver, error)) return core().fail(error);
+    core().state->solver = solver;
+}
+
+void World::enable_sleep(bool enable) {
+    Core& c = core();
+    c.state->enable_sleep = enable ? 1 : 0;
+    if (enable) return;
+    for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)
+        if (pool_live(c.state->body_pool, c.bodies, i)) wake_island(c, i, c.arena());
+}
+
+const Capacity& World::capacity() const { return core().capacity; }
+const StepReport& World::report() const { return core().report; }
+Error World::last_error() const { return core().last_error; }
+void World::clear_error() { core().last_error = Error::none; }
+std::uint64_t World::step_count() const { return core().state->steps; }
+
+std::span<const TouchEvent> World::begin_touch_events() const { return {core().begin_events, core().begin_count}; }
+std::span<const TouchEvent> World::end_touch_events() const { return {core().end_events, core().end_count}; }
+std::span<const BodyId> World::moved_bodies() const { return {core().moved_events, core().moved_count}; }
+std::span<const BodyId> World::slept_bodies() const { return {core().slept_events, core().slept_count}; }
+
+std::uint32_t World::contact_count() const { return core().state->contact_pool.count; }
+
+bool World::contact_at(std::uint32_t slot, ContactInfo& out) const {
+    const Core& c = core();
+    if (!pool_live(c.state->contact_pool, c.contacts, slot)) return false;
+    const ContactManifold& m = c.manifolds[slot];
+    if ((m.flags & contact_touching) == 0) return false;
+    const Contact& contact = c.contacts[slot];
+    const Pose& a = c.poses[m.body_a];
+    const Pose& b = c.poses[m.body_b];
+    const Vec2 rel = inv_rotate(a.q, b.center - a.center);
+    const Rot turn = inv_mul(a.q, b.q) * inverse(m.rel_rotation);
+    out.shape_a = c.shape_id(contact.shape_a);
+    out.shape_b = c.shape_id(contact.shape_b);
+    out.normal = rotate(a.q, m.normal);
+    out.point_count = m.count();
+    out.friction = m.friction;
+    out.restitution = m.restitution;
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        ContactPoint& p = out.points[i];
+        const Vec2 r = m.anchors[i] - m.rel_position;
+        p.point = a.center + rotate(a.q, m.anchors[i]);
+        p.separation = m.separation[i] + dot(m.normal, (rel - m.rel_position) + (rotate(turn, r) - r));
+        p.normal_impulse = m.normal_impulse[i];
+        p.tangent_impulse = m.tangent_impulse[i];
+        p.feature = m.ids >> (16 * i) & 0xffffu;
+    }
+    return true;
+}
+
+}  // namespace islet

@@ -1,0 +1,132 @@
+// The list of scenes, how to find one by name, and how much room one needs.
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <set>
+#include <type_traits>
+
+#include "scenes/scenes.hpp"
+
+namespace islet::samples {
+namespace {
+
+/// Insertions, deletions and replacements that turn a into b (Levenshtein).
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+        }
+    }
+    return row.back();
+}
+
+void append_floats(std::string& bytes, std::initializer_list<Vec2> points, float radius) {
+    for (const Vec2 p : points) bytes.append(reinterpret_cast<const char*>(&p), sizeof p);
+    bytes.append(reinterpret_cast<const char*>(&radius), sizeof radius);
+}
+
+/// The geometry's numbers as bytes, headed by its kind: equal exactly for geometries that a world stores once. Chains are not asked.
+std::string key_of(const SceneGeometry& geometry) {
+    std::string bytes(1, static_cast<char>('0' + geometry.index()));
+    if (const auto* circle = std::get_if<Circle>(&geometry)) append_floats(bytes, {circle->center}, circle->radius);
+    if (const auto* capsule = std::get_if<Capsule>(&geometry)) append_floats(bytes, {capsule->point1, capsule->point2}, capsule->radius);
+    if (const auto* segment = std::get_if<Segment>(&geometry)) append_floats(bytes, {segment->point1, segment->point2}, 0);
+    if (const auto* polygon = std::get_if<Polygon>(&geometry)) {
+        for (std::uint32_t i = 0; i < polygon->count; ++i)
+            append_floats(bytes, {polygon->vertices[i], polygon->normals[i]}, polygon->radius);
+    }
+    return bytes;
+}
+
+std::uint32_t chain_segments(const Chain& chain) {
+    const auto points = static_cast<std::uint32_t>(chain.points.size());
+    return chain.loop ? points : points - std::min(points, 1u);
+}
+
+}  // namespace
+
+const std::vector<SceneInfo>& catalogue() {
+    static const std::vector<SceneInfo> list = {
+        {"hello", "basics", "a box falls, lands and goes to sleep", make_hello},
+        {"projectile", "basics", "balls thrown at seven angles follow their parabolas", make_projectile},
+        {"bounce", "basics", "balls of restitution 0 to 1 rebound to e^2 h", make_bounce},
+        {"friction_ramp", "basics", "boxes of six roughnesses on a slope: three slide, three hold", make_friction_ramp},
+        {"rolling", "basics", "a sliding disc, a rolling disc and a ring race down a slope", make_rolling},
+        {"newtons_cradle", "basics", "a ball strikes a row of seven, and only the last one leaves", make_newtons_cradle},
+        {"far_from_origin", "basics", "a pyramid stands 10 km out, where a float steps by a millimetre", make_far_from_origin},
+        {"pyramid", "stacks", "ten rows of boxes stand for a minute", make_pyramid},
+        {"vertical_stack", "stacks", "thirty boxes, one on another, stand for a minute", make_vertical_stack},
+        {"dominoes", "stacks", "thirty dominoes fall, each by the one behind it", make_dominoes},
+        {"card_house", "stacks", "a house of cards, five storeys high, stands for a minute", make_card_house},
+        {"arch", "stacks", "seventeen wedges make an arch that stands by friction alone", make_arch},
+        {"mass_ratio", "stacks", "boxes carry a load three hundred times their weight", make_mass_ratio},
+        {"confined", "stacks", "circles squeezed into a closed box come to rest", make_confined},
+        {"cairn", "stacks", "irregular stones, piled one on another, stay piled", make_cairn},
+        {"large_pyramid", "benchmark", "one pyramid with 100 boxes at its base", make_large_pyramid},
+        {"many_pyramids", "benchmark", "400 pyramids of 55 boxes, in 20 rows", make_many_pyramids},
+        {"washer", "benchmark", "8100 boxes tumble in a turning drum with paddles", make_washer},
+        {"smash", "benchmark", "a heavy box at 40 m/s hits a sleeping wall of 9600 bricks", make_smash},
+        {"compounds", "benchmark", "3000 bodies of two triangles each fall into a trough", make_compounds},
+        {"junkyard", "benchmark", "a pusher sweeps through 8000 irregular pentagons", make_junkyard},
+    };
+    return list;
+}
+
+const SceneInfo* find_scene(const std::string& name) {
+    for (const SceneInfo& info : catalogue()) {
+        if (name == info.name) return &info;
+    }
+    return nullptr;
+}
+
+std::vector<std::string> similar_scenes(const std::string& name) {
+    struct Candidate {
+        std::size_t distance;
+        std::string name;
+    };
+    std::vector<Candidate> candidates;
+    for (const SceneInfo& info : catalogue()) {
+        const std::string known = info.name;
+        const bool part = name.size() >= 3 && (known.find(name) != std::string::npos || name.find(known) != std::string::npos);
+        const std::size_t distance = part ? 1 : edit_distance(name, known);
+        if (distance <= std::max<std::size_t>(2, known.size() / 3)) candidates.push_back({distance, known});
+    }
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+    std::vector<std::string> names;
+    for (const Candidate& candidate : candidates) names.push_back(candidate.name);
+    return names;
+}
+
+Capacity capacity_of(const Scene& scene) {
+    Capacity capacity;
+    std::uint32_t moving_shapes = 0, chain_geometries = 0;
+    std::set<std::string> geometries;
+    for (const SceneBody& body : scene.bodies) {
+        for (const SceneShape& shape : body.shapes) {
+            std::uint32_t count = 1;
+            if (const auto* chain = std::get_if<Chain>(&shape.geometry)) {
+                count = chain_segments(*chain);
+                chain_geometries += count;
+            } else {
+                geometries.insert(key_of(shape.geometry));
+            }
+            capacity.shapes += count;
+            if (body.def.type != BodyType::static_body) moving_shapes += count;
+        }
+    }
+    // A dense pile has 3 to 5 pairs of overlapping fat boxes a shape; the rest is room for a pile being squeezed.
+    constexpr std::uint32_t pairs_per_shape = 7, spare_pairs = 32;
+    capacity.bodies = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.bodies.size()));
+    capacity.shapes = std::max<std::uint32_t>(1, capacity.shapes);
+    capacity.contacts = pairs_per_shape * moving_shapes + spare_pairs + scene.extra_contacts;
+    capacity.geometries = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(geometries.size()) + chain_geometries);
+    return capacity;
+}
+
+}  // namespace islet::samples

@@ -1,0 +1,132 @@
+// The headless runner: lists the scenes, runs one, prints what happened, and says by its exit status whether the scene's check passed.
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "progress.hpp"
+#include "report.hpp"
+#include "runner.hpp"
+#include "svg.hpp"
+
+namespace {
+
+using namespace islet::samples;
+
+enum ExitStatus { ok = 0, check_failed = 1, wrong_usage = 2 };
+
+struct RunCommand {
+    std::string scene, csv_path, svg_path;
+    RunOptions options;
+    bool json = false;
+};
+
+int wrong(const std::string& message) {
+    fmt::print(stderr, "islet: {}\n", message);
+    return wrong_usage;
+}
+
+int unknown_scene(const std::string& name) {
+    const std::vector<std::string> similar = similar_scenes(name);
+    if (similar.empty()) return wrong(fmt::format("there is no scene '{}'; `islet list` shows them all", name));
+    return wrong(fmt::format("there is no scene '{}'; near names: {}", name, fmt::join(similar, ", ")));
+}
+
+/// Opens a file for results before the run, so that a wrong path does not cost one. True if it is open or none was asked for.
+bool open_output(std::ofstream& file, const std::string& path) {
+    if (!path.empty()) file.open(path, std::ios::binary);
+    return path.empty() || file.is_open();
+}
+
+/// Flushes a file of results. True if all of it was written.
+bool close_output(std::ofstream& file) {
+    if (!file.is_open()) return true;
+    file.close();
+    return !file.fail();
+}
+
+int run_scene(const RunCommand& command) {
+    const SceneInfo* info = find_scene(command.scene);
+    if (info == nullptr) return unknown_scene(command.scene);
+    std::ofstream csv, svg;
+    if (!open_output(csv, command.csv_path)) return wrong(fmt::format("cannot write '{}'", command.csv_path));
+    if (!open_output(svg, command.svg_path)) return wrong(fmt::format("cannot write '{}'", command.svg_path));
+
+    Run run(info->make(), command.options);
+    ProgressBar bar(run.scene.steps);
+    if (csv.is_open()) csv << csv_header();
+    const RunResult result = run.run([&](const StepRecord& record) {
+        if (csv.is_open()) csv << csv_line(record, run);
+        bar.update(record.step);
+    });
+    bar.clear();
+
+    if (svg.is_open()) svg << draw_svg(picture_of(run));
+    if (!close_output(csv)) return wrong(fmt::format("cannot write all of '{}'", command.csv_path));
+    if (!close_output(svg)) return wrong(fmt::format("cannot write all of '{}'", command.svg_path));
+    fmt::print("{}", command.json ? json_of(result) : table_of(result));
+    return result.passed() ? ok : check_failed;
+}
+
+/// A range lets NaN through, since NaN is neither below nor above anything.
+std::string finite_number(const std::string& text) {
+    double value = 0;
+    return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? std::string() : "must be a finite number: " + text;
+}
+
+/// The command line, and where what it says is kept.
+struct CommandLine {
+    CLI::App app{"Islet: runs the scenes of the 2D physics engine without a screen"};
+    CLI::App* list = app.add_subcommand("list", "every scene, grouped, with one line each");
+    CLI::App* run = app.add_subcommand("run", "runs a scene and prints what happened; exit status 1 if its check failed");
+    bool list_json = false;
+    RunCommand command;
+
+    CommandLine() {
+        app.require_subcommand(1);
+        list->add_flag("--json", list_json, "as a JSON list");
+
+        RunOptions& o = command.options;
+        run->add_option("scene", command.scene, "name of the scene")->required();
+        run->add_option("--steps", o.steps, "steps to take; the scene's own if not given")->check(CLI::Range(0, 100'000'000));
+        run->add_option("--dt", o.dt, "length of a step, s")->check(CLI::Range(1e-6, 1.0))->check(finite_number);
+        run->add_option("--substeps", o.substeps, "substeps of a step")->check(CLI::Range(1, 64));
+        run->add_option("--workers", o.workers, "threads to step with")->check(CLI::Range(1, 256));
+        run->add_option("--lanes", o.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
+        run->add_option("--hash-every", o.hash_every, "print the state's hash every so many steps")->check(CLI::Range(1, 100'000'000));
+        run->add_option("--csv", command.csv_path, "write a line of numbers per step to this file");
+        run->add_option("--svg", command.svg_path, "draw the last state to this file");
+        run->add_flag("--json", command.json, "print one JSON object");
+    }
+};
+
+int execute(CommandLine& line) {
+    if (line.list->parsed()) {
+        fmt::print("{}", line.list_json ? catalogue_json() : catalogue_table());
+        return ok;
+    }
+    if (line.command.options.workers > 1) {
+        fmt::print(stderr, "islet: this build steps with one worker\n");
+        line.command.options.workers = 1;
+    }
+    return run_scene(line.command);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        CommandLine line;
+        try {
+            line.app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return line.app.exit(error) == 0 ? ok : wrong_usage;  // help is no error
+        }
+        return execute(line);
+    } catch (const std::exception& error) { return wrong(error.what()); }
+}

@@ -1,0 +1,142 @@
+// Islet behind the interface that scenes are written against.
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <vector>
+
+#include "engine.hpp"
+
+namespace islet::samples {
+namespace {
+
+/// Memory for a world, aligned as it needs.
+class Block {
+public:
+    explicit Block(std::size_t size)
+        : data_(static_cast<std::byte*>(::operator new (size, std::align_val_t{world_alignment}))), size_(size) {}
+    ~Block() { ::operator delete (data_, std::align_val_t{world_alignment}); }
+    Block(const Block&) = delete;
+    Block& operator=(const Block&) = delete;
+    std::span<std::byte> span() { return {data_, size_}; }
+
+private:
+    std::byte* data_;
+    std::size_t size_;
+};
+
+/// Attaches shapes of whatever kind to a body.
+struct ShapeMaker {
+    World& world;
+    BodyId body;
+    const ShapeDef& def;
+
+    void operator()(const Chain& chain) const { world.create_chain(body, chain.points, chain.loop, def); }
+    template <class Geometry>
+    void operator()(const Geometry& geometry) const {
+        world.create_shape(body, geometry, def);
+    }
+};
+
+}  // namespace
+
+struct IsletEngine::Impl {
+    std::unique_ptr<Block> block;
+    World* world = nullptr;
+    Capacity capacity;
+    std::vector<BodyId> bodies;  // by scene index
+};
+
+IsletEngine::IsletEngine() : impl_(std::make_unique<Impl>()) {}
+IsletEngine::~IsletEngine() = default;
+
+std::string IsletEngine::name() const { return "islet"; }
+
+void IsletEngine::load(const Scene& scene) {
+    impl_->capacity = capacity_of(scene);
+    impl_->block = std::make_unique<Block>(islet::world_bytes(impl_->capacity));
+    Error error = Error::none;
+    impl_->world = World::create(impl_->block->span(), impl_->capacity, scene.world, &error);
+    if (impl_->world == nullptr) throw std::runtime_error(std::string("cannot make the world: ") + describe(error));
+    impl_->bodies.clear();
+    impl_->bodies.reserve(scene.bodies.size());
+    for (const SceneBody& body : scene.bodies) create_body(body);
+}
+
+std::size_t IsletEngine::create_body(const SceneBody& body) {
+    World& w = world();
+    w.clear_error();
+    const BodyId id = w.create_body(body.def);
+    for (const SceneShape& shape : body.shapes) std::visit(ShapeMaker{w, id, shape.def}, shape.geometry);
+    if (w.last_error() != Error::none)
+        throw std::runtime_error(std::string("cannot make a body of the scene: ") + describe(w.last_error()));
+    impl_->bodies.push_back(id);
+    return impl_->bodies.size() - 1;
+}
+
+void IsletEngine::destroy_body(std::size_t index) { world().destroy_body(impl_->bodies[index]); }
+
+BodyState IsletEngine::body(std::size_t index) const {
+    const World& w = world();
+    const BodyId id = impl_->bodies[index];
+    BodyState state;
+    state.position = w.position(id);
+    state.angle = w.angle(id);
+    state.linear_velocity = w.linear_velocity(id);
+    state.angular_velocity = w.angular_velocity(id);
+    if (w.type(id) == BodyType::dynamic) {
+        state.mass = w.mass(id);
+        state.inertia = w.rotational_inertia(id);
+    }
+    state.center = w.center_of_mass(id);
+    state.awake = w.is_awake(id);
+    return state;
+}
+
+bool IsletEngine::exists(std::size_t index) const { return index < impl_->bodies.size() && world().is_valid(impl_->bodies[index]); }
+
+std::size_t IsletEngine::body_slots() const { return impl_->bodies.size(); }
+
+EngineCounts IsletEngine::counts() const {
+    const World& w = world();
+    EngineCounts counts;
+    counts.bodies = w.body_count();
+    counts.shapes = w.shape_count();
+    counts.contacts = w.contact_count();
+    counts.awake_bodies = w.report().awake_bodies;
+    counts.islands = w.report().islands;
+    return counts;
+}
+
+double IsletEngine::max_penetration() const {
+    double deepest = 0;
+    ContactInfo contact;
+    for (std::uint32_t slot = 0; slot < impl_->capacity.contacts; ++slot) {
+        if (!world().contact_at(slot, contact)) continue;
+        for (std::uint32_t i = 0; i < contact.point_count; ++i) deepest = std::max(deepest, -double(contact.points[i].separation));
+    }
+    return deepest;
+}
+
+void IsletEngine::set_velocity(std::size_t index, Vec2 linear, float angular) {
+    world().set_linear_velocity(impl_->bodies[index], linear);
+    world().set_angular_velocity(impl_->bodies[index], angular);
+}
+
+void IsletEngine::apply_force(std::size_t index, Vec2 force) { world().apply_force_to_center(impl_->bodies[index], force); }
+
+void IsletEngine::apply_impulse(std::size_t index, Vec2 impulse) { world().apply_linear_impulse_to_center(impl_->bodies[index], impulse); }
+
+World& IsletEngine::world() { return *impl_->world; }
+
+const World& IsletEngine::world() const { return *impl_->world; }
+
+std::size_t IsletEngine::world_bytes() const { return islet::world_bytes(impl_->capacity); }
+
+std::size_t IsletEngine::snapshot_bytes() const {
+    const detail::Layout layout = detail::layout_of(impl_->capacity);
+    return layout.persistent_end - layout.state;
+}
+
+void IsletEngine::step(float dt) { world().step(dt); }
+
+}  // namespace islet::samples

@@ -1,0 +1,62 @@
+#include "runner.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "scenes/checks.hpp"
+
+namespace islet::samples {
+bool RunResult::passed() const {
+    return std::all_of(check.begin(), check.end(), [](const CheckLine& line) { return line.pass(); });
+}
+
+Run::Run(Scene made, const RunOptions& options) : scene(std::move(made)), options_(options) {
+    // A check is stated for the scene as it stands: other steps or another time step would make its numbers meaningless.
+    check_applies_ = scene.check && options.steps.value_or(scene.steps) == scene.steps && options.dt.value_or(scene.dt) == scene.dt &&
+                     options.substeps.value_or(scene.world.solver.substeps) == scene.world.solver.substeps;
+    scene.steps = options.steps.value_or(scene.steps);
+    scene.dt = options.dt.value_or(scene.dt);
+    scene.world.solver.substeps = options.substeps.value_or(scene.world.solver.substeps);
+    scene.world.lanes = options.lanes;
+    engine.load(scene);
+    trails.resize(scene.traced.size());
+    for (std::size_t i = 0; i < trails.size(); ++i) trails[i].push_back(engine.body(scene.traced[i]).position);
+}
+
+RunResult Run::run(const std::function<void(const StepRecord&)>& observer) {
+    RunResult result;
+    for (int step = 0; step < scene.steps; ++step) {
+        StepRecord record;
+        record.ms = engine.advance(scene, step, scene.dt);
+        record.step = step + 1;
+        record.time = double(record.step) * double(scene.dt);
+        result.ms_total += record.ms;
+        result.ms_per_step_max = std::max(result.ms_per_step_max, record.ms);
+        result.dropped_contacts += engine.world().report().dropped_contacts;
+        if (options_.hash_every > 0 && record.step % options_.hash_every == 0) {
+            record.hash = engine.world().hash();
+            result.hashes.push_back({record.step, *record.hash});
+        }
+        for (std::size_t i = 0; i < trails.size(); ++i) trails[i].push_back(engine.body(scene.traced[i]).position);
+        if (observer) observer(record);
+    }
+
+    result.scene = scene.name;
+    result.steps = scene.steps;
+    result.dt = scene.dt;
+    result.substeps = scene.world.solver.substeps;
+    result.workers = options_.workers;
+    result.counts = engine.counts();
+    result.ms_per_step_mean = scene.steps > 0 ? result.ms_total / scene.steps : 0;
+    result.max_penetration = engine.max_penetration();
+    result.kinetic_energy = kinetic_energy(engine);
+    result.potential_energy = potential_energy(engine, scene.world.gravity);
+    result.world_bytes = engine.world_bytes();
+    result.snapshot_bytes = engine.snapshot_bytes();
+    result.hash = engine.world().hash();
+    result.checked = check_applies_;
+    if (check_applies_) result.check = scene.check(engine);
+    return result;
+}
+
+}  // namespace islet::samples

@@ -1,0 +1,76 @@
+// A scene: plain lists of the engine's own definitions, that any engine can load, with optional scripts and a check in numbers.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <islet/islet.hpp>
+
+namespace islet::samples {
+
+class Engine;
+
+/// Points of a chain of segments; see World::create_chain.
+struct Chain {
+    std::vector<Vec2> points;
+    bool loop = false;
+};
+
+using SceneGeometry = std::variant<Circle, Capsule, Segment, Polygon, Chain>;
+
+struct SceneShape {
+    SceneGeometry geometry;
+    ShapeDef def;
+};
+
+struct SceneBody {
+    BodyDef def;
+    std::vector<SceneShape> shapes;
+};
+
+/// One line of a scene's check: what was measured, its value, and the bounds it must keep.
+struct CheckLine {
+    std::string what;  // a sentence with its unit, e.g. "top of the pyramid sank (m)"
+    double value = 0;
+    double low = 0;  // pass if low <= value <= high
+    double high = 0;
+    bool pass() const { return value >= low && value <= high; }
+};
+
+/// Everything an engine needs to run a scene. Bodies are known by their index in `bodies`, in every engine; bodies made later by a script
+/// get the next indices.
+struct Scene {
+    std::string name;
+    WorldDef world;
+    float dt = 1.0f / 60.0f;  // s
+    int steps = 300;          // how long the runner runs it, and what `check` expects
+    std::vector<SceneBody> bodies;
+    std::uint32_t extra_contacts = 0;                            // contact capacity beyond the estimate of capacity_of
+    Aabb view = {{-10, -1}, {10, 11}};                           // m, what a picture shows
+    std::vector<std::size_t> traced;                             // bodies whose path a picture shows as a line
+    std::function<void(Engine&, int step)> before_step;          // scripts: push, set a velocity, create, destroy
+    std::function<void(const Engine&, int step)> after_step;     // observers: what the check needs to have seen
+    std::function<std::vector<CheckLine>(const Engine&)> check;  // after `steps` steps
+};
+
+/// An entry of the catalogue.
+struct SceneInfo {
+    const char* name;
+    const char* group;        // basics, stacks, benchmark, ...
+    const char* description;  // one line
+    Scene (*make)();
+};
+
+/// All scenes, grouped, in the catalogue's order.
+const std::vector<SceneInfo>& catalogue();
+/// The entry of that name, or null.
+const SceneInfo* find_scene(const std::string& name);
+/// Names close to a wrong one (edit distance), nearest first.
+std::vector<std::string> similar_scenes(const std::string& name);
+/// A capacity that holds the scene.
+Capacity capacity_of(const Scene& scene);
+
+}  // namespace islet::samples

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# What the engine's archive asks of its surroundings: five functions that every C library and most compilers' runtimes have.
+#   symbols_test.sh libislet.a [NM]
+set -euo pipefail
+
+archive=$1
+nm=${2:-nm}
+allowed='memcpy memmove memset memcmp sqrtf'
+
+# Each object's undefined names, less what another object of the archive defines. The global offset table is the linker's own.
+defined=$("$nm" --defined-only --format=posix "$archive" | awk 'NF > 1 { print $1 }' | sort -u)
+undefined=$("$nm" --undefined-only --format=posix "$archive" | awk 'NF > 1 { print $1 }' | sort -u | grep -v '^_GLOBAL_OFFSET_TABLE_$' || true)
+outside=$(comm -13 <(printf '%s\n' "$defined") <(printf '%s\n' "$undefined") | grep . || true)
+bad=$(comm -13 <(tr ' ' '\n' <<<"$allowed" | sort) <(printf '%s\n' "$outside") | grep . || true)
+
+printf 'undefined in %s: %s\n' "$(basename "$archive")" "$(tr '\n' ' ' <<<"$outside")"
+status=0
+if [ -n "$bad" ]; then
+    printf 'the engine must not need:\n%s\n' "$bad" | c++filt
+    "$nm" --undefined-only -A "$archive" | grep -F -w "$bad" | c++filt
+    status=1
+fi
+
+# Of a function that is inline in several objects the linker keeps one copy. If that were one compiled for AVX2, the engine would crash on
+# a processor without it: so the AVX2 object must define nothing that another object defines too.
+names() { "$nm" --defined-only --format=posix "$archive" | awk -v wanted="$1" '/:$/ { avx2 = /kernel_avx2/ } NF > 1 && avx2 == wanted && $2 ~ /[A-Zu]/ { print $1 }' | sort -u; }
+shared=$(comm -12 <(names 1) <(names 0) | grep . || true)
+if [ -n "$shared" ]; then
+    printf 'defined for AVX2 and elsewhere too:\n%s\n' "$shared" | c++filt
+    status=1
+fi
+exit "$status"

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# usage_test.sh ISLET_COMPARE: what the command does when it is used, and misused.
+set -euo pipefail
+
+compare=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+# expect STATUS WORDS ARGUMENT...: the exit status, and words that the output (both streams) must hold.
+expect() {
+    local wanted=$1 words=$2 status=0 out
+    shift 2
+    out=$("$compare" "$@" 2>&1) || status=$?
+    if [ "$status" -ne "$wanted" ] || ! grep -q -- "$words" <<<"$out"; then
+        printf 'islet-compare %s\n  status %s, wanted %s; wanted the words "%s" in:\n%s\n' "$*" "$status" "$wanted" "$words" "$out"
+        failures=$((failures + 1))
+    fi
+}
+
+expect 0 pass hello
+expect 0 '"pass": true' hello --json
+expect 0 '"steps": 7' hello --json --steps 7
+expect 0 pass hello pyramid --steps 10 --csv "$scratch/out.csv" --svg "$scratch/out.svg"
+expect 0 'Runs scenes' --help
+expect 2 'near names: pyramid' pyramidd
+expect 2 'name a scene'
+expect 2 'not expected' hello --nonsense
+expect 2 '--steps' hello --steps 0
+expect 2 '--steps' hello --steps many
+expect 2 'no tolerance' large_pyramid
+expect 2 'cannot write' hello --csv "$scratch/missing/out.csv"
+expect 2 'cannot write' hello --svg "$scratch/missing/out.svg"
+expect 0 ratio --time hello --steps 5
+
+[ "$(grep -c '^hello,' "$scratch/out.csv")" -eq 11 ] || { echo "out.csv must have a line for each step and one for the start"; failures=$((failures + 1)); }
+for picture in out-hello.svg out-pyramid.svg; do
+    grep -q '</svg>' "$scratch/$picture" || { echo "$picture is not whole"; failures=$((failures + 1)); }
+done
+exit "$((failures > 0))"

@@ -1,0 +1,52 @@
+// Box2D 2.4 behind the interface of samples/engine.hpp, so that it runs the same scenes as Islet.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine.hpp"
+
+namespace islet::compare {
+
+/// Box2D 2.4 wraps polygons and segments in a skin of 1 cm, which is what touches: a unit box is 1.02 m to its neighbours.
+enum class Skin {
+    inside,   ///< polygons are made smaller by the skin, so that skin and all they have the size the scene asks for; segments have none
+    outside,  ///< shapes as a user of Box2D makes them
+};
+
+struct Box2dOptions {
+    Skin skin = Skin::inside;
+    int substeps = 1;             ///< calls of b2World::Step per step, each of dt / substeps
+    int velocity_iterations = 8;  ///< per call
+    int position_iterations = 3;  ///< per call
+};
+
+/// Empty if Box2D 2.4 has every feature the scene uses; else a sentence that names the first one missing.
+std::string box2d_lacks(const samples::Scene& scene);
+
+class Box2dEngine final : public samples::Engine {
+public:
+    explicit Box2dEngine(const Box2dOptions& options = {});
+    ~Box2dEngine() override;
+    std::string name() const override;
+    void load(const samples::Scene& scene) override;
+    samples::BodyState body(std::size_t index) const override;
+    bool exists(std::size_t index) const override;
+    std::size_t body_slots() const override;
+    samples::EngineCounts counts() const override;
+    double max_penetration() const override;
+    std::size_t create_body(const samples::SceneBody& body) override;
+    void destroy_body(std::size_t index) override;
+    void set_velocity(std::size_t index, Vec2 linear, float angular) override;
+    void apply_force(std::size_t index, Vec2 force) override;
+    void apply_impulse(std::size_t index, Vec2 impulse) override;
+
+protected:
+    void step(float dt) override;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace islet::compare

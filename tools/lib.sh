@@ -1,0 +1,84 @@
+# Shared by the scripts in this folder: finding and installing what a build needs. Meant to be sourced, by bash.
+# shellcheck shell=bash
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+missing=()
+
+say() { printf '\n-- %s\n' "$*" >&2; }
+die() {
+    printf '%s\n' "$*" >&2
+    exit 2
+}
+
+jobs() { nproc 2>/dev/null || sysctl -n hw.ncpu 2>/dev/null || echo 2; }
+
+# Probes, for need.
+command_exists() { command -v "$1" >/dev/null 2>&1; }
+header_exists() {
+    local folder
+    for folder in /usr/include /usr/local/include /opt/homebrew/include; do
+        [ -e "$folder/$1" ] && return
+    done
+    return 1
+}
+
+# need PACKAGE PROBE ARGUMENT...: remembers Debian package PACKAGE as missing unless the probe succeeds.
+need() {
+    local package=$1
+    shift
+    "$@" || missing+=("$package")
+}
+
+# What every build needs: a compiler, CMake, and the libraries of the runner (header-only but for fmt).
+need_build_tools() {
+    need g++ command_exists c++
+    need cmake command_exists cmake
+    need make command_exists make
+    need libcli11-dev header_exists CLI/CLI.hpp
+    need nlohmann-json3-dev header_exists nlohmann/json.hpp
+    need libfmt-dev header_exists fmt/format.h
+}
+
+need_test_tools() {
+    need libgtest-dev header_exists gtest/gtest.h
+    need libbox2d-dev header_exists box2d/box2d.h
+}
+
+# Installs everything that need found missing.
+install_missing() {
+    if [ ${#missing[@]} -gt 0 ]; then
+        command_exists apt-get ||
+            die "Please install, under the names your system has for these Debian packages, then try again: ${missing[*]}"
+        local as_root=()
+        if [ "$(id -u)" -ne 0 ]; then
+            command_exists sudo || die "Please install these packages as root, then try again: apt-get install ${missing[*]}"
+            as_root=(sudo)
+        fi
+        say "installing ${missing[*]}"
+        "${as_root[@]}" apt-get update -q >&2
+        "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" >&2
+        missing=()
+    fi
+    check_cmake
+}
+
+check_cmake() {
+    local version
+    version=$(cmake --version | sed -n '1s/[^0-9]*//p')
+    [ "$(printf '%s\n' 3.25 "$version" | sort -V | head -n 1)" = 3.25 ] ||
+        die "Islet needs CMake 3.25 or newer and this is $version; https://cmake.org/download has one for every system"
+}
+
+# configure PRESET [OPTION...]: into build/PRESET.
+configure() {
+    local preset=$1
+    shift
+    (cd "$root" && cmake --preset "$preset" "$@") >&2
+}
+
+# build PRESET [ARGUMENT...]
+build() {
+    local preset=$1
+    shift
+    cmake --build "$root/build/$preset" --parallel "$(jobs)" "$@" >&2
+}

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# Builds Islet and runs every test.
+#   tools/test.sh              optimised build, all tests
+#   tools/test.sh --all        the same once more with clang, with sanitizers and unoptimised, and the scripts checked: what CI runs
+#   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
+# Installs a compiler, CMake, Box2D and GoogleTest (and for the options: clang, gcovr, shellcheck) with apt if they are missing.
+set -euo pipefail
+# shellcheck source=tools/lib.sh
+. "$(dirname "$0")/lib.sh"
+
+least_coverage=90  # %
+
+all=false
+coverage=false
+for argument in "$@"; do
+    case $argument in
+    --all) all=true ;;
+    --coverage) coverage=true ;;
+    -h | --help)
+        sed -n '2,6s/^# \{0,1\}//p' "$0"
+        exit 0
+        ;;
+    *) die "$0: unknown option $argument; there are --all and --coverage" ;;
+    esac
+done
+
+need_build_tools
+need_test_tools
+if $all; then
+    need clang command_exists clang++
+    need shellcheck command_exists shellcheck
+fi
+if $coverage; then need gcovr command_exists gcovr; fi
+install_missing
+
+results=()  # one line per build, printed at the end
+failed=false
+
+# run_tests PRESET [CTEST ARGUMENT...]: configures, builds, tests; remembers the closing lines and whether a test failed.
+run_tests() {
+    local preset=$1 log=$root/build/$1/tests.log status=0
+    shift
+    say "$preset: building"
+    configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS=ON -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON
+    build "$preset"
+    say "$preset: testing"
+    # A failed test must not end the script here: the other builds are tested too.
+    ctest --test-dir "$root/build/$preset" --parallel "$(jobs)" --output-on-failure --no-tests=error "$@" | tee "$log" || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("$preset: $(grep -E 'tests passed|No tests' "$log" || echo 'no result')$(sed -n 's/^Total Test time (real) = */, /p' "$log")")
+}
+
+# Line coverage of engine/ by the tests just run under the coverage preset.
+measure_coverage() {
+    local status=0
+    say "coverage of engine/"
+    gcovr --root "$root" --filter "$root/engine/" --object-directory "$root/build/coverage" --fail-under-line "$least_coverage" \
+        --sort-percentage --print-summary "$root/build/coverage/engine" | tee "$root/build/coverage/coverage.txt" || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("coverage of engine/: $(grep '^lines:' "$root/build/coverage/coverage.txt"), at least $least_coverage % wanted")
+}
+
+check_scripts() {
+    say "checking the scripts"
+    local scripts=() status=0
+    mapfile -t scripts < <(find "$root/tools" "$root/tests" "$root/.ci" -name '*.sh' -o -path '*/.ci/run')
+    (cd "$root" && shellcheck --external-sources "${scripts[@]}") || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("scripts: $([ "$status" -eq 0 ] && echo clean || echo 'shellcheck complains') (${#scripts[@]} files)")
+}
+
+if $coverage; then
+    find "$root/build/coverage" -name '*.gcda' -delete 2>/dev/null || true
+    run_tests coverage
+    measure_coverage
+fi
+if $all || ! $coverage; then run_tests release; fi
+if $all; then
+    check_scripts
+    run_tests clang
+    run_tests asan-ubsan
+    # Unoptimised code must give the same bits; what else the tests say, the builds above have said.
+    run_tests debug --tests-regex '^determinism\.'
+fi
+
+printf '\n'
+printf '%s\n' "${results[@]}"
+if $failed; then
+    printf 'FAILED\n'
+    exit 1
+fi
+printf 'all passed\n'
