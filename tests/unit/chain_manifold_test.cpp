@@ -227,15 +227,37 @@ TEST(Chain, AConvexCornerHoldsACircleByItsVertexAndAnInnerCornerByBothFaces) {
 Chain ledge() { return {{{4, 0}, {2, 0}, {0, 0}, {0, -2}, {0, -4}}}; }
 
 TEST(Chain, ABoxSlidingDownTheWallIsNotCaughtByTheLedge) {
-    const Chain chain = ledge();
+    const Chain left = ledge();
+    const Chain right = {{{0, -4}, {0, -2}, {0, 0}, {-2, 0}, {-4, 0}}};
     for (const Polygon& box : {make_box(0.3f, 0.3f), make_rounded_box(0.2f, 0.2f, 0.1f)}) {
         for (float top = 0.2f; top > -0.2f; top -= 0.003f) {
-            const Transform t = {{-0.298f, top - 0.3f}, {}};
-            EXPECT_EQ(detail::collide(chain.link(0), box, t, margin).count, 0u) << "top at " << top;
-            const Manifold m = detail::collide(chain.link(1), box, t, margin);
-            ASSERT_GE(m.count, 1u) << "top at " << top;
-            EXPECT_EQ(m.normal, (Vec2{-1, 0})) << "top at " << top;
-            for (std::uint32_t i = 0; i < m.count; ++i) EXPECT_NEAR(m.points[i].separation, -0.002f, 1e-6f);
+            for (const bool on_left : {true, false}) {
+                const float side = on_left ? -1.0f : 1.0f;
+                const Transform t = {{0.298f * side, top - 0.3f}, {}};
+                EXPECT_EQ(detail::collide(on_left ? left.link(0) : right.link(1), box, t, margin).count, 0u) << "top at " << top;
+                const Manifold m = detail::collide(on_left ? left.link(1) : right.link(0), box, t, margin);
+                ASSERT_GE(m.count, 1u) << "top at " << top;
+                EXPECT_EQ(m.normal, (Vec2{side, 0})) << "top at " << top;
+                for (std::uint32_t i = 0; i < m.count; ++i) EXPECT_NEAR(m.points[i].separation, -0.002f, 1e-6f);
+            }
+        }
+    }
+}
+
+TEST(Chain, ACornerPressedIntoTheWallBelowTheLedgeIsTheWallsAlone) {
+    const Chain left = ledge();
+    const Chain right = {{{0, -4}, {0, -2}, {0, 0}, {-2, 0}, {-4, 0}}};
+    const Polygon box = make_box(0.3f, 0.3f);
+    const float reach = 0.3f * 1.41421356f;
+    for (float corner = -0.005f; corner > -0.2f; corner -= 0.003f) {
+        for (const bool on_left : {true, false}) {
+            const float side = on_left ? -1.0f : 1.0f;
+            const Transform t = {{side * (reach - 0.002f), corner}, make_rot(0.25f * pi)};
+            EXPECT_EQ(detail::collide(on_left ? left.link(0) : right.link(1), box, t, margin).count, 0u) << "corner at " << corner;
+            const Manifold m = detail::collide(on_left ? left.link(1) : right.link(0), box, t, margin);
+            ASSERT_EQ(m.count, 1u) << "corner at " << corner;
+            EXPECT_EQ(m.normal, (Vec2{side, 0})) << "corner at " << corner;
+            EXPECT_NEAR(m.points[0].separation, -0.002f, 1e-6f);
         }
     }
 }

@@ -108,9 +108,9 @@ void mix_materials(Core& core, std::uint32_t contact) {
     const Shape& b = core.shapes[c.shape_b];
     ContactManifold& m = core.manifolds[contact];
     m.friction = sqrt(a.friction * b.friction);
-    m.restitution = max(a.restitution, b.restitution);
+    const bool bouncy = a.restitution > 0 || b.restitution > 0;
     const bool special = a.rolling_resistance > 0 || b.rolling_resistance > 0 || a.tangent_speed != 0 || b.tangent_speed != 0;
-    m.flags = special ? m.flags | contact_special : m.flags & ~static_cast<std::uint32_t>(contact_special);
+    m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy)) | (special ? contact_special : 0u) | (bouncy ? contact_bouncy : 0u);
 }
 
 void record_end_event(Core& core, std::uint32_t contact) {

@@ -63,11 +63,7 @@ Verdict judge(const Link& k, Vec2 n) {
 }
 
 float least_along(const Outline& o, Vec2 n) {
-    float least = dot(n, o.vertices[0]);
-    for (std::uint32_t i = 1; i < o.count; ++i) {
-        least = min(least, dot(n, o.vertices[i]));
-    }
-    return least;
+    return dot(n, o.vertices[corner_against(o, n)]);
 }
 
 Manifold contact_on_link(const Link& k, const Outline& b, Vec2 origin, float margin) {
@@ -148,7 +144,8 @@ Manifold collide_link(const Link& k, const Outline& b, Vec2 centroid, Vec2 origi
     if (behind && behind0 && behind2) {
         return {};
     }
-    const float link_gap = least_along(b, k.normal);
+    const Vec2 lowest = b.vertices[corner_against(b, k.normal)];
+    const float link_gap = dot(lowest, k.normal);
     const float limit = margin + b.radius;
     if (link_gap > limit) {
         return {};
@@ -156,6 +153,11 @@ Manifold collide_link(const Link& k, const Outline& b, Vec2 centroid, Vec2 origi
     // Between flat and inner corners every normal but the link's own is replaced by it.
     if (!k.convex1 && !k.convex2) {
         return contact_on_link(k, b, origin, margin);
+    }
+    // A lowest corner over the link itself, at its height, is closest to it or just through it: no need to search.
+    const float along = dot(lowest, k.edge);
+    if (!behind && along > 0.0f && along < dot(k.end, k.edge) && link_gap > -speculative_distance) {
+        return link_gap > separation_tie ? contact_on_link(k, b, origin, margin) : collide_overlapping(k, b, link_gap, origin, margin);
     }
     const Vec2 core[2] = {{}, k.end};
     const DistanceResult near = core_distance(core, 2, b.vertices, b.count);

@@ -68,6 +68,18 @@ inline std::uint32_t face_against(const Outline& o, Vec2 n) {
     return best;
 }
 
+// The corner furthest against direction n.
+inline std::uint32_t corner_against(const Outline& o, Vec2 n) {
+    std::uint32_t best = 0;
+    float best_value = dot(n, o.vertices[0]);
+    for (std::uint32_t i = 1; i < o.count; ++i) {
+        const float value = dot(n, o.vertices[i]);
+        best = value < best_value ? i : best;
+        best_value = min(value, best_value);
+    }
+    return best;
+}
+
 // p relative to origin, in frame A already.
 Outline outline_of(const Polygon& p, Vec2 origin);
 // p moved by t, relative to origin.

@@ -14,8 +14,8 @@ struct Axis {
     std::uint32_t face = 0;
 };
 
-// The face of p that q is furthest in front of. Stops at the first that is further than `limit`.
-Axis best_axis(const Outline& p, const Outline& q, float limit) {
+// The face of p that q is furthest in front of.
+Axis best_axis(const Outline& p, const Outline& q) {
     Axis best = {-3e38f, 0};
     for (std::uint32_t i = 0; i < p.count; ++i) {
         const Vec2 n = p.normals[i];
@@ -24,12 +24,8 @@ Axis best_axis(const Outline& p, const Outline& q, float limit) {
             nearest = min(nearest, dot(n, q.vertices[j]));
         }
         const float separation = nearest - dot(n, p.vertices[i]);
-        if (separation > best.separation) {
-            best = {separation, i};
-            if (separation > limit) {
-                break;
-            }
-        }
+        best.face = separation > best.separation ? i : best.face;
+        best.separation = max(separation, best.separation);
     }
     return best;
 }
@@ -37,13 +33,7 @@ Axis best_axis(const Outline& p, const Outline& q, float limit) {
 // Overlapping outlines whose faces miss each other: the deepest corner alone.
 Manifold deepest_corner(const Outline& reference, const Axis& axis, const Outline& other, bool reference_is_b, Vec2 origin) {
     const Face face = face_of(reference, axis.face);
-    std::uint32_t deepest = 0;
-    float depth = dot(face.normal, other.vertices[0]);
-    for (std::uint32_t i = 1; i < other.count; ++i) {
-        const float value = dot(face.normal, other.vertices[i]);
-        deepest = value < depth ? i : deepest;
-        depth = min(value, depth);
-    }
+    const std::uint32_t deepest = corner_against(other, face.normal);
     const Vec2 corner = other.vertices[deepest] + origin;
     const Vec2 foot = corner - axis.separation * face.normal;
     if (reference_is_b) {
@@ -61,11 +51,11 @@ float least_separation(const Manifold& m) {
 Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float margin) {
     const float radii = a.radius + b.radius;
     const float limit = margin + radii;
-    const Axis axis_a = best_axis(a, b, limit);
+    const Axis axis_a = best_axis(a, b);
     if (axis_a.separation > limit) {
         return {};
     }
-    const Axis axis_b = best_axis(b, a, limit);
+    const Axis axis_b = best_axis(b, a);
     if (axis_b.separation > limit) {
         return {};
     }
@@ -124,8 +114,15 @@ Manifold collide(const Segment& a, const Polygon& b, const Transform& b_in_a, fl
 Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, float margin) {
     const Vec2 origin = a.point1;
     const Transform t = {b_in_a.p - origin, b_in_a.q};
-    return collide_outlines(outline_of({}, a.point2 - origin, a.radius),
-                            outline_of(transform_point(t, b.point1), transform_point(t, b.point2), b.radius), origin, margin);
+    const Vec2 end = a.point2 - origin;
+    const Vec2 b1 = transform_point(t, b.point1);
+    const Vec2 b2 = transform_point(t, b.point2);
+    // Most capsules that the broad phase pairs are further apart than this; it saves the square roots.
+    const float limit = margin + a.radius + b.radius;
+    if (!overlaps(expand({min({}, end), max({}, end)}, limit), {min(b1, b2), max(b1, b2)})) {
+        return {};
+    }
+    return collide_outlines(outline_of({}, end, a.radius), outline_of(b1, b2, b.radius), origin, margin);
 }
 
 Manifold collide(const Segment& a, const Capsule& b, const Transform& b_in_a, float margin) {

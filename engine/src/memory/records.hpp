@@ -94,8 +94,9 @@ struct Geometry {
 
 enum ContactFlags : std::uint32_t {
     contact_touching = 1u,
-    contact_posed = 2u,        // the relative pose in the manifold is valid: it may be recycled
+    contact_posed = 2u,        // the manifold was made once: it may be recycled
     contact_special = 4u,      // has rolling resistance or a tangent speed
+    contact_bouncy = 8u,       // has restitution
     contact_count_shift = 4,   // 2 bits: manifold points
     contact_color_shift = 8,   // 8 bits: colour, or no_color
 };
@@ -109,24 +110,25 @@ struct Contact {
     std::uint32_t next_free = null_index;
 };
 
-/// What the narrow phase found and the solver keeps, in body A's frame relative to A's centre of mass: three groups of eight words,
+/// What the narrow phase found and the solver keeps. Directions are the world's at the moment the manifold was made; the two rotations and the offset
+/// say how the bodies stood then, so that a later step can work out how far each point has slipped since. Groups of eight and four words are
 /// loaded in lanes.
 struct ContactManifold {
     std::uint32_t body_a = 0, body_b = 0;
     std::uint32_t flags = 0;       // ContactFlags
     std::uint32_t ids = 0;         // feature ids of the two points, 16 bits each
+
     Vec2 normal;                   // unit, from A to B
-    float friction = 0, restitution = 0;
+    Vec2 offset;                   // m, from A's centre to B's
+    Rot rotation_a, rotation_b;
 
-    Vec2 rel_position;             // of B's centre in A's frame when the manifold was made
-    Rot rel_rotation;              // of B in A
-    Vec2 anchors[2];               // contact points relative to A's centre
-
+    Vec2 anchors[2];               // m, contact points relative to A's centre
     float normal_impulse[2] = {0, 0};
     float tangent_impulse[2] = {0, 0};
+
     float rolling_impulse = 0;
-    float separation[2] = {0, 0};  // when the manifold was made
-    float pad = 0;
+    float separation[2] = {0, 0};  // m, when the manifold was made
+    float friction = 0;
 
     std::uint32_t count() const { return flags >> contact_count_shift & 3u; }
     std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }

@@ -34,8 +34,8 @@ struct ContactKernel {
     using F = typename L::F;
     using Rows = ContactRows<W>;
 
-    /// Fills the rows of blocks whose `contact` entries are given, and adds the warm start velocity to the bodies' dp and dq. The rolling and
-    /// surface numbers of special contacts are filled in by the caller beforehand.
+    /// Fills the rows of blocks whose `contact` entries are given, and adds the warm start velocity to the bodies' dp and dq. The material of special
+    /// and bouncy contacts is filled in by the caller beforehand.
     static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
     /// One sweep.
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
@@ -43,12 +43,6 @@ struct ContactKernel {
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
     /// Writes the impulses back for the next step.
     static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count);
-
-private:
-    struct Pair {
-        F ax, ay, aw, am, bx, by, bw, bm;  // velocities and inverse masses
-        F ai, bi;                          // inverse inertias
-    };
 };
 
 template <class L>
@@ -79,13 +73,13 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             second[i] = is_live && m.count() == 2 ? 1.0f : 0.0f;
             r.two_points |= second[i] != 0;
             r.special |= is_live && (m.flags & contact_special) != 0;
-            r.bouncy |= is_live && m.restitution > 0;
+            r.bouncy |= is_live && (m.flags & contact_bouncy) != 0;
         }
 
-        F m1[8], anchors[4], m2[8];  // normal, friction, restitution, relative pose | anchors | impulses, separations
+        F m1[8], m2[8], m3[4];  // normal, offset, rotations | anchors, impulses | rolling impulse, separations, friction
         L::template gather8<manifold_words>(manifolds + 4, contact, m1);
-        L::template gather4<manifold_words>(manifolds + 12, contact, anchors);
-        L::template gather8<manifold_words>(manifolds + 16, contact, m2);
+        L::template gather8<manifold_words>(manifolds + 12, contact, m2);
+        L::template gather4<manifold_words>(manifolds + 20, contact, m3);
         F pa[4], pb[4];  // centre, rotation
         L::template gather4<8>(poses, pose_a, pa);
         L::template gather4<8>(poses, pose_b, pb);
@@ -93,39 +87,32 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
         L::template gather8<body_words>(bodies, r.body_a, a);
         L::template gather8<body_words>(bodies, r.body_b, b);
 
-        // B's pose in A's frame now, and how it changed since the manifold was made.
-        const F cx = pb[0] - pa[0], cy = pb[1] - pa[1];
-        const F rx = pa[2] * cx + pa[3] * cy, ry = pa[2] * cy - pa[3] * cx;
-        const F qc = pa[2] * pb[2] + pa[3] * pb[3], qs = pa[2] * pb[3] - pa[3] * pb[2];
-        const F dc = m1[6] * qc + m1[7] * qs, ds = m1[6] * qs - m1[7] * qc;
-        const F nx = m1[0], ny = m1[1];  // in A's frame; the tangent is (ny, -nx)
-        const F moved = nx * (rx - m1[4]) + ny * (ry - m1[5]);
-        const F dn = zero - (nx * rx + ny * ry), dt = zero - (ny * rx - nx * ry);
-
-        // The normal in the world.
-        const F wx = pa[2] * nx - pa[3] * ny, wy = pa[3] * nx + pa[2] * ny;
-        L::store(r.nx, wx);
-        L::store(r.ny, wy);
-        L::store(r.friction, m1[2]);
+        // How far the centres moved apart along the normal since the manifold was made, and how far each body has turned.
+        const F nx = m1[0], ny = m1[1];
+        const F moved = nx * ((pb[0] - pa[0]) - m1[2]) + ny * ((pb[1] - pa[1]) - m1[3]);
+        const F ca = m1[4] * pa[2] + m1[5] * pa[3] - one, sa = m1[4] * pa[3] - m1[5] * pa[2];
+        const F cb = m1[6] * pb[2] + m1[7] * pb[3] - one, sb = m1[6] * pb[3] - m1[7] * pb[2];
+        const F dn = zero - (nx * m1[2] + ny * m1[3]), dt = zero - (ny * m1[2] - nx * m1[3]);
+        L::store(r.nx, nx);
+        L::store(r.ny, ny);
+        L::store(r.friction, m3[3]);
         L::store(r.dn, dn);
         L::store(r.dt, dt);
 
-        const F dvn = wx * (b[0] - a[0]) + wy * (b[1] - a[1]);
+        const F dvn = nx * (b[0] - a[0]) + ny * (b[1] - a[1]);
         const F mass = a[3] + b[3];
         F sum_n = zero, sum_t = zero, wa = zero, wb = zero;
         const std::uint32_t points = r.two_points ? 2 : 1;
         for (std::uint32_t i = 0; i < points; ++i) {
             typename Rows::Point& p = r.points[i];
             const F on = L::load(i == 0 ? live : second);
-            const F ax = anchors[2 * i], ay = anchors[2 * i + 1];
+            const F ax = m2[2 * i], ay = m2[2 * i + 1];
             const F an = nx * ax + ny * ay, at = ny * ax - nx * ay;
             const F bn = an + dn, bt = at + dt;
-            // From B's old centre to the anchor, in A's frame; B's turning since moves it along the normal.
-            const F ox = ax - m1[4], oy = ay - m1[5];
-            const F turned = (dc - one) * (nx * ox + ny * oy) + ds * (ny * ox - nx * oy);
+            const F turned = (cb * bn + sb * bt) - (ca * an + sa * at);
             L::store(p.an, an);
             L::store(p.at, at);
-            L::store(p.separation, m2[5 + i] + moved + turned);
+            L::store(p.separation, m3[1 + i] + moved + turned);
 
             const F kn = mass + a[7] * at * at + b[7] * bt * bt;
             const F kt = mass + a[7] * an * an + b[7] * bn * bn;
@@ -133,7 +120,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             L::store(p.normal_mass, select(kn > zero, usable / kn, zero));
             L::store(p.tangent_mass, select(kt > zero, usable / kt, zero));
 
-            const F ln = on * warm * m2[i], lt = on * warm * m2[2 + i];
+            const F ln = on * warm * m2[4 + i], lt = on * warm * m2[6 + i];
             L::store(p.normal_impulse, ln);
             L::store(p.tangent_impulse, lt);
             sum_n = sum_n + ln;
@@ -145,18 +132,17 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
                 L::store(r.peak[i], zero);
             }
         }
-        if (r.bouncy) L::store(r.restitution, L::load(live) * m1[3]);
         if (r.special) {
             const F k = a[7] + b[7];
             L::store(r.rolling_mass, select(k > zero, L::load(live) * omega / k, zero));
-            const F rolling = L::load(live) * warm * m2[4];
+            const F rolling = L::load(live) * warm * m3[0];
             L::store(r.rolling_impulse, rolling);
             wa = wa + rolling;
             wb = wb + rolling;
         }
 
         // Warm start, kept apart from the velocities until the first substep has integrated them.
-        const F px = wx * sum_n + wy * sum_t, py = wy * sum_n - wx * sum_t;
+        const F px = nx * sum_n + ny * sum_t, py = ny * sum_n - nx * sum_t;
         const F out_a[4] = {a[4] - a[3] * px, a[5] - a[3] * py, a[6] - a[7] * wa, a[7]};
         const F out_b[4] = {b[4] + b[3] * px, b[5] + b[3] * py, b[6] + b[7] * wb, b[7]};
         L::template scatter4<body_words>(bodies + 4, r.body_a, out_a);

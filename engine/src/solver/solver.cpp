@@ -172,7 +172,8 @@ void scatter_bodies(Solve& s, const Batch& batch) {
     }
 }
 
-// Names the contacts of each block. Rolling resistance and surface speed come from the shapes; they are rare, so they are not in the manifold.
+// Names the contacts of each block. Restitution, rolling resistance and surface speed are rare, so they are not in the manifold: they come from the
+// shapes.
 template <std::uint32_t W>
 void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, const std::uint32_t* contacts) {
     for (std::uint32_t block = 0; block < count; ++block) {
@@ -183,10 +184,9 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
             r.contact[i] = c;
             if (c != null_index) any |= core.manifolds[c].flags;
         }
-        if ((any & contact_special) == 0) continue;
+        if ((any & (contact_special | contact_bouncy)) == 0) continue;
         for (std::uint32_t i = 0; i < W; ++i) {
-            r.rolling_resistance[i] = 0;
-            r.tangent_speed[i] = 0;
+            r.restitution[i] = r.rolling_resistance[i] = r.tangent_speed[i] = 0;
             if (r.contact[i] == null_index) continue;
             const Contact& c = core.contacts[r.contact[i]];
             const Shape& a = core.shapes[c.shape_a];
@@ -200,6 +200,7 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
                     default: return 0.0f;
                 }
             };
+            r.restitution[i] = max(a.restitution, b.restitution);
             r.rolling_resistance[i] = max(a.rolling_resistance, b.rolling_resistance) * max(radius(a), radius(b));
             r.tangent_speed[i] = a.tangent_speed + b.tangent_speed;
         }

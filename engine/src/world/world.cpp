@@ -2,6 +2,7 @@
 #include "islet/world.hpp"
 
 #include "world/checks.hpp"
+#include "world/contact_update.hpp"
 #include "world/cpu.hpp"
 #include "world/sleep.hpp"
 
@@ -173,19 +174,17 @@ bool World::contact_at(std::uint32_t slot, ContactInfo& out) const {
     const Contact& contact = c.contacts[slot];
     const Pose& a = c.poses[m.body_a];
     const Pose& b = c.poses[m.body_b];
-    const Vec2 rel = inv_rotate(a.q, b.center - a.center);
-    const Rot turn = inv_mul(a.q, b.q) * inverse(m.rel_rotation);
     out.shape_a = c.shape_id(contact.shape_a);
     out.shape_b = c.shape_id(contact.shape_b);
-    out.normal = rotate(a.q, m.normal);
+    out.normal = m.normal;
     out.point_count = m.count();
     out.friction = m.friction;
-    out.restitution = m.restitution;
+    out.restitution = max(c.shapes[contact.shape_a].restitution, c.shapes[contact.shape_b].restitution);
     for (std::uint32_t i = 0; i < 2; ++i) {
         ContactPoint& p = out.points[i];
-        const Vec2 r = m.anchors[i] - m.rel_position;
-        p.point = a.center + rotate(a.q, m.anchors[i]);
-        p.separation = m.separation[i] + dot(m.normal, (rel - m.rel_position) + (rotate(turn, r) - r));
+        const Vec2 slip = slip_of(m, i, a, b);
+        p.point = a.center + rotate(a.q * inverse(m.rotation_a), m.anchors[i]) + 0.5f * slip;
+        p.separation = m.separation[i] + dot(m.normal, slip);
         p.normal_impulse = m.normal_impulse[i];
         p.tangent_impulse = m.tangent_impulse[i];
         p.feature = m.ids >> (16 * i) & 0xffffu;
