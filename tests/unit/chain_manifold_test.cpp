@@ -255,9 +255,11 @@ TEST(Chain, ACornerPressedIntoTheWallBelowTheLedgeIsTheWallsAlone) {
             const Transform t = {{side * (reach - 0.002f), corner}, make_rot(0.25f * pi)};
             EXPECT_EQ(detail::collide(on_left ? left.link(0) : right.link(1), box, t, margin).count, 0u) << "corner at " << corner;
             const Manifold m = detail::collide(on_left ? left.link(1) : right.link(0), box, t, margin);
-            ASSERT_EQ(m.count, 1u) << "corner at " << corner;
+            // Near the ledge the box's edge above the corner is still within the margin of the wall.
+            ASSERT_EQ(m.count, corner > -0.021f ? 2u : 1u) << "corner at " << corner;
             EXPECT_EQ(m.normal, (Vec2{side, 0})) << "corner at " << corner;
-            EXPECT_NEAR(m.points[0].separation, -0.002f, 1e-6f);
+            const float least = m.count == 2 ? islet::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
+            EXPECT_NEAR(least, -0.002f, 1e-6f);
         }
     }
 }

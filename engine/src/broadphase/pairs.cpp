@@ -127,25 +127,13 @@ void scan(Core& core, const Columns& c, std::uint32_t shape) {
     }
 }
 
-}  // namespace
-
-void mark_moved(Core& core, std::uint32_t shape) {
-    if (core.moved_shapes.test(shape)) return;
-    core.moved_shapes.set(shape);
-    ++core.state->moved_count;
-    core.poses[core.shapes[shape].body].flags |= pose_moved;
-}
-
-void find_pairs(Core& core) {
-    State& state = *core.state;
-    core.report.dropped_contacts = 0;
-    if (state.moved_count == 0) return;
-
+// Every pair in which a fat box changed.
+void find_moved_pairs(Core& core) {
     Arena arena = core.arena();
     const Columns columns = sorted_columns(core, arena);
     sweep(core, columns);
 
-    const Tree tree{&state.tree, core.tree};
+    const Tree tree{&core.state->tree, core.tree};
     const auto against_rest = [&](std::uint32_t shape) {
         tree_query(tree, core.boxes[shape], [&](std::uint32_t other) { add_pair(core, shape, other); });
     };
@@ -157,12 +145,49 @@ void find_pairs(Core& core) {
         scan(core, columns, shape);
         against_rest(shape);
     });
+}
+
+// Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step.
+void find_pairs_ahead(Core& core, float dt) {
+    const Tree tree{&core.state->tree, core.tree};
+    if (core.state->tree.leaf_count == 0) return;
+    core.awake_bodies.for_each([&](std::uint32_t body) {
+        if ((core.poses[body].flags & pose_fast) == 0) return;
+        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+            tree_query(tree, box_ahead(core, s, dt), [&](std::uint32_t other) {
+                if (core.bodies[core.shapes[other].body].type() == BodyType::static_body) add_pair(core, s, other);
+            });
+        }
+    });
+}
+
+}  // namespace
+
+void mark_moved(Core& core, std::uint32_t shape) {
+    if (core.moved_shapes.test(shape)) return;
+    core.moved_shapes.set(shape);
+    ++core.state->moved_count;
+    core.poses[core.shapes[shape].body].flags |= pose_moved;
+}
+
+Aabb box_ahead(const Core& core, std::uint32_t shape, float dt) {
+    const std::uint32_t body = core.shapes[shape].body;
+    const Vec2 way = dt * core.motions[body].v;
+    const float turn = dt * abs(core.motions[body].w) * core.poses[body].max_extent;
+    const Aabb box = core.boxes[shape];
+    return expand({min(box.lower, box.lower + way), max(box.upper, box.upper + way)}, turn);
+}
+
+void find_pairs(Core& core, float dt) {
+    core.report.dropped_contacts = 0;
+    if (core.state->moved_count != 0) find_moved_pairs(core);
+    find_pairs_ahead(core, dt);
     if (core.report.dropped_contacts != 0) {
         core.fail(Error::contacts_full);  // what moved stays marked, so the same pairs are tried again in the next step
         return;
     }
     core.moved_shapes.clear_all();
-    state.moved_count = 0;
+    core.state->moved_count = 0;
 }
 
 }  // namespace islet::detail

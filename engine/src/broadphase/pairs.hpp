@@ -5,9 +5,13 @@
 
 namespace islet::detail {
 
-/// Creates contacts for the shapes whose fat boxes changed since the last call. The cost follows what moved; nothing moved costs nothing.
-/// Pairs that find no room are counted in report.dropped_contacts and tried again in every later call.
-void find_pairs(Core& core);
+/// Creates contacts for the shapes whose fat boxes changed since the last call, and for fast bodies with the static shapes they may reach within dt.
+/// The cost follows what moved; nothing moved costs nothing. Pairs that find no room are counted in report.dropped_contacts and tried again in every
+/// later call.
+void find_pairs(Core& core, float dt);
+
+/// The fat box of a shape of a fast body, grown by as far as the body may come in dt.
+Aabb box_ahead(const Core& core, std::uint32_t shape, float dt);
 
 /// Marks a shape's fat box as changed.
 void mark_moved(Core& core, std::uint32_t shape);

@@ -75,21 +75,19 @@ Aabb shape_aabb(const Core& core, std::uint32_t shape) {
     return aabb_of(core.geometries[s.geometry], body_transform(core, s.body));
 }
 
-void update_boxes(Core& core, std::uint32_t body, bool force, Vec2 ahead) {
+void update_boxes(Core& core, std::uint32_t body, bool force) {
     const bool is_static = core.bodies[body].type() == BodyType::static_body;
     const Transform t = body_transform(core, body);
     float slack = 3.0e38f;
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
         Shape& shape = core.shapes[s];
         const Geometry& g = core.geometries[shape.geometry];
-        // Contacts are made a little before surfaces meet; the moving side's box makes room for that.
-        Aabb tight = aabb_of(g, t);
-        if (!is_static) tight = expand(tight, speculative_distance);
+        // Contacts are made a little before surfaces meet; each of the two boxes makes room for half of that.
+        const Aabb tight = expand(aabb_of(g, t), 0.5f * speculative_distance);
         Aabb& fat = core.boxes[s];
-        const Aabb reach{min(tight.lower, tight.lower + ahead), max(tight.upper, tight.upper + ahead)};
-        if (force || !contains(fat, reach)) {
+        if (force || !contains(fat, tight)) {
             shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
-            fat = expand(reach, shape.margin);
+            fat = expand(tight, shape.margin);
             mark_moved(core, s);
         }
         slack = min(slack, min(min(tight.lower.x - fat.lower.x, tight.lower.y - fat.lower.y),

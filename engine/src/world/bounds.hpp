@@ -9,9 +9,8 @@ namespace islet::detail {
 Transform body_transform(const Core& core, std::uint32_t body);
 /// Tight box of a shape in the world.
 Aabb shape_aabb(const Core& core, std::uint32_t shape);
-/// Sets the body's fat boxes anew (around `ahead` further metres of motion too), marks those that changed, and sets the slack. Unless forced, a fat box that
-/// still holds the shape is kept.
-void update_boxes(Core& core, std::uint32_t body, bool force, Vec2 ahead = {});
+/// Sets the body's fat boxes anew, marks those that changed, and sets the slack. Unless forced, a fat box that still holds the shape is kept.
+void update_boxes(Core& core, std::uint32_t body, bool force);
 /// Mass, centre and inertia from the shapes, unless overridden; keeps the velocity of the material. Updates the extents too.
 void update_mass(Core& core, std::uint32_t body);
 /// Sets mass data as given and all that follows from it.

@@ -7,6 +7,7 @@
 #include "world/contact_update.hpp"
 
 #include "broadphase/contacts.hpp"
+#include "broadphase/pairs.hpp"
 #include "collide/manifold.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
@@ -16,7 +17,7 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the surfaces may slip before a manifold is made anew
+inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the bodies may slip before a manifold is made anew
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
 bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
@@ -31,8 +32,13 @@ bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
         const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
         return reach > 0 && length_squared(shift) < reach * reach;
     }
+    // Besides the points of the manifold others may come near as one body turns against the other, by at most the smaller one's size times the turn.
+    // They were apart by more than the speculative distance.
+    const float turn = abs(turn_b.s * turn_a.c - turn_b.c * turn_a.s);
+    const float reach = recycle_distance - 2.0f * min(a.max_extent, b.max_extent) * turn;
+    if (reach <= 0) return false;
     for (std::uint32_t i = 0; i < count; ++i)
-        if (length_squared(slip_of(m, i, a, b)) > recycle_distance * recycle_distance) return false;
+        if (length_squared(slip_of(m, i, a, b)) > reach * reach) return false;
     return true;
 }
 
@@ -69,8 +75,8 @@ void remake(Core& core, std::uint32_t index, float dt) {
     const Rot turn = inv_mul(pa.q, pb.q);
     const Transform b_in_a{inv_rotate(pa.q, pb.center - pa.center) + center_a - rotate(turn, center_b), turn};
 
-    // Fast bodies look as far ahead as they may come in this step; of what they see there only what they are about to hit counts.
-    const bool fast = ((pa.flags | pb.flags) & pose_fast) != 0;
+    // Against what cannot be pushed, fast bodies look as far ahead as they may come in this step; of what they see only what they are about to hit counts.
+    const bool fast = ((pa.flags | pb.flags) & pose_fast) != 0 && (pa.inv_mass == 0 || pb.inv_mass == 0);
     const Motion& ma = core.motions[m.body_a];
     const Motion& mb = core.motions[m.body_b];
     const Vec2 relative_velocity = mb.v - ma.v;
@@ -113,6 +119,18 @@ void remake(Core& core, std::uint32_t index, float dt) {
     m.flags = (m.flags & ~(3u << contact_count_shift)) | fresh.count << contact_count_shift | contact_posed;
 }
 
+// The fat boxes no longer overlap, and neither body is about to hit the other, which is static (see find_pairs).
+bool has_parted(const Core& core, std::uint32_t index, float dt) {
+    const Contact& c = core.contacts[index];
+    const ContactManifold& m = core.manifolds[index];
+    if (overlaps(core.boxes[c.shape_a], core.boxes[c.shape_b])) return false;
+    const bool fast_a = (core.poses[m.body_a].flags & pose_fast) != 0 && core.bodies[m.body_b].type() == BodyType::static_body;
+    const bool fast_b = (core.poses[m.body_b].flags & pose_fast) != 0 && core.bodies[m.body_a].type() == BodyType::static_body;
+    if (fast_a) return !overlaps(box_ahead(core, c.shape_a, dt), core.boxes[c.shape_b]);
+    if (fast_b) return !overlaps(core.boxes[c.shape_a], box_ahead(core, c.shape_b, dt));
+    return true;
+}
+
 enum class Change : std::uint8_t { none, begins, ends, parts };
 
 // Works on one contact alone, so contacts may be updated in any order or in parallel; what changes shared state is only reported.
@@ -121,8 +139,7 @@ Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
     if (((a.flags | b.flags) & pose_moved) != 0) {
-        const Contact& c = core.contacts[index];
-        if (!overlaps(core.boxes[c.shape_a], core.boxes[c.shape_b])) return Change::parts;
+        if (has_parted(core, index, dt)) return Change::parts;
     }
     if (can_recycle(m, a, b)) {
         ++recycled;

@@ -8,7 +8,7 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float fast_fraction = 0.25f;  // of its smallest half-thickness: who moves more in a step looks ahead for contacts
+inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness: who moves more in a step looks ahead for contacts
 
 // Pose and boxes after the way made. The slack says how far the body may go on before a box could be left, so most bodies need no look at their shapes.
 void move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt) {
@@ -22,11 +22,7 @@ void move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt) {
     const bool fast = max(moved, ahead) > fast_fraction * body.min_extent;
     pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
     motion.slack -= moved;
-    if (fast) {
-        update_boxes(core, i, false, dt * motion.v);
-    } else if (motion.slack < 0) {
-        update_boxes(core, i, false);
-    }
+    if (motion.slack < 0) update_boxes(core, i, false);
 
     // Sleep watches the way made too, so that bodies that are being pushed apart stay awake.
     const float speed = max(ahead / dt, 0.5f * moved / dt);

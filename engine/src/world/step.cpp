@@ -43,7 +43,7 @@ void World::step(float dt) {
     if (!(dt > 0) || !(dt <= 1.0f)) return c.fail(Error::bad_time_step);
     clear_events(c);
 
-    find_pairs(c);
+    find_pairs(c, dt);
     update_contacts(c, dt);
 
     Arena arena = c.arena();
