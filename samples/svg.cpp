@@ -50,17 +50,22 @@ double round_length(const Camera& camera, double pixels) {
     return 10 * power;
 }
 
-/// The middling size of the moving shapes in pixels: lines and dots are drawn in proportion to it.
+/// The middling size of the moving bodies, each by its largest shape, in pixels: lines and dots are drawn in proportion to it.
 double typical_size(const Picture& picture, const Camera& camera) {
-    std::vector<double> sizes;
+    std::map<std::size_t, double> largest;
     for (const DrawnShape& shape : picture.shapes) {
-        if (shape.look != Look::fixed) sizes.push_back(size_of(shape.geometry) * camera.scale / units_per_pixel);
+        if (shape.look != Look::fixed) largest[shape.body] = std::max(largest[shape.body], size_of(shape.geometry));
     }
-    if (sizes.empty()) return 30;
+    if (largest.empty()) return 30;
+    std::vector<double> sizes;
+    for (const auto& [body, size] : largest) sizes.push_back(size * camera.scale / units_per_pixel);
     const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::nth_element(sizes.begin(), middle, sizes.end());
     return *middle;
 }
+
+/// One of a few tints, scattered so that neighbours differ without a pattern.
+int tint_of(std::size_t body) { return static_cast<int>((static_cast<std::uint32_t>(body) * 2654435761u >> 16) % tint_count); }
 
 int units(double pixels) { return static_cast<int>(std::lround(pixels * units_per_pixel)); }
 
@@ -86,7 +91,7 @@ std::string shapes(const Picture& picture, const Camera& camera, double size) {
     std::map<std::pair<int, int>, Layer> layers;
     for (const DrawnShape& shape : picture.shapes) {
         if (!camera.sees(shape.geometry, shape.pose)) continue;
-        Layer& layer = layers[{static_cast<int>(shape.look), static_cast<int>(shape.body * 7 / 2 % tint_count)}];
+        Layer& layer = layers[{static_cast<int>(shape.look), tint_of(shape.body)}];
         draw_outline(is_line(shape.geometry) ? layer.lines : layer.solids, camera, shape.geometry, shape.pose);
         const double pixels = size_of(shape.geometry) * camera.scale / units_per_pixel;
         if (shape.look != Look::fixed && pixels >= 9) draw_turn_hint(layer.hints, camera, shape.geometry, shape.pose);

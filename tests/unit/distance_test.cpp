@@ -87,7 +87,9 @@ TEST(Distance, ClosestPointsLieOnTheShapesAndAreThatFarApart) {
             // move over the length it was taken from: the distance itself or the edge that is closest.
             double base = want;
             if (got.count == 2) {
-                const auto corner = [&](int k) { return moved_corner(c.b, c.pose, got.index_b[k]) - exact::of(c.a.points[got.index_a[k]]); };
+                const auto corner = [&](int k) {
+                    return moved_corner(c.b, c.pose, got.index_b[k]) - exact::of(c.a.points[got.index_a[k]]);
+                };
                 base = std::max(base, exact::length(corner(1) - corner(0)));
             }
             ASSERT_NEAR(exact::gap_along(c.exact_a, c.exact_b, n), want, tolerance * (1 + c.scale / base)) << "case " << i;
@@ -148,7 +150,8 @@ TEST(Distance, DegenerateCoresGiveFiniteAnswers) {
     line.count = 8;
     for (std::uint32_t i = 0; i < 8; ++i) line.points[i] = {static_cast<float>(i), 0};
     same = line;
-    const Transform poses[] = {{}, {{7, 0}, {}}, {{8, 0}, {}}, {{-8, 0}, {}}, {{0, 1}, {}}, {{3, 0}, {0, 1}}, {{3.5f, -3.5f}, {0, 1}}, {{0, 1e-20f}, {}}};
+    const Transform poses[] = {
+        {}, {{7, 0}, {}}, {{8, 0}, {}}, {{-8, 0}, {}}, {{0, 1}, {}}, {{3, 0}, {0, 1}}, {{3.5f, -3.5f}, {0, 1}}, {{0, 1e-20f}, {}}};
     const float want[] = {0, 0, 1, 1, 1, 0, 0, 0};
     for (int i = 0; i < 8; ++i) {
         const DistanceResult r = islet::detail::distance(line, same, poses[i]);

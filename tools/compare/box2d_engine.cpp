@@ -72,6 +72,7 @@ void Box2dEngine::load(const Scene& scene) {
     m.bodies.clear();
     m.world = std::make_unique<b2World>(to_b2(scene.world.gravity));
     m.world->SetAllowSleeping(scene.world.enable_sleep);
+    m.world->SetContinuousPhysics(m.options.continuous);
     m.world->SetAutoClearForces(false);  // a force acts over the whole step, all substeps of it
     m.restitution_threshold = scene.world.restitution_threshold;
     for (const SceneBody& body : scene.bodies) create_body(body);

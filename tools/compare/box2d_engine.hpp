@@ -19,6 +19,7 @@ struct Box2dOptions {
     int substeps = 1;             ///< calls of b2World::Step per step, each of dt / substeps
     int velocity_iterations = 8;  ///< per call
     int position_iterations = 3;  ///< per call
+    bool continuous = true;       ///< stop fast bodies at static ones between steps
 };
 
 /// Empty if Box2D 2.4 has every feature the scene uses; else a sentence that names the first one missing.

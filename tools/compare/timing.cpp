@@ -40,7 +40,7 @@ Timing time_both(const samples::SceneInfo& info, int steps) {
     for (int run = 0; run < timed_runs; ++run) {
         samples::IsletEngine islet;
         timing.islet_ms.push_back(run_ms(islet, info, timing.steps));
-        Box2dEngine reference({.skin = Skin::outside});
+        Box2dEngine reference({.skin = Skin::outside, .continuous = false});
         timing.reference_ms.push_back(run_ms(reference, info, timing.steps));
         ratios.push_back(timing.reference_ms.back() / timing.islet_ms.back());
     }

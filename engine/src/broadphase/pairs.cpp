@@ -5,28 +5,46 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
+#include "math/lanes.hpp"
 
 namespace islet::detail {
 
 namespace {
 
-// The fat boxes of the shapes in motion as columns, sorted by `lower` along the sweep axis.
+// Fat boxes as columns, sorted by `lower` along the sweep axis. Past the end stand boxes that begin beyond everything, so that four can always be
+// loaded at once and every scan ends.
 struct Columns {
     float* lower = nullptr;   // along the sweep axis
     float* upper = nullptr;
     float* lower2 = nullptr;  // across it
     float* upper2 = nullptr;
-    std::uint32_t* shape = nullptr;  // bit 31: its box changed
+    std::uint32_t* shape = nullptr;
+    std::uint32_t* place = nullptr;  // of the box in the columns of all shapes in motion
     std::uint32_t count = 0;
 };
 
-inline constexpr std::uint32_t moved_bit = 1u << 31;
-
 void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     if (core.pairs.contains(PairSet::key(shape_1, shape_2)) || !may_collide(core, shape_1, shape_2)) return;
-    if (create_contact(core, shape_1, shape_2)) return;
-    ++core.report.dropped_contacts;
+    if (!create_contact(core, shape_1, shape_2)) ++core.report.dropped_contacts;
 }
+
+// Most pairs found have a contact already. Asking in small batches hides the time that the pair set takes to come from memory.
+struct PairBuffer {
+    Core& core;
+    std::uint32_t pairs[64][2];
+    std::uint32_t count = 0;
+
+    void push(std::uint32_t shape_1, std::uint32_t shape_2) {
+        core.pairs.prefetch(PairSet::key(shape_1, shape_2));
+        pairs[count][0] = shape_1;
+        pairs[count][1] = shape_2;
+        if (++count == 64) flush();
+    }
+    void flush() {
+        for (std::uint32_t i = 0; i < count; ++i) add_pair(core, pairs[i][0], pairs[i][1]);
+        count = 0;
+    }
+};
 
 // An unsigned integer that sorts as the float does.
 std::uint32_t sort_key(float x) {
@@ -63,7 +81,37 @@ std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint3
     return order;
 }
 
-Columns sorted_columns(Core& core, Arena& arena) {
+Columns take_columns(Arena& arena, std::uint32_t n) {
+    Columns c;
+    for (float** column : {&c.lower, &c.upper, &c.lower2, &c.upper2}) *column = arena.take<float>(n + 4);
+    c.shape = arena.take<std::uint32_t>(n + 4);
+    c.place = arena.take<std::uint32_t>(n + 4);
+    return c;
+}
+
+void push_box(Columns& c, float lower, float upper, float lower2, float upper2, std::uint32_t shape, std::uint32_t place) {
+    const std::uint32_t i = c.count++;
+    c.lower[i] = lower;
+    c.upper[i] = upper;
+    c.lower2[i] = lower2;
+    c.upper2[i] = upper2;
+    c.shape[i] = shape;
+    c.place[i] = place;
+}
+
+void close_columns(Columns& c) {
+    const std::uint32_t count = c.count;
+    for (int i = 0; i < 4; ++i) push_box(c, 3.4e38f, -3.4e38f, 3.4e38f, -3.4e38f, null_index, null_index);
+    c.count = count;
+}
+
+/// The shapes in motion, and those among them whose boxes changed.
+struct Motioned {
+    Columns all;
+    Columns moved;
+};
+
+Motioned sorted_columns(Core& core, Arena& arena) {
     const std::uint32_t room = core.state->shape_pool.count;
     std::uint32_t* list = arena.take<std::uint32_t>(room);
     std::uint32_t n = 0;
@@ -85,66 +133,69 @@ Columns sorted_columns(Core& core, Arena& arena) {
     for (std::uint32_t i = 0; i < n; ++i) keys[i] = sort_key(along_x ? core.boxes[list[i]].lower.x : core.boxes[list[i]].lower.y);
     const std::uint32_t* sorted = sort_by_key(keys, order, keys2, order2, n, counts);
 
-    Columns c;
-    c.count = n;
-    c.lower = arena.take<float>(n);
-    c.upper = arena.take<float>(n);
-    c.lower2 = arena.take<float>(n);
-    c.upper2 = arena.take<float>(n);
-    c.shape = arena.take<std::uint32_t>(n);
+    Motioned c{take_columns(arena, n), take_columns(arena, n)};
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t s = list[sorted[i]];
-        const Aabb& box = core.boxes[s];
-        c.lower[i] = along_x ? box.lower.x : box.lower.y;
-        c.upper[i] = along_x ? box.upper.x : box.upper.y;
-        c.lower2[i] = along_x ? box.lower.y : box.lower.x;
-        c.upper2[i] = along_x ? box.upper.y : box.upper.x;
-        c.shape[i] = s | (core.moved_shapes.test(s) ? moved_bit : 0u);
+        const Aabb box = core.boxes[s];
+        const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
+        const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
+        push_box(c.all, x.x, x.y, y.x, y.y, s, i);
+        if (core.moved_shapes.test(s)) push_box(c.moved, x.x, x.y, y.x, y.y, s, i);
     }
+    close_columns(c.all);
+    close_columns(c.moved);
     return c;
 }
 
-void sweep(Core& core, const Columns& c) {
-    for (std::uint32_t i = 0; i < c.count; ++i) {
-        const float upper = c.upper[i];
-        const float lower2 = c.lower2[i];
-        const float upper2 = c.upper2[i];
-        const std::uint32_t shape = c.shape[i];
-        for (std::uint32_t j = i + 1; j < c.count && c.lower[j] <= upper; ++j) {
-            if (c.lower2[j] > upper2 || c.upper2[j] < lower2) continue;
-            if (((shape | c.shape[j]) & moved_bit) == 0) continue;
-            add_pair(core, shape & ~moved_bit, c.shape[j] & ~moved_bit);
-        }
+// Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order, four at a time.
+template <class Visit>
+[[gnu::always_inline]] inline void scan(const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i, Visit&& visit) {
+    const f4 upper = Lane4::splat(from.upper[i]);
+    const f4 lower2 = Lane4::splat(from.lower2[i]);
+    const f4 upper2 = Lane4::splat(from.upper2[i]);
+    for (std::uint32_t j = first;; j += 4) {
+        const auto begun = load4(c.lower + j) <= upper;
+        const auto meets = begun & (load4(c.lower2 + j) <= upper2) & (load4(c.upper2 + j) >= lower2);
+        for (std::uint32_t bits = mask_bits(meets); bits != 0; bits &= bits - 1) visit(j + static_cast<std::uint32_t>(__builtin_ctz(bits)));
+        if (mask_bits(begun) != 15u) return;
     }
 }
 
-// A shape at rest whose box changed (just created, teleported, or fallen asleep as it moved) against all shapes in motion.
-void scan(Core& core, const Columns& c, std::uint32_t shape) {
-    const Aabb box = core.boxes[shape];
-    for (std::uint32_t j = 0; j < c.count; ++j) {
-        const std::uint32_t other = c.shape[j] & ~moved_bit;
-        if (overlaps(core.boxes[other], box)) add_pair(core, shape, other);
+// A box that changed meets the boxes that begin after it; one that did not meets the changed ones that begin after it.
+void sweep(PairBuffer& out, const Columns& all, const Columns& moved) {
+    for (std::uint32_t i = 0; i < moved.count; ++i)
+        scan(all, moved.place[i] + 1, moved, i, [&](std::uint32_t j) { out.push(moved.shape[i], all.shape[j]); });
+    std::uint32_t first = 0;  // of the changed boxes behind box i
+    for (std::uint32_t i = 0; i < all.count; ++i) {
+        while (first < moved.count && moved.place[first] < i) ++first;
+        if (first == moved.count) break;
+        if (moved.place[first] == i) continue;
+        scan(moved, first, all, i, [&](std::uint32_t j) { out.push(all.shape[i], moved.shape[j]); });
     }
 }
 
 // Every pair in which a fat box changed.
 void find_moved_pairs(Core& core) {
     Arena arena = core.arena();
-    const Columns columns = sorted_columns(core, arena);
-    sweep(core, columns);
+    const auto [all, moved] = sorted_columns(core, arena);
+    PairBuffer out{core, {}};
+    sweep(out, all, moved);
 
     const Tree tree{&core.state->tree, core.tree};
     const auto against_rest = [&](std::uint32_t shape) {
-        tree_query(tree, core.boxes[shape], [&](std::uint32_t other) { add_pair(core, shape, other); });
+        tree_query(tree, core.boxes[shape], [&](std::uint32_t other) { out.push(shape, other); });
     };
-    for (std::uint32_t i = 0; i < columns.count; ++i)
-        if ((columns.shape[i] & moved_bit) != 0) against_rest(columns.shape[i] & ~moved_bit);
+    for (std::uint32_t i = 0; i < moved.count; ++i) against_rest(moved.shape[i]);
 
+
+    // Shapes at rest whose boxes changed: just created, teleported, or fallen asleep as they moved.
     core.moved_shapes.for_each([&](std::uint32_t shape) {
         if (core.is_awake(core.shapes[shape].body)) return;
-        scan(core, columns, shape);
+        for (std::uint32_t i = 0; i < all.count; ++i)
+            if (overlaps(core.boxes[all.shape[i]], core.boxes[shape])) out.push(shape, all.shape[i]);
         against_rest(shape);
     });
+    out.flush();
 }
 
 // Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step.

@@ -14,12 +14,8 @@ namespace islet::detail {
 namespace {
 
 // One instruction each, unlike a comparison that must keep the sign of -0.
-float magnitude(float a) {
-    return __builtin_fabsf(a);
-}
-float sign_of(float a) {
-    return __builtin_copysignf(1.0f, a);
-}
+float magnitude(float a) { return __builtin_fabsf(a); }
+float sign_of(float a) { return __builtin_copysignf(1.0f, a); }
 
 struct Box {
     Vec2 center;
@@ -45,8 +41,8 @@ struct View {
 enum class Outcome { decided, needs_corners };
 
 // Clips the other box's face to the reference's face across axis0 or axis1. `bound` is the gap along the best axis.
-[[gnu::always_inline]] inline Outcome clip_boxes(const Box ref, const Box inc, View v, bool second_axis, bool reference_is_b, float bound, float margin,
-                                                 Manifold& m) {
+[[gnu::always_inline]] inline Outcome clip_boxes(const Box ref, const Box inc, View v, bool second_axis, bool reference_is_b, float bound,
+                                                 float margin, Manifold& m) {
     // Turn the view so that the reference face's normal is the x axis: by a quarter for axis1, by a half if the other box is behind.
     Vec2 n = ref.axis0;
     float h_n = ref.h0;
@@ -97,8 +93,10 @@ enum class Outcome { decided, needs_corners };
     const Vec2 base = ref.center + (h_n + 0.5f * (ref.radius - inc.radius)) * n;
     const std::uint32_t ref2 = (ref1 + 1u) & 3u;
     const std::uint32_t inc2 = (inc1 + 1u) & 3u;
-    const ManifoldPoint at_low = {base + low * t + (0.5f * gap_low) * n, gap_low - radii, reference_is_b ? feature_id(inc2, ref1) : feature_id(ref1, inc2)};
-    const ManifoldPoint at_high = {base + high * t + (0.5f * gap_high) * n, gap_high - radii, reference_is_b ? feature_id(inc1, ref2) : feature_id(ref2, inc1)};
+    const ManifoldPoint at_low = {base + low * t + (0.5f * gap_low) * n, gap_low - radii,
+                                  reference_is_b ? feature_id(inc2, ref1) : feature_id(ref1, inc2)};
+    const ManifoldPoint at_high = {base + high * t + (0.5f * gap_high) * n, gap_high - radii,
+                                   reference_is_b ? feature_id(inc1, ref2) : feature_id(ref2, inc1)};
     m.normal = reference_is_b ? -n : n;
     m.points[0] = reference_is_b ? at_high : at_low;
     m.count = m.points[0].separation <= margin ? 1 : 0;
@@ -140,9 +138,7 @@ bool collide_boxes(const Polygon& pa, const Polygon& pb, const Transform& b_in_a
     const float gap_b = max(gap_b0, gap_b1);
     const float bound = max(gap_a, gap_b);
     m.count = 0;
-    if (bound > margin + (a.radius + b.radius)) {
-        return true;
-    }
+    if (bound > margin + (a.radius + b.radius)) { return true; }
 
     // The reference face is A's unless B's is clearly better.
     const Outcome outcome = gap_b > gap_a + separation_tie ? clip_boxes(b, a, from_b, gap_b1 > gap_b0, true, bound, margin, m)

@@ -22,10 +22,10 @@ constexpr float straight = 0.01f;
 // A link relative to p1, so p1 = 0 and p2 = `end`.
 struct Link {
     Vec2 end;
-    Vec2 edge;         // unit, p1 to p2
-    Vec2 normal;       // its own
-    Vec2 normal0;      // of the neighbour at p1 if that corner is convex, else its own again
-    Vec2 normal2;      // the same at p2
+    Vec2 edge;     // unit, p1 to p2
+    Vec2 normal;   // its own
+    Vec2 normal0;  // of the neighbour at p1 if that corner is convex, else its own again
+    Vec2 normal2;  // the same at p2
     bool convex1 = false;
     bool convex2 = false;
 };
@@ -51,20 +51,14 @@ enum class Verdict { own, neighbours, replace };
 // Whose is a contact whose normal (from the link outwards) is n?
 Verdict judge(const Link& k, Vec2 n) {
     if (dot(n, k.edge) <= 0.0f) {
-        if (!k.convex1) {
-            return Verdict::replace;
-        }
+        if (!k.convex1) { return Verdict::replace; }
         return cross(n, k.normal0) > straight ? Verdict::neighbours : Verdict::own;
     }
-    if (!k.convex2) {
-        return Verdict::replace;
-    }
+    if (!k.convex2) { return Verdict::replace; }
     return cross(k.normal2, n) > straight ? Verdict::neighbours : Verdict::own;
 }
 
-float least_along(const Outline& o, Vec2 n) {
-    return dot(n, o.vertices[corner_against(o, n)]);
-}
+float least_along(const Outline& o, Vec2 n) { return dot(n, o.vertices[corner_against(o, n)]); }
 
 Manifold contact_on_link(const Link& k, const Outline& b, Vec2 origin, float margin) {
     const Face link = {{}, k.end, k.normal, 0, 0, 1};
@@ -75,18 +69,14 @@ Manifold contact_on_link(const Link& k, const Outline& b, Vec2 origin, float mar
 Manifold contact_on_face(const Link& k, const Outline& b, std::uint32_t index, Vec2 origin, float margin) {
     const Face face = face_of(b, index);
     const Vec2 beside = dot(face.normal, k.end) > 0.0f ? k.normal0 : k.normal2;
-    if (dot(beside, face.normal) < dot(k.normal, face.normal)) {
-        return {};
-    }
+    if (dot(beside, face.normal) < dot(k.normal, face.normal)) { return {}; }
     return clip_faces(face, {{}, k.end, k.normal, 0, 0, 1}, true, origin, margin);
 }
 
 // B is clear of the link: closest features.
 Manifold collide_apart(const Link& k, const Outline& b, const DistanceResult& near, Vec2 origin, float margin) {
     const bool link_edge = near.count == 2 && near.index_a[0] != near.index_a[1];
-    if (link_edge) {
-        return contact_on_link(k, b, origin, margin);
-    }
+    if (link_edge) { return contact_on_link(k, b, origin, margin); }
     const bool b_edge = near.count == 2;
     std::uint32_t face = 0;
     Vec2 n = near.normal;
@@ -95,20 +85,14 @@ Manifold collide_apart(const Link& k, const Outline& b, const DistanceResult& ne
         n = -b.normals[face];
     }
     switch (judge(k, n)) {
-    case Verdict::neighbours:
-        return {};
-    case Verdict::replace:
-        return contact_on_link(k, b, origin, margin);
-    case Verdict::own:
-        break;
+    case Verdict::neighbours: return {};
+    case Verdict::replace: return contact_on_link(k, b, origin, margin);
+    case Verdict::own: break;
     }
-    if (b_edge) {
-        return contact_on_face(k, b, face, origin, margin);
-    }
-    if (near.distance - b.radius > margin) {
-        return {};
-    }
-    return point_manifold(near.point_a + origin, 0, near.point_b + origin, b.radius, n, near.distance, feature_id(near.index_a[0], near.index_b[0]));
+    if (b_edge) { return contact_on_face(k, b, face, origin, margin); }
+    if (near.distance - b.radius > margin) { return {}; }
+    return point_manifold(near.point_a + origin, 0, near.point_b + origin, b.radius, n, near.distance,
+                          feature_id(near.index_a[0], near.index_b[0]));
 }
 
 // B's core touches or crosses the link: least overlap among the link's normal, its convex neighbours' and those of B it may use.
@@ -127,9 +111,7 @@ Manifold collide_overlapping(const Link& k, const Outline& b, float link_gap, Ve
             face_gap = max(gap, face_gap);
         }
     }
-    if (face_gap > surface_gap + separation_tie) {
-        return contact_on_face(k, b, face, origin, margin);
-    }
+    if (face_gap > surface_gap + separation_tie) { return contact_on_face(k, b, face, origin, margin); }
     if (surface_gap > link_gap) {
         return {};  // the neighbour's
     }
@@ -141,19 +123,13 @@ Manifold collide_link(const Link& k, const Outline& b, Vec2 centroid, Vec2 origi
     const bool behind = dot(k.normal, centroid) < 0.0f;
     const bool behind0 = !k.convex1 || dot(k.normal0, centroid) < 0.0f;
     const bool behind2 = !k.convex2 || dot(k.normal2, centroid - k.end) < 0.0f;
-    if (behind && behind0 && behind2) {
-        return {};
-    }
+    if (behind && behind0 && behind2) { return {}; }
     const Vec2 lowest = b.vertices[corner_against(b, k.normal)];
     const float link_gap = dot(lowest, k.normal);
     const float limit = margin + b.radius;
-    if (link_gap > limit) {
-        return {};
-    }
+    if (link_gap > limit) { return {}; }
     // Between flat and inner corners every normal but the link's own is replaced by it.
-    if (!k.convex1 && !k.convex2) {
-        return contact_on_link(k, b, origin, margin);
-    }
+    if (!k.convex1 && !k.convex2) { return contact_on_link(k, b, origin, margin); }
     // A lowest corner over the link itself, at its height, is closest to it or just through it: no need to search.
     const float along = dot(lowest, k.edge);
     if (!behind && along > 0.0f && along < dot(k.end, k.edge) && link_gap > -speculative_distance) {
@@ -161,12 +137,8 @@ Manifold collide_link(const Link& k, const Outline& b, Vec2 centroid, Vec2 origi
     }
     const Vec2 core[2] = {{}, k.end};
     const DistanceResult near = core_distance(core, 2, b.vertices, b.count);
-    if (near.distance > limit) {
-        return {};
-    }
-    if (!behind && near.distance > separation_tie) {
-        return collide_apart(k, b, near, origin, margin);
-    }
+    if (near.distance > limit) { return {}; }
+    if (!behind && near.distance > separation_tie) { return collide_apart(k, b, near, origin, margin); }
     return collide_overlapping(k, b, link_gap, origin, margin);
 }
 
@@ -187,14 +159,10 @@ Manifold collide(const ChainSegment& a, const Circle& b, const Transform& b_in_a
     const float along = dot(center - p1, edge);
     const float whole = length_squared(edge);
     if (along <= 0.0f) {
-        if (dot(center - p1, p1 - a.ghost1) <= 0.0f) {
-            return {};
-        }
+        if (dot(center - p1, p1 - a.ghost1) <= 0.0f) { return {}; }
         on_link = p1;
     } else if (along >= whole) {
-        if (dot(center - p2, a.ghost2 - p2) > 0.0f) {
-            return {};
-        }
+        if (dot(center - p2, a.ghost2 - p2) > 0.0f) { return {}; }
         on_link = p2;
         feature = 1;
     } else {
@@ -202,9 +170,7 @@ Manifold collide(const ChainSegment& a, const Circle& b, const Transform& b_in_a
     }
     const Vec2 between = center - on_link;
     const float limit = margin + b.radius;
-    if (length_squared(between) > limit * limit) {
-        return {};
-    }
+    if (length_squared(between) > limit * limit) { return {}; }
     const Direction d = direction_of(between, right_perp(direction_of(edge, {1, 0}).unit));
     return point_manifold(on_link, 0, center, b.radius, d.unit, d.length, feature_id(feature, 0));
 }

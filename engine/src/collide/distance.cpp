@@ -47,21 +47,15 @@ std::uint8_t support(const Vec2* points, std::uint32_t count, Vec2 direction) {
     return static_cast<std::uint8_t>(best);
 }
 
-Feature vertex_feature(const Corner& p) {
-    return {{p, p}, 1, length_squared(p.w)};
-}
+Feature vertex_feature(const Corner& p) { return {{p, p}, 1, length_squared(p.w)}; }
 
 // What of the segment p-q is closest to the origin.
 Feature edge_feature(const Corner& p, const Corner& q) {
     const Vec2 edge = q.w - p.w;
     const float along = -dot(p.w, edge);
     const float whole = dot(edge, edge);
-    if (along <= 0.0f) {
-        return vertex_feature(p);
-    }
-    if (along >= whole) {
-        return vertex_feature(q);
-    }
+    if (along <= 0.0f) { return vertex_feature(p); }
+    if (along >= whole) { return vertex_feature(q); }
     const float area = cross(p.w, q.w);
     return {{p, q}, 2, area * area / whole};
 }
@@ -75,9 +69,7 @@ bool triangle_holds_origin(Vec2 p, Vec2 q, Vec2 r) {
 
 // From the feature towards the origin, not unit.
 Vec2 towards_origin(const Feature& f) {
-    if (f.count == 1) {
-        return -f.corner[0].w;
-    }
+    if (f.count == 1) { return -f.corner[0].w; }
     const Vec2 edge = f.corner[1].w - f.corner[0].w;
     return cross(f.corner[0].w, f.corner[1].w) > 0.0f ? left_perp(edge) : right_perp(edge);
 }
@@ -97,9 +89,7 @@ void name_corners(DistanceResult& result, const Feature& f) {
 
 // Where on the edge the point closest to the origin is; 0 for a vertex.
 float fraction_along(const Feature& f) {
-    if (f.count == 1) {
-        return 0.0f;
-    }
+    if (f.count == 1) { return 0.0f; }
     const Vec2 edge = f.corner[1].w - f.corner[0].w;
     return clamp(-dot(f.corner[0].w, edge) / dot(edge, edge), 0.0f, 1.0f);
 }
@@ -154,9 +144,7 @@ DistanceResult core_distance(const Vec2* a, std::uint32_t count_a, const Vec2* b
 
     Feature nearest = vertex_feature({a[0], b[0], b[0] - a[0], 0, 0});
     for (std::uint32_t pass = 0; pass < max_iterations; ++pass) {
-        if (nearest.distance_squared <= touching_squared) {
-            return touching(nearest);
-        }
+        if (nearest.distance_squared <= touching_squared) { return touching(nearest); }
         const Vec2 d = towards_origin(nearest);
         Corner next;
         next.index_a = support(a, count_a, -d);
@@ -164,24 +152,16 @@ DistanceResult core_distance(const Vec2* a, std::uint32_t count_a, const Vec2* b
         next.a = a[next.index_a];
         next.b = b[next.index_b];
         next.w = next.b - next.a;
-        if (is_among(next, nearest)) {
-            break;
-        }
+        if (is_among(next, nearest)) { break; }
         Feature closer = edge_feature(nearest.corner[0], next);
         if (nearest.count == 2) {
-            if (triangle_holds_origin(nearest.corner[0].w, nearest.corner[1].w, next.w)) {
-                return overlapping(nearest, next);
-            }
+            if (triangle_holds_origin(nearest.corner[0].w, nearest.corner[1].w, next.w)) { return overlapping(nearest, next); }
             const Feature other = edge_feature(nearest.corner[1], next);
-            if (other.distance_squared < closer.distance_squared) {
-                closer = other;
-            }
+            if (other.distance_squared < closer.distance_squared) { closer = other; }
         }
         // From a corner to an edge that it ends is always a gain, though rounding may hide it.
         const bool gained_edge = nearest.count == 1 && closer.count == 2;
-        if (!gained_edge && !(closer.distance_squared < nearest.distance_squared)) {
-            break;
-        }
+        if (!gained_edge && !(closer.distance_squared < nearest.distance_squared)) { break; }
         nearest = closer;
     }
     return separated(nearest);
@@ -189,9 +169,7 @@ DistanceResult core_distance(const Vec2* a, std::uint32_t count_a, const Vec2* b
 
 DistanceResult distance(const ConvexProxy& a, const ConvexProxy& b, const Transform& b_in_a) {
     Vec2 moved[max_polygon_vertices];
-    for (std::uint32_t i = 0; i < b.count; ++i) {
-        moved[i] = transform_point(b_in_a, b.points[i]);
-    }
+    for (std::uint32_t i = 0; i < b.count; ++i) { moved[i] = transform_point(b_in_a, b.points[i]); }
     DistanceResult result = core_distance(a.points, a.count, moved, b.count);
     result.point_a += a.radius * result.normal;
     result.point_b -= b.radius * result.normal;

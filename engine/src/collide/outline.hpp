@@ -32,9 +32,7 @@ struct Face {
     std::uint32_t index2 = 0;
 };
 
-inline std::uint16_t feature_id(std::uint32_t index_a, std::uint32_t index_b) {
-    return static_cast<std::uint16_t>(index_a << 8 | index_b);
-}
+inline std::uint16_t feature_id(std::uint32_t index_a, std::uint32_t index_b) { return static_cast<std::uint16_t>(index_a << 8 | index_b); }
 
 // v / |v| and |v|; a vector too short to have a direction gets `fallback`, which must be unit.
 struct Direction {

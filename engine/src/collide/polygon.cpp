@@ -20,9 +20,7 @@ Axis best_axis(const Outline& p, const Outline& q) {
     for (std::uint32_t i = 0; i < p.count; ++i) {
         const Vec2 n = p.normals[i];
         float nearest = dot(n, q.vertices[0]);
-        for (std::uint32_t j = 1; j < q.count; ++j) {
-            nearest = min(nearest, dot(n, q.vertices[j]));
-        }
+        for (std::uint32_t j = 1; j < q.count; ++j) { nearest = min(nearest, dot(n, q.vertices[j])); }
         const float separation = nearest - dot(n, p.vertices[i]);
         best.face = separation > best.separation ? i : best.face;
         best.separation = max(separation, best.separation);
@@ -37,7 +35,8 @@ Manifold deepest_corner(const Outline& reference, const Axis& axis, const Outlin
     const Vec2 corner = other.vertices[deepest] + origin;
     const Vec2 foot = corner - axis.separation * face.normal;
     if (reference_is_b) {
-        return point_manifold(corner, other.radius, foot, reference.radius, -face.normal, axis.separation, feature_id(deepest, face.index1));
+        return point_manifold(corner, other.radius, foot, reference.radius, -face.normal, axis.separation,
+                              feature_id(deepest, face.index1));
     }
     return point_manifold(foot, reference.radius, corner, other.radius, face.normal, axis.separation, feature_id(face.index1, deepest));
 }
@@ -52,13 +51,9 @@ Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float
     const float radii = a.radius + b.radius;
     const float limit = margin + radii;
     const Axis axis_a = best_axis(a, b);
-    if (axis_a.separation > limit) {
-        return {};
-    }
+    if (axis_a.separation > limit) { return {}; }
     const Axis axis_b = best_axis(b, a);
-    if (axis_b.separation > limit) {
-        return {};
-    }
+    if (axis_b.separation > limit) { return {}; }
 
     // A is the reference unless B is clearly better.
     const bool reference_is_b = axis_b.separation > axis_a.separation + separation_tie;
@@ -70,32 +65,23 @@ Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float
 
     // No clipped point can be closer than the best axis says, and none needs to be.
     const float bound = max(axis_a.separation, axis_b.separation);
-    if (clipped.count > 0 && (bound <= separation_tie || least_separation(clipped) <= bound - radii + separation_tie)) {
-        return clipped;
-    }
+    if (clipped.count > 0 && (bound <= separation_tie || least_separation(clipped) <= bound - radii + separation_tie)) { return clipped; }
 
     const DistanceResult near = core_distance(a.vertices, a.count, b.vertices, b.count);
     if (near.distance <= 1e-5f) {  // m; overlapping, or too close for a direction between corners
-        if (clipped.count > 0) {
-            return clipped;
-        }
-        return axis_b.separation > axis_a.separation ? deepest_corner(b, axis_b, a, true, origin) : deepest_corner(a, axis_a, b, false, origin);
+        if (clipped.count > 0) { return clipped; }
+        return axis_b.separation > axis_a.separation ? deepest_corner(b, axis_b, a, true, origin)
+                                                     : deepest_corner(a, axis_a, b, false, origin);
     }
-    if (clipped.count > 0 && least_separation(clipped) <= near.distance - radii + separation_tie) {
-        return clipped;
-    }
-    if (near.distance > limit) {
-        return {};
-    }
+    if (clipped.count > 0 && least_separation(clipped) <= near.distance - radii + separation_tie) { return clipped; }
+    if (near.distance > limit) { return {}; }
     return point_manifold(near.point_a + origin, a.radius, near.point_b + origin, b.radius, near.normal, near.distance,
                           feature_id(near.index_a[0], near.index_b[0]));
 }
 
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin) {
     Manifold m;
-    if (is_box(a) && is_box(b) && collide_boxes(a, b, b_in_a, margin, m)) {
-        return m;
-    }
+    if (is_box(a) && is_box(b) && collide_boxes(a, b, b_in_a, margin, m)) { return m; }
     const Vec2 origin = a.vertices[0];
     return collide_outlines(outline_of(a, origin), outline_of(b, b_in_a, origin), origin, margin);
 }
@@ -103,7 +89,8 @@ Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, fl
 Manifold collide(const Polygon& a, const Capsule& b, const Transform& b_in_a, float margin) {
     const Vec2 origin = a.vertices[0];
     const Transform t = {b_in_a.p - origin, b_in_a.q};
-    return collide_outlines(outline_of(a, origin), outline_of(transform_point(t, b.point1), transform_point(t, b.point2), b.radius), origin, margin);
+    return collide_outlines(outline_of(a, origin), outline_of(transform_point(t, b.point1), transform_point(t, b.point2), b.radius), origin,
+                            margin);
 }
 
 Manifold collide(const Segment& a, const Polygon& b, const Transform& b_in_a, float margin) {
@@ -119,9 +106,7 @@ Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, fl
     const Vec2 b2 = transform_point(t, b.point2);
     // Most capsules that the broad phase pairs are further apart than this; it saves the square roots.
     const float limit = margin + a.radius + b.radius;
-    if (!overlaps(expand({min({}, end), max({}, end)}, limit), {min(b1, b2), max(b1, b2)})) {
-        return {};
-    }
+    if (!overlaps(expand({min({}, end), max({}, end)}, limit), {min(b1, b2), max(b1, b2)})) { return {}; }
     return collide_outlines(outline_of({}, end, a.radius), outline_of(b1, b2, b.radius), origin, margin);
 }
 

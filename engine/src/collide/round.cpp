@@ -11,9 +11,7 @@ constexpr Vec2 up = {0, 1};
 Manifold collide_point(Vec2 a, float radius_a, Vec2 center, float radius_b, Vec2 fallback, float margin, std::uint16_t id) {
     const Vec2 between = center - a;
     const float limit = margin + radius_a + radius_b;
-    if (length_squared(between) > limit * limit) {
-        return {};
-    }
+    if (length_squared(between) > limit * limit) { return {}; }
     const Direction d = direction_of(between, fallback);
     return point_manifold(a, radius_a, center, radius_b, d.unit, d.length, id);
 }
@@ -46,9 +44,7 @@ Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, flo
         face = s > separation ? i : face;
         separation = max(s, separation);
     }
-    if (separation > limit) {
-        return {};
-    }
+    if (separation > limit) { return {}; }
 
     // The corner closest to a centre outside always belongs to the face it is furthest in front of.
     const std::uint32_t next = face + 1 < a.count ? face + 1 : 0;
@@ -56,12 +52,8 @@ Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, flo
     const Vec2 v2 = a.vertices[next];
     const Vec2 n = a.normals[face];
     if (separation > 1e-6f) {
-        if (dot(center - v1, v2 - v1) < 0.0f) {
-            return collide_point(v1, a.radius, center, b.radius, n, margin, feature_id(face, 0));
-        }
-        if (dot(center - v2, v1 - v2) < 0.0f) {
-            return collide_point(v2, a.radius, center, b.radius, n, margin, feature_id(next, 0));
-        }
+        if (dot(center - v1, v2 - v1) < 0.0f) { return collide_point(v1, a.radius, center, b.radius, n, margin, feature_id(face, 0)); }
+        if (dot(center - v2, v1 - v2) < 0.0f) { return collide_point(v2, a.radius, center, b.radius, n, margin, feature_id(next, 0)); }
     }
     return point_manifold(center - separation * n, a.radius, center, b.radius, n, separation, feature_id(face, 0));
 }

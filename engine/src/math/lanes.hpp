@@ -67,6 +67,17 @@ ISLET_LANE f4 load4(const float* p) {
 }
 ISLET_LANE void store4(float* p, f4 a) { std::memcpy(p, &a, 16); }
 
+/// Bit i is set if lane i of the comparison is true.
+ISLET_LANE std::uint32_t mask_bits(i4 mask) {
+#if defined(__SSE2__)
+    return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<f4>(mask)));
+#else
+    std::uint32_t bits = 0;
+    for (std::uint32_t i = 0; i < 4; ++i) bits |= mask[i] != 0 ? 1u << i : 0u;
+    return bits;
+#endif
+}
+
 ISLET_LANE void transpose4(f4 r0, f4 r1, f4 r2, f4 r3, f4* out) {
     const f4 a = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
     const f4 b = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);

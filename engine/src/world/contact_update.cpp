@@ -20,8 +20,11 @@ namespace {
 inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the bodies may slip before a manifold is made anew
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
+// Against what cannot be pushed, a fast body looks as far ahead as it may come in this step.
+bool looks_ahead(const Pose& a, const Pose& b) { return ((a.flags | b.flags) & pose_fast) != 0 && (a.inv_mass == 0 || b.inv_mass == 0); }
+
 bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
-    if ((m.flags & contact_posed) == 0 || ((a.flags | b.flags) & pose_fast) != 0) return false;
+    if ((m.flags & contact_posed) == 0 || looks_ahead(a, b)) return false;
     const Rot turn_a = inv_mul(m.rotation_a, a.q);
     const Rot turn_b = inv_mul(m.rotation_b, b.q);
     if (min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn) return false;
@@ -75,8 +78,8 @@ void remake(Core& core, std::uint32_t index, float dt) {
     const Rot turn = inv_mul(pa.q, pb.q);
     const Transform b_in_a{inv_rotate(pa.q, pb.center - pa.center) + center_a - rotate(turn, center_b), turn};
 
-    // Against what cannot be pushed, fast bodies look as far ahead as they may come in this step; of what they see only what they are about to hit counts.
-    const bool fast = ((pa.flags | pb.flags) & pose_fast) != 0 && (pa.inv_mass == 0 || pb.inv_mass == 0);
+    // Of what a fast body sees ahead, only what it is about to hit counts.
+    const bool fast = looks_ahead(pa, pb);
     const Motion& ma = core.motions[m.body_a];
     const Motion& mb = core.motions[m.body_b];
     const Vec2 relative_velocity = mb.v - ma.v;
