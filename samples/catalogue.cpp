@@ -99,6 +99,7 @@ std::vector<std::string> similar_scenes(const std::string& name) {
     }
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
     std::vector<std::string> names;
+    names.reserve(candidates.size());
     for (const Candidate& candidate : candidates) names.push_back(candidate.name);
     return names;
 }

@@ -104,7 +104,7 @@ TEST(Damping, GivesATerminalSpeed) {
 TEST(Forces, AConstantForceAcceleratesByForceOverMass) {
     // v = F t / m, x = F t (t + h) / (2 m). Rounding once a substep: n eps, relative.
     TestWorld world({.bodies = 1, .shapes = 1, .contacts = 1}, weightless());
-    const BodyId id = world.add_box({0, 0}, 0.5f, 0.25f, {.density = 3});
+    const BodyId id = world.add_box({0, 0}, 0.5f, 0.25f, dense(3));
     const double m = double(world->mass(id));
     EXPECT_NEAR(m, 1.5, 1e-6);
     for (int i = 0; i < 60; ++i) {
@@ -126,7 +126,7 @@ TEST(Forces, AConstantTorqueTurnsByTorqueOverInertia) {
     // w = T t / I, angle = T t (t + h) / (2 I), I = m (a^2 + b^2) / 12. Rounding once a substep, and a rotation is renormalised once a
     // step: 480 eps, relative; a turn of d is short by d^5 / 45 (see integrate in math.hpp), at most 1e-6 over this second.
     TestWorld world({.bodies = 1, .shapes = 1, .contacts = 1}, weightless());
-    const BodyId id = world.add_box({0, 0}, 0.5f, 0.25f, {.density = 3});
+    const BodyId id = world.add_box({0, 0}, 0.5f, 0.25f, dense(3));
     const double inertia = 1.5 * (1.0 + 0.25) / 12;
     EXPECT_NEAR(double(world->rotational_inertia(id)), inertia, 1e-7);
     for (int i = 0; i < 60; ++i) {
@@ -152,7 +152,7 @@ TEST(Forces, AForceOffTheCentreAlsoTurns) {
 TEST(Impulses, ChangeVelocitiesAtOnce) {
     // dv = P / m, dw = (r x P) / I.
     TestWorld world({.bodies = 1, .shapes = 1, .contacts = 1}, weightless());
-    const BodyId id = world.add_box({2, 1}, 0.5f, 0.5f, {.density = 2});
+    const BodyId id = world.add_box({2, 1}, 0.5f, 0.5f, dense(2));
     world->apply_linear_impulse(id, {3, 0}, {2, 1.25f});
     EXPECT_NEAR(double(world->linear_velocity(id).x), 1.5, 1e-6);
     EXPECT_NEAR(double(world->angular_velocity(id)), -0.25 * 3 / (2.0 / 6), 1e-6);

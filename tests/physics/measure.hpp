@@ -61,6 +61,18 @@ inline BodyDef dynamic_at(Vec2 position, float angle = 0) {
     return def;
 }
 
+/// A material with all but one number at its default.
+inline ShapeDef dense(float density) {
+    ShapeDef def;
+    def.density = density;
+    return def;
+}
+inline ShapeDef rough(float friction) {
+    ShapeDef def;
+    def.friction = friction;
+    return def;
+}
+
 /// No gravity, nothing falls asleep.
 inline WorldDef weightless() {
     WorldDef def;

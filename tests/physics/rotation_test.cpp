@@ -89,12 +89,10 @@ TEST(Rocking, ADiscWithItsWeightOffCentreSwingsWithItsSmallOscillationPeriod) {
     // leave less than 1 %.
     for (const double d : {0.1, 0.2, 0.3}) {
         TestWorld world(roomy, sleepless());
-        ShapeDef rough;
-        rough.friction = 1;
-        world.add_ground(0, 100, rough);
+        world.add_ground(0, 100, rough(1));
         constexpr double radius = 0.5, inertia = 0.15, mass = 2, swing = 0.1;
         // Turned by theta about the touching point, the middle has rolled by -R theta.
-        const BodyId id = world.add(Circle{{0, 0}, 0.5f}, dynamic_at({static_cast<float>(-radius * swing), 0.5f}, static_cast<float>(swing)), rough);
+        const BodyId id = world.add(Circle{{0, 0}, 0.5f}, dynamic_at({static_cast<float>(-radius * swing), 0.5f}, static_cast<float>(swing)), rough(1));
         world->set_mass(id, {static_cast<float>(mass), {0, static_cast<float>(-d)}, static_cast<float>(inertia)});
         Crossings angle;
         for (int i = 1; i <= 900; ++i) {
@@ -115,14 +113,12 @@ TEST(Rocking, ABoxTippedOntoItsEdgeFallsBackInHousnersTime) {
     // the step in which it is seen make up the rest of 3 %.
     for (const double share : {0.2, 0.4, 0.6}) {
         TestWorld world(roomy, sleepless());
-        ShapeDef rough;
-        rough.friction = 2;
-        world.add_ground(0, 100, rough);
+        world.add_ground(0, 100, rough(2));
         constexpr double hx = 0.2, hy = 1;
         const double alpha = std::atan(hx / hy), r = std::hypot(hx, hy), theta = share * alpha, p = std::sqrt(3 * g / (4 * r));
         // Turned by -theta about its right lower corner, which stays at the origin.
         const Rot q = make_rot(static_cast<float>(-theta));
-        const BodyId id = world.add(make_box(0.2f, 1), dynamic_at(rotate(q, {-0.2f, 1}), static_cast<float>(-theta)), rough);
+        const BodyId id = world.add(make_box(0.2f, 1), dynamic_at(rotate(q, {-0.2f, 1}), static_cast<float>(-theta)), rough(2));
         Crossings angle;
         double t = 0;
         while (angle.at.empty() && t < 5) {

@@ -49,6 +49,7 @@ inline constexpr std::size_t manifold_bytes = 96;
 inline constexpr std::size_t solver_body_bytes = 32;
 inline constexpr std::size_t solver_motion_bytes = 32;
 inline constexpr std::size_t row_bytes = 128;     // per contact, in a block of rows
+inline constexpr std::size_t batch_bytes = 148;
 inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are found
 inline constexpr std::uint32_t color_count = 32;  // constraint colours: bits of a body's mask
 inline constexpr std::uint32_t batch_contacts = 2048;  // a batch of islands closes at this many contacts
@@ -85,13 +86,15 @@ constexpr std::size_t align_up(std::size_t n) { return (n + 63) / 64 * 64; }
 constexpr std::size_t max_of(std::size_t a, std::size_t b) { return a > b ? a : b; }
 
 constexpr std::size_t scratch_bytes(const Capacity& c) {
-    // Finding pairs: sort keys and the boxes as columns. Solving: bodies in batch order, union-find, batch tables, contact rows.
-    const std::size_t pairs = align_up(std::size_t{c.shapes} * sweep_bytes) + 2048 * 4 + 64 * 20;
-    const std::size_t solve = align_up((std::size_t{c.bodies} + 1) * (solver_body_bytes + solver_motion_bytes + 4 * 6)) +
-                              align_up(std::size_t{batch_capacity(c)} * (color_count + 2) * 12) + align_up(row_capacity(c) * 4) +
-                              row_capacity(c) * row_bytes + 64 * 16;
-    const std::size_t collide = words_for(c.contacts) * 8 * 2 + words_for(c.bodies) * 8 + 64 * 4 + std::size_t{c.bodies} * 4;
-    return max_of(solve, max_of(pairs, collide));
+    // Finding pairs: sort keys and the boxes as columns. Collide: which contacts changed, whom to wake. Plan: bodies and contacts in batch order, kept
+    // while the solve uses what is left for bodies and contact rows, and planning before it for islands and edges.
+    const std::size_t bodies = std::size_t{c.bodies} + 1;
+    const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + 2048 * 4 + 20 * 64;
+    const std::size_t collide = words_for(c.contacts) * 8 * 2 + words_for(c.bodies) * 8 + bodies * 4 + 4 * 64;
+    const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + 5 * 64;
+    const std::size_t planning = bodies * 4 * 4 + std::size_t{c.contacts} * 16 + std::size_t{batch_capacity(c)} * color_count * 4 + 6 * 64;
+    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + row_capacity(c) * row_bytes + 5 * 64;
+    return max_of(plan + max_of(planning, solve), max_of(pairs, collide));
 }
 
 constexpr Layout layout_of(const Capacity& c) {

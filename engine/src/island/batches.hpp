@@ -21,6 +21,8 @@ struct Batch {
     std::uint32_t first_overflow = 0, end_overflow = 0;
 };
 
+static_assert(sizeof(Batch) == batch_bytes);
+
 /// The plan of one solve, in scratch.
 struct Plan {
     std::uint32_t slot_count = 0;             // slot 0 included

@@ -1,0 +1,313 @@
+// Pools filled to their last place and beyond: running out is reported, changes nothing else, and loses nothing that was there before.
+#include "robustness/refusal.hpp"
+
+namespace {
+
+using namespace islet;
+using namespace islet::test;
+
+// Runs a call that finds no room: the world must be as before.
+template <class Call>
+void expect_full(TestWorld& w, Error error, Call&& call) {
+    w.errors.clear();
+    const std::uint64_t before = w->hash();
+    call();
+    EXPECT_EQ(w->hash(), before) << "a call that found no room changed the world";
+    EXPECT_EQ(w.errors, std::vector<Error>{error});
+    EXPECT_EQ(w->last_error(), error);
+    EXPECT_EQ(w->validate(), nullptr);
+}
+
+// -- bodies, shapes, geometries --------------------------------------------------------------------------------------------------------
+
+TEST(Capacity, BodiesFillTheirPoolToTheLastPlace) {
+    TestWorld w({.bodies = 5, .shapes = 5, .contacts = 5});
+    std::vector<BodyId> ids;
+    for (int i = 0; i < 5; ++i) ids.push_back(w->create_body({}));
+    for (const BodyId id : ids) EXPECT_TRUE(w->is_valid(id));
+    EXPECT_TRUE(w.errors.empty());
+    expect_full(w, Error::bodies_full, [&] { EXPECT_FALSE(w->create_body({})); });
+    w->destroy_body(ids[2]);
+    const BodyId again = w->create_body({});
+    EXPECT_EQ(again.index1, ids[2].index1);
+    EXPECT_NE(again, ids[2]);
+    expect_full(w, Error::bodies_full, [&] { EXPECT_FALSE(w->create_body({})); });
+    EXPECT_EQ(w->body_count(), 5u);
+}
+
+TEST(Capacity, ShapesFillTheirPoolToTheLastPlace) {
+    TestWorld w({.bodies = 2, .shapes = 3, .contacts = 5});
+    const BodyId body = w->create_body({});
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(w->create_shape(body, Circle{{static_cast<float>(i), 0}, 0.5f}));
+    EXPECT_EQ(w->shape_count(), 3u);
+    expect_full(w, Error::shapes_full, [&] { EXPECT_FALSE(w->create_shape(body, Circle{{0, 0}, 0.5f})) << "a geometry that is stored already"; });
+    w->destroy_shape(w.shape_of(body));
+    EXPECT_TRUE(w->create_shape(body, make_box(1, 1)));
+    EXPECT_EQ(w->shape_count(), 3u);
+}
+
+TEST(Capacity, AShapeThatFindsNoRoomLeavesNoGeometryBehind) {
+    // More room for geometries than for shapes, so that the geometry alone would fit.
+    TestWorld w({.bodies = 1, .shapes = 2, .contacts = 1, .geometries = 8});
+    const BodyId body = w->create_body({});
+    w->create_shape(body, Circle{{0, 0}, 1});
+    w->create_shape(body, Circle{{0, 0}, 2});
+    for (int i = 3; i < 30; ++i)
+        expect_full(w, Error::shapes_full, [&] { EXPECT_FALSE(w->create_shape(body, Circle{{0, 0}, static_cast<float>(i)})); });
+}
+
+TEST(Capacity, GeometriesFillTheirPoolToTheLastPlaceAndEqualOnesNeedOne) {
+    TestWorld w({.bodies = 1, .shapes = 20, .contacts = 1, .geometries = 2});
+    const BodyId body = w->create_body({});
+    std::vector<ShapeId> boxes;
+    for (int i = 0; i < 8; ++i) boxes.push_back(w->create_shape(body, make_box(1, 1)));
+    EXPECT_TRUE(w->create_shape(body, make_box(1, 2)));
+    EXPECT_TRUE(w.errors.empty()) << "nine shapes of two geometries must fit";
+    expect_full(w, Error::geometries_full, [&] { EXPECT_FALSE(w->create_shape(body, make_box(1, 3))); });
+    // The place comes free with the last shape that uses it.
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        expect_full(w, Error::geometries_full, [&] { EXPECT_FALSE(w->create_shape(body, make_box(1, 3))); });
+        w->destroy_shape(boxes[i]);
+    }
+    EXPECT_TRUE(w->create_shape(body, make_box(1, 3)));
+}
+
+TEST(Capacity, AChainIsMadeWholeOrNotAtAll) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < 6; ++i) points.push_back({static_cast<float>(i), static_cast<float>(i * i)});
+    {
+        TestWorld w({.bodies = 1, .shapes = 4, .contacts = 1});
+        const BodyId body = w->create_body({});
+        expect_full(w, Error::shapes_full, [&] { EXPECT_EQ(w->create_chain(body, points, false), 0u); });
+        EXPECT_EQ(w->create_chain(body, std::span(points).first(5), false), 4u) << "four segments fit exactly";
+    }
+    {
+        TestWorld w({.bodies = 1, .shapes = 20, .contacts = 1, .geometries = 4});
+        const BodyId body = w->create_body({});
+        expect_full(w, Error::geometries_full, [&] { EXPECT_EQ(w->create_chain(body, points, false), 0u); });
+        EXPECT_EQ(w->shape_count(), 0u);
+        EXPECT_EQ(w->create_chain(body, std::span(points).first(5), false), 4u);
+    }
+}
+
+// -- contacts --------------------------------------------------------------------------------------------------------------------------
+
+// A row of boxes on the ground, apart from each other: one contact each.
+struct Row : TestWorld {
+    explicit Row(std::uint32_t contacts, int boxes) : TestWorld({.bodies = 64, .shapes = 64, .contacts = contacts}) {
+        add_ground();
+        for (int i = 0; i < boxes; ++i) all.push_back(add_box({2.0f * static_cast<float>(i), 0.5f}));
+    }
+    std::vector<BodyId> all;
+};
+
+TEST(Capacity, ContactsFillTheirPoolToTheLastPlace) {
+    Row w(8, 8);
+    w.step(30);
+    EXPECT_EQ(w->contact_count(), 8u);
+    EXPECT_EQ(w->report().dropped_contacts, 0u);
+    EXPECT_TRUE(w.errors.empty());
+    for (const BodyId id : w.all) EXPECT_NEAR(w->position(id).y, 0.5f, 0.01f);
+}
+
+TEST(Capacity, EveryContactBeyondTheLastPlaceIsCountedOnceAndReported) {
+    Row w(5, 8);
+    for (int i = 0; i < 10; ++i) {
+        w.errors.clear();
+        w.step();
+        EXPECT_EQ(w->contact_count(), 5u);
+        EXPECT_EQ(w->report().dropped_contacts, 3u) << "in step " << i;
+        EXPECT_EQ(w.errors, std::vector<Error>{Error::contacts_full}) << "once a step";
+        EXPECT_EQ(w->validate(), nullptr);
+    }
+    int standing = 0;
+    for (const BodyId id : w.all) standing += w->position(id).y > 0.49f ? 1 : 0;
+    EXPECT_EQ(standing, 5);
+}
+
+TEST(Capacity, NothingThatExistedBeforeIsLost) {
+    Row w(4, 4);
+    w.step(10);
+    const std::vector<ContactInfo> before = w.contacts();
+    ASSERT_EQ(before.size(), 4u);
+    for (int i = 0; i < 4; ++i) w.add_box({100.0f + 2.0f * static_cast<float>(i), 0.5f});
+    w->set_transform(w->body_at(0), {0, -1}, 0);  // found anew: old and new compete, which is no loss of a contact that existed
+    w.step();
+    EXPECT_EQ(w->contact_count(), 4u);
+
+    Row kept(4, 4);
+    kept.step(10);
+    for (int i = 0; i < 4; ++i) kept.add_box({-20.0f - 2.0f * static_cast<float>(i), 0.5f});
+    for (int i = 0; i < 20; ++i) {
+        kept.step();
+        const std::vector<ContactInfo> now = kept.contacts();
+        ASSERT_EQ(now.size(), 4u);
+        for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(now[k].shape_a == before[k].shape_a && now[k].shape_b == before[k].shape_b);
+    }
+    for (const BodyId id : kept.all) EXPECT_NEAR(kept->position(id).y, 0.5f, 0.01f);
+}
+
+TEST(Capacity, DroppedContactsAreMadeWhenRoomComes) {
+    Row w(5, 8);
+    w.step(2);
+    ASSERT_EQ(w->report().dropped_contacts, 3u);
+    // Room by destroying bodies that stand.
+    int freed = 0;
+    for (const BodyId id : w.all) {
+        if (w->position(id).y < 0.4999f || freed == 3) continue;
+        w->destroy_body(id);
+        ++freed;
+    }
+    w.step();
+    EXPECT_EQ(w->report().dropped_contacts, 0u);
+    EXPECT_EQ(w->contact_count(), 5u);
+    w.errors.clear();
+    w.step(60);
+    EXPECT_TRUE(w.errors.empty());
+    int standing = 0;
+    for (const BodyId id : w.bodies()) standing += w->position(id).y > 0.49f ? 1 : 0;
+    EXPECT_EQ(standing, 5);
+}
+
+TEST(Capacity, RoomComesTooWhenBodiesFlyApartWhileContactsAreMissing) {
+    WorldDef def;
+    def.gravity = {0, 0};
+    TestWorld w({.bodies = 8, .shapes = 8, .contacts = 1}, def);
+    // Two pairs that overlap, room for one contact.
+    w.add_circle({0, 0});
+    const BodyId first = w.add_circle({0.95f, 0});
+    w.add_circle({0, 50});
+    const BodyId second = w.add_circle({0.95f, 50});
+    w.step(2);
+    EXPECT_EQ(w->report().dropped_contacts, 1u);
+    // Both pairs separate; nothing overlaps any more, so nothing may keep a contact or be dropped.
+    w->set_linear_velocity(first, {20, 0});
+    w->set_linear_velocity(second, {20, 0});
+    w.step(60);
+    EXPECT_EQ(w->contact_count(), 0u) << "a contact is kept though its bodies are far apart";
+    EXPECT_EQ(w->report().dropped_contacts, 0u);
+    EXPECT_EQ(w->validate(), nullptr);
+}
+
+TEST(Capacity, AContactThatWasDroppedTakesThePlaceOfOneThatEnds) {
+    TestWorld w({.bodies = 8, .shapes = 8, .contacts = 2});
+    w.add_ground();
+    const BodyId leaver = w.add_box({0, 0.5f});
+    w.add_box({3, 0.5f});
+    w.step(5);
+    ASSERT_EQ(w->contact_count(), 2u);
+    const BodyId waiting = w.add_box({6, 5});  // arrives after the leaver has gone
+    w->set_linear_velocity(leaver, {0, 30});
+    w.step(45);
+    EXPECT_NEAR(w->position(waiting).y, 0.5f, 0.05f);
+    EXPECT_EQ(w->report().dropped_contacts, 0u);
+
+    // Now with a contact missing all the while: three boxes stand where two can.
+    w.step(600);  // the leaver is back
+    EXPECT_EQ(w->contact_count(), 2u);
+}
+
+TEST(Capacity, TheSameContactsAreDroppedInEveryRun) {
+    const auto run = [](std::uint32_t lanes) {
+        WorldDef def;
+        def.lanes = lanes;
+        TestWorld w({.bodies = 128, .shapes = 128, .contacts = 60}, def);
+        w.add_ground();
+        for (int i = 0; i < 100; ++i) w.add_box({0.9f * static_cast<float>(i % 10), 0.5f + 1.01f * static_cast<float>(i / 10)});
+        std::vector<std::uint64_t> history;
+        for (int i = 0; i < 60; ++i) {
+            w.step();
+            EXPECT_GT(w->report().dropped_contacts, 0u);
+            EXPECT_EQ(w->contact_count(), 60u);
+            const char* broken = w->validate();
+            EXPECT_EQ(broken, nullptr) << broken;
+            history.push_back(w->hash());
+            history.push_back(w->report().dropped_contacts);
+        }
+        EXPECT_TRUE(w.is_finite());
+        return history;
+    };
+    const auto first = run(0);
+    EXPECT_EQ(first, run(0));
+    EXPECT_EQ(first, run(1));
+}
+
+TEST(Capacity, EndEventsBeyondTheirRoomAreReported) {
+    Row w(4, 4);
+    w.step(5);
+    // Each round the four contacts end by a call, and are made again: the events of one step and of the calls after it share the room.
+    for (const BodyId id : w.all) w->set_transform(id, w->position(id), 0);
+    EXPECT_EQ(w->end_touch_events().size(), 4u);
+    EXPECT_TRUE(w.errors.empty());
+    w.step();
+    EXPECT_EQ(w->end_touch_events().size(), 4u) << "events of calls stay for the reader of the next step";
+    for (const BodyId id : w.all) w->destroy_body(id);
+    EXPECT_EQ(w.errors, (std::vector<Error>(4, Error::events_full)));
+    EXPECT_EQ(w->report().dropped_events, 4u);
+    EXPECT_EQ(w->validate(), nullptr);
+    w.step();
+    EXPECT_EQ(w->body_count(), 1u);
+}
+
+// -- the block -------------------------------------------------------------------------------------------------------------------------
+
+TEST(Capacity, TheSmallestWorldWorks) {
+    TestWorld w({.bodies = 1, .shapes = 1, .contacts = 1});
+    const BodyId ball = w.add_circle({0, 0});
+    w.step(60);
+    EXPECT_NEAR(w->position(ball).y, -5.0f, 0.2f);
+    EXPECT_EQ(w->validate(), nullptr);
+}
+
+TEST(Capacity, ABlockThatIsTooSmallOrMisalignedOrACapacityThatIsBadIsRefused) {
+    constexpr Capacity good{.bodies = 3, .shapes = 3, .contacts = 3};
+    constexpr std::size_t bytes = world_bytes(good);
+    const Block block(bytes + 128);
+    Error error = Error::none;
+    EXPECT_NE(World::create(block.span().first(bytes), good, {}, &error), nullptr);
+    EXPECT_EQ(error, Error::none);
+    EXPECT_EQ(World::create(block.span().first(bytes - 1), good, {}, &error), nullptr);
+    EXPECT_EQ(error, Error::block_too_small);
+    EXPECT_EQ(World::create({}, good, {}, &error), nullptr);
+    EXPECT_EQ(error, Error::block_too_small);
+    for (const std::size_t shift : {1u, 4u, 8u, 16u, 32u, 63u}) {
+        EXPECT_EQ(World::create(block.span().subspan(shift), good, {}, &error), nullptr);
+        EXPECT_EQ(error, Error::block_misaligned) << shift;
+    }
+    for (std::uint32_t Capacity::*member : {&Capacity::bodies, &Capacity::shapes, &Capacity::contacts}) {
+        Capacity bad = good;
+        bad.*member = 0;
+        EXPECT_EQ(World::create(block.span(), bad, {}, &error), nullptr);
+        EXPECT_EQ(error, Error::bad_capacity);
+    }
+    for (std::uint32_t Capacity::*member : {&Capacity::bodies, &Capacity::shapes, &Capacity::contacts, &Capacity::joints, &Capacity::geometries}) {
+        Capacity bad = good;
+        bad.*member = max_capacity + 1;
+        EXPECT_EQ(World::create(block.span(), bad, {}, &error), nullptr);
+        EXPECT_EQ(error, Error::bad_capacity);
+        bad.*member = 0xffffffffu;
+        EXPECT_EQ(World::create(block.span(), bad, {}, &error), nullptr);
+        EXPECT_EQ(error, Error::bad_capacity);
+    }
+}
+
+TEST(Capacity, NothingIsWrittenBeyondTheBlock) {
+    constexpr Capacity capacity{.bodies = 40, .shapes = 40, .contacts = 90};
+    constexpr std::size_t bytes = world_bytes(capacity);
+    const Block block(bytes + 256);
+    const std::span<std::byte> guard = block.span().subspan(bytes);
+    for (std::byte& b : guard) b = std::byte{0x77};
+    World* world = World::create(block.span().first(bytes), capacity, {});
+    ASSERT_NE(world, nullptr);
+    world->create_shape(world->create_body({}), make_box(100, 1));
+    BodyDef def;
+    def.type = BodyType::dynamic;
+    while (world->body_count() < capacity.bodies) {
+        def.position = {0.3f * static_cast<float>(world->body_count() % 6), 1.5f + 0.4f * static_cast<float>(world->body_count())};
+        world->create_shape(world->create_body(def), make_box(0.3f, 0.3f));
+    }
+    for (int i = 0; i < 200; ++i) world->step(1.0f / 60);
+    for (const std::byte b : guard) ASSERT_EQ(b, std::byte{0x77});
+}
+
+}  // namespace
