@@ -65,7 +65,11 @@ double typical_size(const Picture& picture, const Camera& camera) {
 }
 
 /// One of a few tints, scattered so that neighbours differ without a pattern.
-int tint_of(std::size_t body) { return static_cast<int>((static_cast<std::uint32_t>(body) * 2654435761u >> 16) % tint_count); }
+int tint_of(std::size_t body) {
+    auto bits = static_cast<std::uint32_t>(body) * 2654435761u;
+    bits = (bits ^ bits >> 15) * 2246822519u;
+    return static_cast<int>((bits ^ bits >> 13) % tint_count);
+}
 
 int units(double pixels) { return static_cast<int>(std::lround(pixels * units_per_pixel)); }
 
@@ -127,7 +131,7 @@ std::string trails(const Picture& picture, const Camera& camera) {
 }
 
 std::string contacts(const Picture& picture, const Camera& camera, double size) {
-    if (size < 3 || picture.contacts.size() > most_contacts) return {};
+    if (size < 5 || picture.contacts.size() > most_contacts) return {};
     PathWriter dots, normals;
     const double length = std::clamp(0.2 * size, 2.0, 14.0) * units_per_pixel;
     for (const DrawnContact& contact : picture.contacts) {

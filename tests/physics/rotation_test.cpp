@@ -95,9 +95,9 @@ TEST(Rocking, ADiscWithItsWeightOffCentreSwingsWithItsSmallOscillationPeriod) {
         const BodyId id = world.add(Circle{{0, 0}, 0.5f}, dynamic_at({static_cast<float>(-radius * swing), 0.5f}, static_cast<float>(swing)), rough(1));
         world->set_mass(id, {static_cast<float>(mass), {0, static_cast<float>(-d)}, static_cast<float>(inertia)});
         Crossings angle;
-        for (int i = 1; i <= 900; ++i) {
-            world.step();
-            angle.see(i * double(step_time), double(world->angle(id)));
+        for (int i = 1; i <= 3600; ++i) {
+            world.step(1, 1.0f / 240);
+            angle.see(i / 240.0, double(world->angle(id)));
         }
         const double period = 2 * exact_pi * std::sqrt((inertia + mass * (radius - d) * (radius - d)) / (mass * g * d));
         ASSERT_GE(angle.at.size(), 9u) << "d " << d;

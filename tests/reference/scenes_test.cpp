@@ -19,9 +19,8 @@ TEST_P(ReferenceScene, AgreesWithBox2d) {
     for (const Check& check : comparison.checks) EXPECT_LE(check.value, check.limit) << check.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ReferenceScene, testing::ValuesIn(tolerances()), [](const auto& instance) {
-    return std::string(instance.param.scene);
-});
+INSTANTIATE_TEST_SUITE_P(All, ReferenceScene, testing::ValuesIn(tolerances()),
+                         [](const auto& instance) { return std::string(instance.param.scene); });
 
 TEST(Reference, AtLeastTwelveScenesAreCompared) { EXPECT_GE(tolerances().size(), 12u); }
 

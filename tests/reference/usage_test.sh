@@ -33,8 +33,12 @@ expect 2 'cannot write' hello --csv "$scratch/missing/out.csv"
 expect 2 'cannot write' hello --svg "$scratch/missing/out.svg"
 expect 0 ratio --time hello --steps 5
 
-[ "$(grep -c '^hello,' "$scratch/out.csv")" -eq 11 ] || { echo "out.csv must have a line for each step and one for the start"; failures=$((failures + 1)); }
+complain() {
+    printf '%s\n' "$*"
+    failures=$((failures + 1))
+}
+[ "$(grep -c '^hello,' "$scratch/out.csv")" -eq 11 ] || complain "out.csv must have a line for each step and one for the start"
 for picture in out-hello.svg out-pyramid.svg; do
-    grep -q '</svg>' "$scratch/$picture" || { echo "$picture is not whole"; failures=$((failures + 1)); }
+    grep -q '</svg>' "$scratch/$picture" || complain "$picture is not whole"
 done
 exit "$((failures > 0))"

@@ -29,21 +29,45 @@ const BodyCall body_calls[] = {
     {"local_center_of_mass", [](World& w, BodyId b) { return w.local_center_of_mass(b) == Vec2{}; }},
     {"linear_velocity", [](World& w, BodyId b) { return w.linear_velocity(b) == Vec2{}; }},
     {"angular_velocity", [](World& w, BodyId b) { return w.angular_velocity(b) == 0; }},
-    {"velocity_at", [](World& w, BodyId b) { return w.velocity_at(b, {1, 2}) == Vec2{}; }},
-    {"set_transform", [](World& w, BodyId b) { return w.set_transform(b, {1, 2}, 3), true; }},
-    {"set_linear_velocity", [](World& w, BodyId b) { return w.set_linear_velocity(b, {1, 2}), true; }},
+    {"velocity_at",
+     [](World& w, BodyId b) {
+         return w.velocity_at(b, {1, 2}) == Vec2{};
+     }},
+    {"set_transform",
+     [](World& w, BodyId b) {
+         return w.set_transform(b, {1, 2}, 3), true;
+     }},
+    {"set_linear_velocity",
+     [](World& w, BodyId b) {
+         return w.set_linear_velocity(b, {1, 2}), true;
+     }},
     {"set_angular_velocity", [](World& w, BodyId b) { return w.set_angular_velocity(b, 1), true; }},
-    {"apply_force", [](World& w, BodyId b) { return w.apply_force(b, {1, 2}, {3, 4}), true; }},
-    {"apply_force_to_center", [](World& w, BodyId b) { return w.apply_force_to_center(b, {1, 2}), true; }},
+    {"apply_force",
+     [](World& w, BodyId b) {
+         return w.apply_force(b, {1, 2}, {3, 4}), true;
+     }},
+    {"apply_force_to_center",
+     [](World& w, BodyId b) {
+         return w.apply_force_to_center(b, {1, 2}), true;
+     }},
     {"apply_torque", [](World& w, BodyId b) { return w.apply_torque(b, 1), true; }},
-    {"apply_linear_impulse", [](World& w, BodyId b) { return w.apply_linear_impulse(b, {1, 2}, {3, 4}), true; }},
-    {"apply_linear_impulse_to_center", [](World& w, BodyId b) { return w.apply_linear_impulse_to_center(b, {1, 2}), true; }},
+    {"apply_linear_impulse",
+     [](World& w, BodyId b) {
+         return w.apply_linear_impulse(b, {1, 2}, {3, 4}), true;
+     }},
+    {"apply_linear_impulse_to_center",
+     [](World& w, BodyId b) {
+         return w.apply_linear_impulse_to_center(b, {1, 2}), true;
+     }},
     {"apply_angular_impulse", [](World& w, BodyId b) { return w.apply_angular_impulse(b, 1), true; }},
     {"type", [](World& w, BodyId b) { return w.type(b) == BodyType::static_body; }},
     {"set_type", [](World& w, BodyId b) { return w.set_type(b, BodyType::kinematic), true; }},
     {"mass", [](World& w, BodyId b) { return w.mass(b) == 0; }},
     {"rotational_inertia", [](World& w, BodyId b) { return w.rotational_inertia(b) == 0; }},
-    {"set_mass", [](World& w, BodyId b) { return w.set_mass(b, {1, {}, 1}), true; }},
+    {"set_mass",
+     [](World& w, BodyId b) {
+         return w.set_mass(b, {1, {}, 1}), true;
+     }},
     {"reset_mass", [](World& w, BodyId b) { return w.reset_mass(b), true; }},
     {"linear_damping", [](World& w, BodyId b) { return w.linear_damping(b) == 0; }},
     {"set_linear_damping", [](World& w, BodyId b) { return w.set_linear_damping(b, 1), true; }},
@@ -59,11 +83,19 @@ const BodyCall body_calls[] = {
     {"set_user_data", [](World& w, BodyId b) { return w.set_user_data(b, 1), true; }},
     {"shapes", [](World& w, BodyId b) { return w.shapes(b, {}) == 0; }},
     {"create_shape(Circle)", [](World& w, BodyId b) { return !w.create_shape(b, Circle{}); }},
-    {"create_shape(Capsule)", [](World& w, BodyId b) { return !w.create_shape(b, Capsule{{0, 0}, {1, 0}, 1}); }},
-    {"create_shape(Segment)", [](World& w, BodyId b) { return !w.create_shape(b, Segment{{0, 0}, {1, 0}}); }},
+    {"create_shape(Capsule)",
+     [](World& w, BodyId b) {
+         return !w.create_shape(b, Capsule{{0, 0}, {1, 0}, 1});
+     }},
+    {"create_shape(Segment)",
+     [](World& w, BodyId b) {
+         return !w.create_shape(b, Segment{{0, 0}, {1, 0}});
+     }},
     {"create_shape(Polygon)", [](World& w, BodyId b) { return !w.create_shape(b, make_box(1, 1)); }},
     {"create_shape(ChainSegment)",
-     [](World& w, BodyId b) { return !w.create_shape(b, ChainSegment{{-1, 0}, {{0, 0}, {1, 0}}, {2, 0}}); }},
+     [](World& w, BodyId b) {
+         return !w.create_shape(b, ChainSegment{{-1, 0}, {{0, 0}, {1, 0}}, {2, 0}});
+     }},
     {"create_chain",
      [](World& w, BodyId b) {
          const Vec2 points[] = {{0, 0}, {1, 0}};

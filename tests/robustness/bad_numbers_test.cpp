@@ -54,12 +54,21 @@ struct Call {
 
 TEST_F(BadNumbers, EveryFunctionOfABodyRefusesThem) {
     const Call numbers[] = {
-        {"set_transform angle", [&](World& a, float x) { a.set_transform(box, {0, 0}, x); }},
+        {"set_transform angle",
+         [&](World& a, float x) {
+             a.set_transform(box, {0, 0}, x);
+         }},
         {"set_angular_velocity", [&](World& a, float x) { a.set_angular_velocity(box, x); }},
         {"apply_torque", [&](World& a, float x) { a.apply_torque(box, x); }},
         {"apply_angular_impulse", [&](World& a, float x) { a.apply_angular_impulse(box, x); }},
-        {"set_mass mass", [&](World& a, float x) { a.set_mass(box, {x, {}, 1}); }},
-        {"set_mass inertia", [&](World& a, float x) { a.set_mass(box, {1, {}, x}); }},
+        {"set_mass mass",
+         [&](World& a, float x) {
+             a.set_mass(box, {x, {}, 1});
+         }},
+        {"set_mass inertia",
+         [&](World& a, float x) {
+             a.set_mass(box, {1, {}, x});
+         }},
         {"set_linear_damping", [&](World& a, float x) { a.set_linear_damping(box, x); }},
         {"set_angular_damping", [&](World& a, float x) { a.set_angular_damping(box, x); }},
         {"set_gravity_scale", [&](World& a, float x) { a.set_gravity_scale(box, x); }},

@@ -19,8 +19,9 @@ struct Timing {
 
 inline constexpr int timed_runs = 3;
 
-/// Times World::step against b2World::Step (one call of dt, 8 velocity and 3 position iterations, shapes as a user of Box2D makes them, without
-/// continuous collision, which Islet has not), with the scene's scripts, without its loading. steps 0: as many as the scene has.
+/// Times World::step against b2World::Step, scripts included and loading not. Box2D makes one step of dt with 8 velocity and 3 position
+/// iterations, with shapes as its users make them and without continuous collision, which Islet has not (README.md says why that is kinder).
+/// steps 0: as many as the scene has.
 Timing time_both(const samples::SceneInfo& info, int steps);
 
 std::string to_table(const std::vector<Timing>& timings);

@@ -162,7 +162,8 @@ struct State {
     std::uint32_t enable_sleep = 1;
     std::uint64_t steps = 0;
     std::uint32_t moved_count = 0;                                 // shapes whose fat box changed since pairs were last found
-    std::uint32_t pad[28] = {};
+    float last_substep = 0;                                        // s; impulses kept for warm starting belong to a substep of this length
+    std::uint32_t pad[27] = {};
 };
 
 static_assert(sizeof(Pose) == pose_bytes && sizeof(Motion) == motion_bytes && sizeof(Body) == body_bytes);

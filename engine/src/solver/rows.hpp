@@ -64,7 +64,7 @@ struct StepNumbers {
     float h = 0;            // s, substep
     float inv_h = 0;
     float omega = 1;
-    float warm = 1;         // 1 or 0: share of last step's impulses to start from
+    float warm = 1;         // share of the last step's impulses to start from; 0: none
     float restitution_threshold = 0;
     float max_speed = 0, max_turn = 0;
 };

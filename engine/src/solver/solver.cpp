@@ -63,7 +63,8 @@ void choose_numbers(Solve& s, float dt) {
     n.h = dt / static_cast<float>(def.substeps);
     n.inv_h = 1.0f / n.h;
     n.omega = def.omega;
-    n.warm = def.warm_start ? 1.0f : 0.0f;
+    // Impulses grow with the substep: those of a shorter or longer one are scaled to this one's length.
+    n.warm = !def.warm_start ? 0.0f : state.last_substep > 0 ? n.h / state.last_substep : 1.0f;
     n.restitution_threshold = state.restitution_threshold;
     n.max_speed = state.max_speed;
     n.max_turn = 0.5f * pi / dt;
@@ -275,6 +276,7 @@ const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
             default: solve_batch<ContactKernel<Lane1>>(s, plan.batches[b]); break;
         }
     }
+    core.state->last_substep = s.numbers.h;
     return s.bodies;
 }
 

@@ -57,6 +57,7 @@ std::uint64_t World::hash() const {
     h.number(s.restitution_threshold);
     h.number(s.max_speed);
     h.word(s.enable_sleep);
+    h.number(s.last_substep);
     h.word(s.moved_count);
 
     const SolverDef& d = s.solver;

@@ -1,0 +1,192 @@
+// Sleep: whole islands fall asleep after half a second at rest and wake together.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "measure.hpp"
+
+namespace islet::test {
+namespace {
+
+// Five boxes, one on another, set down without a gap.
+std::vector<BodyId> add_tower(TestWorld& world, float x) {
+    std::vector<BodyId> tower;
+    for (int i = 0; i < 5; ++i) tower.push_back(world.add_box({x, 0.5f + static_cast<float>(i)}));
+    return tower;
+}
+
+std::size_t awake_of(const TestWorld& world, const std::vector<BodyId>& bodies) {
+    return static_cast<std::size_t>(std::count_if(bodies.begin(), bodies.end(), [&](BodyId id) { return world->is_awake(id); }));
+}
+
+// Steps until nobody of the bodies is awake; never more than 10 s.
+int steps_to_sleep(TestWorld& world, const std::vector<BodyId>& bodies) {
+    int steps = 0;
+    while (awake_of(world, bodies) > 0 && steps < 600) {
+        world.step();
+        ++steps;
+    }
+    return steps;
+}
+
+TEST(Sleep, ABodyAtRestFallsAsleepAfterHalfASecond) {
+    // 0.5 s at rest are 30 steps of 1/60 s; the sum of rounded steps may need one more.
+    WorldDef def;
+    def.gravity = {0, 0};
+    TestWorld world(roomy, def);
+    const BodyId still = world.add_box({0, 0});
+    BodyDef slow = dynamic_at({5, 0}), fast = dynamic_at({10, 0});
+    slow.linear_velocity = {0.04f, 0};  // below the threshold of 0.05 m/s
+    fast.linear_velocity = {0.06f, 0};
+    const BodyId slow_id = world.add(make_box(0.5f, 0.5f), slow), fast_id = world.add(make_box(0.5f, 0.5f), fast);
+    world.step(29);
+    EXPECT_TRUE(world->is_awake(still));
+    EXPECT_TRUE(world->is_awake(slow_id));
+    world.step(2);
+    EXPECT_FALSE(world->is_awake(still));
+    EXPECT_FALSE(world->is_awake(slow_id));
+    world.step(60);
+    EXPECT_TRUE(world->is_awake(fast_id));
+    EXPECT_EQ(world->linear_velocity(slow_id), (Vec2{0, 0})) << "asleep is at rest";
+}
+
+TEST(Sleep, AnIslandFallsAsleepAsAWhole) {
+    TestWorld world;
+    world.add_ground();
+    const std::vector<BodyId> tower = add_tower(world, 0);
+    std::vector<std::size_t> seen;
+    bool partly = false;
+    std::size_t reported = 0;
+    for (int i = 0; i < 300; ++i) {
+        world.step();
+        reported += world->slept_bodies().size();
+        const std::size_t awake = awake_of(world, tower);
+        partly |= awake != 0 && awake != tower.size();
+    }
+    EXPECT_FALSE(partly) << "some of the tower slept while the rest was awake";
+    EXPECT_EQ(awake_of(world, tower), 0u);
+    EXPECT_EQ(reported, tower.size()) << "each is reported once";
+    EXPECT_EQ(world->report().awake_bodies, 0u);
+    EXPECT_EQ(world->report().islands, 0u);
+}
+
+TEST(Sleep, OneRestlessBodyKeepsItsIslandAwakeAndNoOther) {
+    TestWorld world;
+    world.add_ground();
+    const std::vector<BodyId> restless = add_tower(world, 0), quiet = add_tower(world, 10);
+    world->enable_sleep(restless[2], false);
+    world.step(300);
+    EXPECT_EQ(awake_of(world, restless), restless.size());
+    EXPECT_EQ(awake_of(world, quiet), 0u);
+    world->enable_sleep(restless[2], true);
+    EXPECT_LT(steps_to_sleep(world, restless), 60);
+}
+
+TEST(Sleep, AnIslandWakesAsAWhole) {
+    TestWorld world;
+    world.add_ground();
+    const std::vector<BodyId> tower = add_tower(world, 0), other = add_tower(world, 10);
+    std::vector<BodyId> all = tower;
+    all.insert(all.end(), other.begin(), other.end());
+    const auto settle = [&] { ASSERT_LT(steps_to_sleep(world, all), 600); };
+
+    // Whatever touches one body of an island wakes all of it, and nothing else. A push, a word, a force:
+    settle();
+    world->apply_linear_impulse_to_center(tower[4], {0.01f, 0});
+    EXPECT_EQ(awake_of(world, tower), tower.size());
+    settle();
+    world->wake(tower[0]);
+    EXPECT_EQ(awake_of(world, tower), tower.size());
+    settle();
+    world->apply_force_to_center(tower[2], {0.1f, 0});
+    EXPECT_EQ(awake_of(world, tower), tower.size());
+    settle();
+    world->set_linear_velocity(tower[1], {0, 0.01f});
+    EXPECT_EQ(awake_of(world, tower), tower.size());
+    EXPECT_EQ(awake_of(world, other), 0u);
+}
+
+TEST(Sleep, ALandingBodyWakesWhatItHits) {
+    TestWorld world;
+    world.add_ground();
+    const std::vector<BodyId> tower = add_tower(world, 0);
+    ASSERT_LT(steps_to_sleep(world, tower), 600);
+    const BodyId ball = world.add_circle({0, 7}, 0.25f);
+    int steps = 0;
+    while (awake_of(world, tower) == 0 && steps < 120) {
+        world.step();
+        ++steps;
+    }
+    EXPECT_EQ(awake_of(world, tower), tower.size());
+    // From 7 m to the tower's top at 5 m: sqrt(2 * 1.75 / g) = 0.59 s = 35.5 steps; contacts begin 0.02 m, up to one step, early.
+    EXPECT_NEAR(steps, 35.5, 2);
+    EXPECT_TRUE(world->is_awake(ball));
+}
+
+TEST(Sleep, TakingAwayWhatCarriesABodyWakesIt) {
+    TestWorld world;
+    const BodyId ground = world.add_ground();
+    const std::vector<BodyId> tower = add_tower(world, 0);
+    ASSERT_LT(steps_to_sleep(world, tower), 600);
+    world->destroy_body(ground);
+    EXPECT_EQ(awake_of(world, tower), tower.size());
+    world.step(60);
+    EXPECT_LT(double(world->position(tower[0]).y), -3) << "should have fallen";
+}
+
+TEST(Sleep, TouchingAMovingKinematicBodyKeepsAnIslandAwake) {
+    // A slow lift, slower than the sleep threshold even: what stands on it must go along.
+    TestWorld world;
+    BodyDef lift;
+    lift.type = BodyType::kinematic;
+    lift.linear_velocity = {0, 0.2f};
+    const BodyId id = world.add(make_box(2, 0.5f), lift);
+    const BodyId box = world.add_box({0, 1});
+    world.step(300);
+    EXPECT_TRUE(world->is_awake(box));
+    // It rose with the lift, 1 m in 5 s. 2 mm: the contact's give.
+    EXPECT_NEAR(double(world->position(box).y), 2, 2e-3);
+    world->set_linear_velocity(id, {0, 0});
+    EXPECT_LT(steps_to_sleep(world, {box}), 60) << "a kinematic body that stands still lets others sleep";
+}
+
+TEST(Sleep, CanBeTurnedOff) {
+    TestWorld world;
+    world.add_ground();
+    const std::vector<BodyId> tower = add_tower(world, 0);
+    ASSERT_LT(steps_to_sleep(world, tower), 600);
+    world->enable_sleep(false);
+    EXPECT_EQ(awake_of(world, tower), tower.size()) << "turning sleep off wakes everything";
+    world.step(300);
+    EXPECT_EQ(awake_of(world, tower), tower.size());
+}
+
+TEST(Sleep, SleepersCostNoContactUpdates) {
+    TestWorld world;
+    world.add_ground();
+    const std::vector<BodyId> tower = add_tower(world, 0);
+    ASSERT_LT(steps_to_sleep(world, tower), 600);
+    world.step();
+    EXPECT_EQ(world->report().touching_contacts, 0u);
+    EXPECT_EQ(world->report().recycled_contacts, 0u);
+    EXPECT_EQ(world->moved_bodies().size(), 0u);
+    EXPECT_EQ(world->contact_count(), 5u) << "but the contacts are kept";
+}
+
+TEST(Sleep, ABodyMadeAsleepStaysUntilItIsHit) {
+    TestWorld world;
+    BodyDef def = dynamic_at({0, 10});
+    def.awake = false;
+    const BodyId hanging = world.add(make_box(0.5f, 0.5f), def);
+    world.step(120);
+    EXPECT_EQ(world->position(hanging), (Vec2{0, 10}));
+    const BodyId ball = world.add_circle({0, 12});
+    world.step(60);
+    EXPECT_LT(double(world->position(hanging).y), 9.9);
+    EXPECT_TRUE(world->is_awake(ball));
+}
+
+}  // namespace
+}  // namespace islet::test

@@ -1,0 +1,162 @@
+// Things at rest on one another: pyramids at every time step, how far they sink, what tips and what stays.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "engine.hpp"
+#include "measure.hpp"
+#include "scenes/checks.hpp"
+
+namespace islet::test {
+namespace {
+
+constexpr float seconds = slow_build ? 5 : 20;  // that a pyramid must stand
+
+// The catalogue's pyramid of ten rows, of half a ton, with no sleep to help it.
+struct Pyramid {
+    samples::Scene scene = samples::find_scene("pyramid")->make();
+    samples::IsletEngine engine;
+
+    explicit Pyramid(const SolverDef& solver = {}) {
+        scene.world.solver = solver;
+        scene.world.enable_sleep = false;
+        engine.load(scene);
+    }
+    samples::Drift drift() const { return samples::drift_from(samples::places_of(scene, 1, scene.bodies.size()), engine, 1); }
+
+    /// It stands: nobody fell (a box is 1 m high), slid or turned. Contacts are soft and give way under the load, the more so the longer
+    /// the substep is: k = m (2 pi f)^2 with f an eighth of the substep rate, 10 Hz at 1/20 s, lets ten rows sink by a good 0.1 m.
+    void expect_standing(const std::string& what) const {
+        const samples::Drift d = drift();
+        EXPECT_LT(d.sink, 0.3) << what;
+        EXPECT_LT(d.sideways, 0.05) << what;
+        EXPECT_LT(d.turn, 0.05) << what;
+        EXPECT_LT(samples::max_speed(engine), 0.05) << what;
+    }
+};
+
+class TimeStep : public testing::TestWithParam<int> {};
+
+TEST_P(TimeStep, LetsThePyramidStand) {
+    Pyramid pyramid;
+    const float dt = 1.0f / static_cast<float>(GetParam());
+    for (float t = 0; t < seconds; t += dt) pyramid.engine.world().step(dt);
+    pyramid.expect_standing("dt 1/" + std::to_string(GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Stacking, TimeStep, testing::Values(240, 120, 90, 60, 45, 30, 20));
+
+TEST(Stacking, APyramidStandsWhileTheTimeStepJittersByHalf) {
+    Pyramid pyramid;
+    std::mt19937 random(42);
+    for (float t = 0; t < seconds;) {
+        const float dt = (1.0f / 60) * (0.5f + static_cast<float>(random() >> 8) / 16777216.0f);
+        pyramid.engine.world().step(dt);
+        t += dt;
+    }
+    pyramid.expect_standing("jitter");
+}
+
+TEST(Stacking, APyramidStandsUnderTheClassicScheduleWithTenIterations) {
+    SolverDef solver;
+    solver.schedule = Schedule::classic;
+    solver.substeps = 1;
+    solver.iterations = 10;
+    Pyramid pyramid(solver);
+    for (float t = 0; t < seconds; t += step_time) pyramid.engine.world().step(step_time);
+    pyramid.expect_standing("classic");
+}
+
+TEST(Stacking, ABoxOnTheGroundSinksByItsSoftContactsGive) {
+    // The ground's contacts are springs of 60 Hz: m g / k = g / (2 pi 60)^2 = 7e-5 m. The manifold's own slop bounds it: 0.005 m.
+    TestWorld world(roomy, sleepless());
+    world.add_ground();
+    const BodyId box = world.add_box({0, 0.5f});
+    world.step(300);
+    EXPECT_NEAR(double(world->position(box).y), 0.5, 1e-3);
+    EXPECT_LT(deepest_overlap(world), 1e-3);
+    EXPECT_NEAR(double(world->linear_velocity(box).y), 0, 1e-5);
+    EXPECT_NEAR(double(world->angle(box)), 0, 1e-4);
+}
+
+TEST(Stacking, TheGroundCarriesTheWeightOfTheStack) {
+    // At rest the impulses of a contact over a substep are N h: below box i of n, (n - i) m g h, within 1 %.
+    TestWorld world(roomy, sleepless());
+    world.add_ground();
+    constexpr int count = 5;
+    for (int i = 0; i < count; ++i) world.add_box({0, 0.5f + static_cast<float>(i)});
+    world.step(300);
+    const double h = double(step_time) / 4;
+    ASSERT_EQ(world.contacts().size(), std::size_t{count});
+    for (const ContactInfo& c : world.contacts()) {
+        ASSERT_EQ(c.point_count, 2u);
+        const double impulse = double(c.points[0].normal_impulse) + double(c.points[1].normal_impulse);
+        const double below = std::round(double(c.points[0].point.y));
+        EXPECT_NEAR(impulse, (count - below) * g * h, 0.01 * count * g * h) << "at height " << below;
+    }
+}
+
+TEST(Stacking, ABoxOverAnEdgeTipsWhenItsCentreIsOutside) {
+    // Ground ends at x = 0. Centre 2 % of the width inside: it stays; 2 % outside: it turns over the edge and falls.
+    for (const float x : {-0.02f, 0.02f}) {
+        TestWorld world(roomy, sleepless());
+        world.add_box({-5, -1}, 5, 1, {}, BodyType::static_body);
+        const BodyId box = world.add_box({x, 0.5f});
+        world.step(300);
+        if (x < 0) {
+            EXPECT_NEAR(double(world->position(box).x), double(x), 1e-2);
+            EXPECT_NEAR(double(world->angle(box)), 0, 1e-2);
+        } else {
+            EXPECT_LT(double(world->position(box).y), -3) << "should have fallen";
+        }
+    }
+}
+
+TEST(Stacking, ALeaningColumnTipsWhenItsCentreIsOutsideItsFoot) {
+    // A box of width w and height H tilted by a stands up again if tan(a) < w / H, and falls over if not.
+    const double critical = std::atan(0.25);
+    for (const double share : {0.9, 1.1}) {
+        TestWorld world(roomy, sleepless());
+        world.add_ground(0, 100, rough(1));
+        const Rot q = make_rot(static_cast<float>(-share * critical));
+        const BodyId box = world.add(make_box(0.25f, 1), dynamic_at(rotate(q, {-0.25f, 1}), static_cast<float>(-share * critical)), rough(1));
+        world.step(300);
+        EXPECT_NEAR(std::abs(double(world->angle(box))), share < 1 ? 0 : double(pi) / 2, 0.02) << "share " << share;
+    }
+}
+
+TEST(Stacking, AHeavyBoxRestsOnALightOne) {
+    // 100 times heavier on top: the light box neither moves nor is pressed away. Between two dynamic bodies the spring has the reduced
+    // mass, m1 m2 / (m1 + m2) ~ 1 kg at 30 Hz: m2 g / k = 1000 / (2 pi 30)^2 = 0.028 m; half as much again is allowed.
+    TestWorld world(roomy, sleepless());
+    world.add_ground();
+    const BodyId light = world.add_box({0, 0.5f});
+    const BodyId heavy = world.add_box({0, 1.5f}, 0.5f, 0.5f, dense(100));
+    world.step(600);
+    EXPECT_NEAR(double(world->position(light).x), 0, 1e-2);
+    EXPECT_NEAR(double(world->position(heavy).x), 0, 1e-2);
+    EXPECT_NEAR(double(world->position(heavy).y), 1.5, 0.045);
+    EXPECT_LT(double(length(world->linear_velocity(heavy))), 1e-3);
+    EXPECT_LT(deepest_overlap(world), 0.045);
+}
+
+TEST(Stacking, WarmStartingIsWhatHoldsATallStack) {
+    // The same stack of 20 sinks less with warm starting than without: impulses kept from step to step carry the load.
+    double height[2];
+    for (const bool warm : {false, true}) {
+        WorldDef def = sleepless();
+        def.solver.warm_start = warm;
+        TestWorld world(roomy, def);
+        world.add_ground();
+        BodyId top;
+        for (int i = 0; i < 20; ++i) top = world.add_box({0, 0.5f + static_cast<float>(i)});
+        world.step(240);
+        height[warm] = double(world->position(top).y);
+    }
+    EXPECT_GT(height[1], height[0]);
+    EXPECT_GT(height[1], 19.3);
+}
+
+}  // namespace
+}  // namespace islet::test

@@ -1,0 +1,131 @@
+// Every number that a world takes without complaint, as large or as small as it takes it: a world must refuse a number or survive it.
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include "robustness/refusal.hpp"
+
+namespace {
+
+using namespace islet;
+using namespace islet::test;
+
+struct Call {
+    const char* name;
+    std::function<void(TestWorld&, BodyId, float)> with;
+    friend void PrintTo(const Call& call, std::ostream* out) { *out << call.name; }
+};
+
+template <class Set>
+void each_shape(TestWorld& w, Set&& set) {
+    for (const BodyId id : w.bodies()) set(w.shape_of(id));
+}
+
+template <class Set>
+void change_solver(TestWorld& w, Set&& set) {
+    SolverDef def = w->solver();
+    set(def);
+    w->set_solver(def);
+}
+
+const Call calls[] = {
+    {"set_gravity",
+     [](TestWorld& w, BodyId, float x) {
+         w->set_gravity({x, -x});
+     }},
+    {"set_linear_velocity",
+     [](TestWorld& w, BodyId b, float x) {
+         w->set_linear_velocity(b, {x, -x});
+     }},
+    {"set_angular_velocity", [](TestWorld& w, BodyId b, float x) { w->set_angular_velocity(b, x); }},
+    {"set_transform",
+     [](TestWorld& w, BodyId b, float x) {
+         w->set_transform(b, {x, x}, x);
+     }},
+    {"apply_force",
+     [](TestWorld& w, BodyId b, float x) {
+         w->apply_force(b, {x, -x}, {1, x});
+     }},
+    {"apply_force_to_center_twice",
+     [](TestWorld& w, BodyId b, float x) {
+         for (int i = 0; i < 2; ++i) w->apply_force_to_center(b, {x, -x});
+     }},
+    {"apply_torque", [](TestWorld& w, BodyId b, float x) { w->apply_torque(b, x); }},
+    {"apply_linear_impulse",
+     [](TestWorld& w, BodyId b, float x) {
+         w->apply_linear_impulse(b, {x, 0}, {0, x});
+     }},
+    {"apply_linear_impulse_to_center",
+     [](TestWorld& w, BodyId b, float x) {
+         w->apply_linear_impulse_to_center(b, {x, x});
+     }},
+    {"apply_angular_impulse", [](TestWorld& w, BodyId b, float x) { w->apply_angular_impulse(b, x); }},
+    {"set_mass_mass",
+     [](TestWorld& w, BodyId b, float x) {
+         w->set_mass(b, {x, {}, 1});
+     }},
+    {"set_mass_center",
+     [](TestWorld& w, BodyId b, float x) {
+         w->set_mass(b, {1, {x, x}, 1});
+     }},
+    {"set_mass_inertia",
+     [](TestWorld& w, BodyId b, float x) {
+         w->set_mass(b, {1, {}, x});
+     }},
+    {"set_linear_damping", [](TestWorld& w, BodyId b, float x) { w->set_linear_damping(b, x); }},
+    {"set_angular_damping", [](TestWorld& w, BodyId b, float x) { w->set_angular_damping(b, x); }},
+    {"set_gravity_scale", [](TestWorld& w, BodyId b, float x) { w->set_gravity_scale(b, x); }},
+    {"set_friction", [](TestWorld& w, BodyId, float x) { each_shape(w, [&](ShapeId s) { w->set_friction(s, x); }); }},
+    {"set_rolling_resistance", [](TestWorld& w, BodyId, float x) { each_shape(w, [&](ShapeId s) { w->set_rolling_resistance(s, x); }); }},
+    {"set_tangent_speed", [](TestWorld& w, BodyId, float x) { each_shape(w, [&](ShapeId s) { w->set_tangent_speed(s, x); }); }},
+    {"density",
+     [](TestWorld& w, BodyId b, float x) {
+         ShapeDef d;
+         d.density = x;
+         w->create_shape(b, make_offset_box(1, 1, {{0.5f, 0}, {}}), d);
+     }},
+    {"contact_hertz", [](TestWorld& w, BodyId, float x) { change_solver(w, [&](SolverDef& d) { d.contact_hertz = x; }); }},
+    {"contact_damping_ratio", [](TestWorld& w, BodyId, float x) { change_solver(w, [&](SolverDef& d) { d.contact_damping_ratio = x; }); }},
+    {"contact_push_speed", [](TestWorld& w, BodyId, float x) { change_solver(w, [&](SolverDef& d) { d.contact_push_speed = x; }); }},
+    {"omega", [](TestWorld& w, BodyId, float x) { change_solver(w, [&](SolverDef& d) { d.omega = x; }); }},
+};
+
+class ExtremeNumber : public testing::TestWithParam<Call> {};
+
+TEST_P(ExtremeNumber, IsRefusedOrSurvived) {
+    for (const float size : {1e-45f, 1e-40f, 1e-38f, 1e-20f, 1e10f, 1e19f, 1e20f, 1e30f, 1e38f, 3.4028234e38f}) {
+        for (const float x : {size, -size}) {
+            TestWorld w;
+            w.add_ground();
+            const BodyId box = w.add_box({0, 0.48f});
+            w.add_circle({0.2f, 1.4f});
+            w.step(5);
+            GetParam().with(w, box, x);
+            w.step(5);
+            GetParam().with(w, box, x);
+            w.step(20);
+            const char* broken = w->validate();
+            EXPECT_TRUE(broken == nullptr && w.is_finite())
+                << GetParam().name << '(' << x << "): " << (broken != nullptr ? broken : "not finite");
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Call, ExtremeNumber, testing::ValuesIn(calls), [](const auto& test) { return std::string(test.param.name); });
+
+TEST(ExtremeSpeedLimit, IsRefusedOrSurvived) {
+    for (const float limit : {1e-38f, 1e6f, 1e19f, 1e20f, 3.4028234e38f}) {
+        WorldDef def;
+        def.max_speed = limit;
+        TestWorld w(roomy, def);
+        if (w.get() == nullptr) continue;
+        w.add_ground();
+        const BodyId box = w.add_box({0, 2});
+        w->set_linear_velocity(box, {limit, -limit});
+        w.step(5, 1);
+        const char* broken = w->validate();
+        EXPECT_TRUE(broken == nullptr && w.is_finite()) << limit << ": " << (broken != nullptr ? broken : "not finite");
+    }
+}
+
+}  // namespace
