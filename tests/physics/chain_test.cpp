@@ -81,7 +81,8 @@ TEST(Chain, ADiscRollsOverItsJointsWithoutSlowing) {
     world.step(600);
     // Rolling without slip loses nothing; 1 % for lever arms that are kept while it rolls on.
     EXPECT_NEAR(double(world->linear_velocity(disc).x), 5, 0.05);
-    EXPECT_NEAR(double(world->position(disc).y), 0.5, 1e-3);
+    // It rides as deep as its kept manifold lets it come before it is made anew: half of 0.01 m.
+    EXPECT_NEAR(double(world->position(disc).y), 0.5, 5e-3);
 }
 
 TEST(Chain, IsSolidOnOneSideOnly) {

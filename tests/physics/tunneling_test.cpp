@@ -12,10 +12,10 @@
 namespace islet::test {
 namespace {
 
-enum class Wall { segment, chain, thin_box };
+enum class Wall { segment, chain, plate };
 enum class Bullet { circle, box, capsule };
 
-const char* name_of(Wall w) { return w == Wall::segment ? "segment" : w == Wall::chain ? "chain" : "thin box"; }
+const char* name_of(Wall w) { return w == Wall::segment ? "segment" : w == Wall::chain ? "chain" : "plate"; }
 const char* name_of(Bullet b) { return b == Bullet::circle ? "circle" : b == Bullet::box ? "box" : "capsule"; }
 
 constexpr float wall_at = 10, half_thickness = 0.05f, size = 0.1f;  // m
@@ -30,7 +30,7 @@ void add_wall(TestWorld& world, Wall wall) {
             world->create_chain(id, points, false);
             break;
         }
-        case Wall::thin_box: world->create_shape(id, make_offset_box(half_thickness, 20, {{wall_at + half_thickness, 0}, {}})); break;
+        case Wall::plate: world->create_shape(id, make_offset_box(half_thickness, 20, {{wall_at + half_thickness, 0}, {}})); break;
     }
 }
 
@@ -45,35 +45,44 @@ BodyId add_bullet(TestWorld& world, Bullet bullet, const BodyDef& def) {
 
 class FastBody : public testing::TestWithParam<std::tuple<Wall, Bullet>> {};
 
-TEST_P(FastBody, DoesNotPassAThinWall) {
-    // Starts differ by a third of a step's way and more, so that the wall is met in every phase of a step; at an angle, too. The bullet is
-    // far from the wall when it is made: it takes at least one step before it meets it.
-    const auto [wall, bullet] = GetParam();
+// Throws bullets at the wall at several speeds. Starts differ by a twelfth of a step's way, so that the wall is met in every phase of a step; the wall
+// is at least one step ahead. Says which came through.
+std::string passed(Wall wall, Bullet bullet, float slant) {
+    std::string through;
     for (const float speed : {50.0f, 100.0f, 200.0f}) {
         for (int phase = 0; phase < 12; ++phase) {
-            for (const float slant : {0.0f, 0.6f}) {
-                TestWorld world({.bodies = 4, .shapes = 8, .contacts = 32}, weightless());
-                add_wall(world, wall);
-                const float way = speed / 60;
-                BodyDef def = dynamic_at({wall_at - 1 - way * (1.1f + static_cast<float>(phase) / 12), 0});
-                def.linear_velocity = rotate(make_rot(slant), {speed, 0});
-                const BodyId id = add_bullet(world, bullet, def);
-                double farthest = -1e9;
-                for (int i = 0; i < 8; ++i) {
-                    world.step();
-                    farthest = std::fmax(farthest, double(world->position(id).x));
-                }
-                // A speculative contact stops it at the surface; half its size inside is what a soft contact could give.
-                EXPECT_LT(farthest, double(wall_at)) << name_of(bullet) << " at " << speed << " m/s through the " << name_of(wall) << ", phase "
-                                                     << phase << ", slant " << slant;
+            TestWorld world({.bodies = 4, .shapes = 8, .contacts = 32}, weightless());
+            add_wall(world, wall);
+            const Rot q = make_rot(slant);
+            BodyDef def = dynamic_at({wall_at - 1 - speed / 60 * (1.1f + static_cast<float>(phase) / 12), 0});
+            def.linear_velocity = rotate(q, {speed, 0});
+            const BodyId id = add_bullet(world, bullet, def);
+            double farthest = -1e9;
+            for (int i = 0; i < 8; ++i) {
+                world.step();
+                farthest = std::fmax(farthest, double(world->position(id).x));
             }
+            // Its centre never comes to the wall: a contact stops it at the surface, half its size away.
+            if (farthest >= double(wall_at)) through += " " + std::to_string(int(speed)) + " m/s in phase " + std::to_string(phase) + ";";
         }
     }
+    return through;
+}
+
+TEST_P(FastBody, DoesNotPassAThinWallItHitsSquarely) {
+    const auto [wall, bullet] = GetParam();
+    EXPECT_EQ(passed(wall, bullet, 0), "") << name_of(bullet) << " through the " << name_of(wall);
+}
+
+TEST_P(FastBody, DoesNotPassAThinWallItHitsAslant) {
+    const auto [wall, bullet] = GetParam();
+    EXPECT_EQ(passed(wall, bullet, 0.6f), "") << name_of(bullet) << " through the " << name_of(wall);
 }
 
 TEST_P(FastBody, ThrownCloseToTheWallDoesNotPassItInItsFirstStep) {
     // Made, or given its speed, less than a step's way in front of the wall.
     const auto [wall, bullet] = GetParam();
+    std::string through;
     for (const bool made_fast : {true, false}) {
         for (const float distance : {0.3f, 1.0f, 2.0f}) {
             TestWorld world({.bodies = 4, .shapes = 8, .contacts = 32}, weightless());
@@ -86,15 +95,19 @@ TEST_P(FastBody, ThrownCloseToTheWallDoesNotPassItInItsFirstStep) {
                 world->set_linear_velocity(id, {200, 0});
             }
             world.step(4);
-            EXPECT_LT(double(world->position(id).x), double(wall_at))
-                << name_of(bullet) << " through the " << name_of(wall) << " from " << distance << " m, " << (made_fast ? "made" : "set") << " fast";
+            if (double(world->position(id).x) >= double(wall_at))
+                through += (made_fast ? " made " : " set ") + std::to_string(distance) + " m away;";
         }
     }
+    EXPECT_EQ(through, "") << name_of(bullet) << " through the " << name_of(wall);
 }
 
 INSTANTIATE_TEST_SUITE_P(Tunneling, FastBody,
-                         testing::Combine(testing::Values(Wall::segment, Wall::chain, Wall::thin_box),
-                                          testing::Values(Bullet::circle, Bullet::box, Bullet::capsule)));
+                         testing::Combine(testing::Values(Wall::segment, Wall::chain, Wall::plate),
+                                          testing::Values(Bullet::circle, Bullet::box, Bullet::capsule)),
+                         [](const auto& test) {
+                             return std::string(name_of(std::get<1>(test.param))) + "_" + name_of(std::get<0>(test.param));
+                         });
 
 TEST(Tunneling, ABallInABoxOfThinWallsStaysThere) {
     // Thrown at 150 m/s into a room of segments, it bounces (e = 1) for 10 s and never leaves.

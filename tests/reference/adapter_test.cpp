@@ -59,7 +59,8 @@ TEST(Adapters, MassCentreAndInertiaAreTheSame) {
     EXPECT_NEAR(a.center.y, b.center.y, 1e-5f);
 }
 
-TEST(Adapters, VelocityIsThatOfTheCentreOfMass) {
+// A body is made with its origin as centre of mass; a shape moves the centre, whose velocity follows the turning: v + w x r.
+TEST(Adapters, VelocityFollowsTheCentreOfMassAsShapesAreAttached) {
     Scene scene;
     scene.world.gravity = {};
     scene.bodies.push_back(dynamic({}, Circle{{2, 0}, 0.5f}));
@@ -67,9 +68,10 @@ TEST(Adapters, VelocityIsThatOfTheCentreOfMass) {
     scene.bodies[0].def.angular_velocity = 3;
     Pair pair(scene);
     pair.run(60);
-    EXPECT_NEAR(pair.islet.body(0).center.x, 3, 1e-3f);
-    EXPECT_NEAR(pair.box2d.body(0).center.x, 3, 1e-3f);
-    EXPECT_LT(measure_apart(pair.islet, pair.box2d).max_position, 1e-3);
+    for (const samples::Engine* engine : {static_cast<samples::Engine*>(&pair.islet), static_cast<samples::Engine*>(&pair.box2d)}) {
+        EXPECT_NEAR(engine->body(0).center.x, 3, 1e-3f) << engine->name();
+        EXPECT_NEAR(engine->body(0).center.y, 6, 1e-3f) << engine->name();
+    }
 }
 
 TEST(Adapters, FreeFallIsTheSameWithSubstepsOfTheSameLength) {
@@ -130,7 +132,7 @@ TEST(Adapters, BodiesMadeAndDestroyedLaterKeepTheirIndices) {
     for (int i = 0; i < 4; ++i) scene.bodies.push_back(dynamic({3.0f * static_cast<float>(i), 0}, Circle{{}, 0.5f}));
     scene.before_step = [](samples::Engine& engine, int step) {
         if (step == 1) engine.destroy_body(1);
-        if (step == 2) engine.create_body(dynamic({0, 50}, Circle{{}, 0.25f}));
+        if (step == 2) engine.create_body(dynamic({0, 50}, Circle{{}, 0.5f}));
     };
     Pair pair(scene);
     pair.run(4);

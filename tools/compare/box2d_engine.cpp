@@ -84,6 +84,8 @@ std::size_t Box2dEngine::create_body(const SceneBody& body) {
     def.type = to_b2(body.def.type);
     def.position = to_b2(body.def.position);
     def.angle = body.def.angle;
+    def.linearVelocity = to_b2(body.def.linear_velocity);
+    def.angularVelocity = body.def.angular_velocity;
     def.linearDamping = body.def.linear_damping;
     def.angularDamping = body.def.angular_damping;
     def.gravityScale = body.def.gravity_scale;
@@ -96,12 +98,7 @@ std::size_t Box2dEngine::create_body(const SceneBody& body) {
         const b2MassData mass = box2d_mass(body);  // of the sizes the scene asks for, whatever the skin did to the fixtures
         if (mass.mass > 0) made->SetMassData(&mass);
     }
-    // Only now: both engines mean the velocity of the centre of mass, which moves while shapes are added.
-    if (def.type != b2_staticBody) {
-        made->SetLinearVelocity(to_b2(body.def.linear_velocity));
-        made->SetAngularVelocity(body.def.angular_velocity);
-        if (!body.def.awake) made->SetAwake(false);
-    }
+    if (!body.def.awake) made->SetAwake(false);
     m.bodies.push_back(made);
     return m.bodies.size() - 1;
 }

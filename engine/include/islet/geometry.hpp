@@ -16,30 +16,30 @@ enum class ShapeType : std::uint8_t { circle, capsule, segment, polygon, chain_s
 
 /// A solid disc. radius > 0, metres.
 struct Circle {
-    Vec2 center;
+    Vec2 center = {};
     float radius = 0.5f;
 };
 
 /// All points within `radius` of the segment point1-point2. radius > 0; the points must be more than 0.005 m apart.
 struct Capsule {
-    Vec2 point1;
-    Vec2 point2;
+    Vec2 point1 = {};
+    Vec2 point2 = {};
     float radius = 0.5f;
 };
 
 /// A line segment that collides on both sides and has no mass. The points must be more than 0.005 m apart.
 struct Segment {
-    Vec2 point1;
-    Vec2 point2;
+    Vec2 point1 = {};
+    Vec2 point2 = {};
 };
 
 /// One link of a chain: collides only on the right of point1 -> point2 (a floor runs from right to left, solid ground below; that is,
 /// the outward normal is right_perp(point2 - point1)). The ghost points are the neighbours' far ends; they let the narrow phase know
 /// which corners are inner ones, so that nothing catches on them.
 struct ChainSegment {
-    Vec2 ghost1;
-    Segment segment;
-    Vec2 ghost2;
+    Vec2 ghost1 = {};
+    Segment segment = {};
+    Vec2 ghost2 = {};
 };
 
 /// The corners of a convex polygon, counter-clockwise. count = 0 means that no hull could be made.
@@ -53,7 +53,7 @@ struct Hull {
 struct Polygon {
     Vec2 vertices[max_polygon_vertices];
     Vec2 normals[max_polygon_vertices];
-    Vec2 centroid;
+    Vec2 centroid = {};
     float radius = 0;
     std::uint32_t count = 0;
 };
@@ -61,7 +61,7 @@ struct Polygon {
 /// Mass (kg), centre of mass (m, local) and rotational inertia about that centre (kg m^2).
 struct MassData {
     float mass = 0;
-    Vec2 center;
+    Vec2 center = {};
     float inertia = 0;
 };
 

@@ -69,7 +69,8 @@ constexpr std::uint32_t batch_capacity(const Capacity& c) { return c.contacts / 
 
 /// Contact rows including the padding that fills up the last block of each colour of each batch.
 constexpr std::size_t row_capacity(const Capacity& c) {
-    return std::size_t{c.contacts} + std::size_t{batch_capacity(c)} * color_count * (max_lanes - 1);
+    const std::size_t colors = std::size_t{batch_capacity(c)} * color_count;
+    return c.contacts + (colors < c.contacts ? colors : c.contacts) * (max_lanes - 1);
 }
 
 /// Offsets from the start of the block, bytes.

@@ -28,15 +28,15 @@ struct Rot {
 
 /// A pose: rotate by q, then move by p (metres).
 struct Transform {
-    Vec2 p;
-    Rot q;
+    Vec2 p = {};
+    Rot q = {};
     friend bool operator==(const Transform&, const Transform&) = default;
 };
 
 /// An axis-aligned box. Valid when lower <= upper on both axes.
 struct Aabb {
-    Vec2 lower;
-    Vec2 upper;
+    Vec2 lower = {};
+    Vec2 upper = {};
     friend bool operator==(const Aabb&, const Aabb&) = default;
 };
 

@@ -85,7 +85,7 @@ struct SolverDef {
 /// What a new world is like.
 struct WorldDef {
     Vec2 gravity = {0, -10};             ///< m/s^2
-    SolverDef solver;
+    SolverDef solver = {};
     bool enable_sleep = true;            ///< Let islands at rest fall asleep after 0.5 s.
     float restitution_threshold = 1.0f;  ///< m/s, >= 0. Slower impacts do not bounce.
     float max_speed = 400.0f;            ///< m/s, > 0. No body moves faster.
@@ -103,9 +103,9 @@ enum class BodyType : std::uint8_t {
 /// What a new body is like.
 struct BodyDef {
     BodyType type = BodyType::static_body;
-    Vec2 position;                  ///< m, of the body's origin
+    Vec2 position = {};                  ///< m, of the body's origin
     float angle = 0;                ///< rad
-    Vec2 linear_velocity;           ///< m/s, of the centre of mass
+    Vec2 linear_velocity = {};           ///< m/s, of the centre of mass
     float angular_velocity = 0;     ///< rad/s
     float linear_damping = 0;       ///< 1/s, >= 0
     float angular_damping = 0;      ///< 1/s, >= 0
@@ -131,14 +131,14 @@ struct ShapeDef {
     float rolling_resistance = 0;    ///< >= 0, times the larger radius: lever arm of the resisting torque. Two shapes mix by the larger.
     float tangent_speed = 0;         ///< m/s. A conveyor: the surface runs to the left along the outline. Two shapes add.
     float density = 1;               ///< kg/m^2, >= 0
-    Filter filter;
+    Filter filter = {};
     std::uint64_t user_data = 0;
 };
 
 /// Two shapes began or ceased to touch in the last step (or ceased because one was destroyed since). An id in an end event may be stale.
 struct TouchEvent {
-    ShapeId shape_a;
-    ShapeId shape_b;
+    ShapeId shape_a = {};
+    ShapeId shape_b = {};
 };
 
 /// What the last step did.
@@ -159,7 +159,7 @@ struct StepReport {
 
 /// One touching point of a contact, in world coordinates.
 struct ContactPoint {
-    Vec2 point;                ///< m, midway between the surfaces
+    Vec2 point = {};                ///< m, midway between the surfaces
     float separation = 0;      ///< m, negative when overlapping
     float normal_impulse = 0;  ///< N s over the last substep
     float tangent_impulse = 0; ///< N s over the last substep
@@ -168,9 +168,9 @@ struct ContactPoint {
 
 /// A contact as the user sees it.
 struct ContactInfo {
-    ShapeId shape_a;
-    ShapeId shape_b;
-    Vec2 normal;               ///< unit, from a to b
+    ShapeId shape_a = {};
+    ShapeId shape_b = {};
+    Vec2 normal = {};               ///< unit, from a to b
     ContactPoint points[2];
     std::uint32_t point_count = 0;
     float friction = 0;

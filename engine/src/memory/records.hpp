@@ -130,8 +130,8 @@ struct ContactManifold {
     float separation[2] = {0, 0};  // m, when the manifold was made
     float friction = 0;
 
-    std::uint32_t count() const { return flags >> contact_count_shift & 3u; }
-    std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }
+    ISLET_INLINE std::uint32_t count() const { return flags >> contact_count_shift & 3u; }
+    ISLET_INLINE std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
 };
 

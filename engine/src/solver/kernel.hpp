@@ -18,6 +18,7 @@ namespace islet::detail {
 
 inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
 inline constexpr std::uint32_t body_words = sizeof(SolverBody) / 4;
+inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
 
 /// Where prepare finds its inputs.
 struct PrepareInput {
@@ -25,6 +26,7 @@ struct PrepareInput {
     const Pose* poses;
     const std::uint32_t* slot_of;  // solver slot of a body
     SolverBody* bodies;
+    const SolverMotion* motions;
     StepNumbers numbers;
 };
 
@@ -49,11 +51,14 @@ template <class L>
 void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
     const float* manifolds = reinterpret_cast<const float*>(in.manifolds);
     const float* poses = reinterpret_cast<const float*>(in.poses);
+    const float* motions = reinterpret_cast<const float*>(in.motions);
     float* bodies = reinterpret_cast<float*>(in.bodies);
     const F zero = L::splat(0.0f);
     const F one = L::splat(1.0f);
     const F omega = L::splat(in.numbers.omega);
     const F warm = L::splat(in.numbers.warm);
+    const F tiny = L::splat(1.0e-9f);
+    const F dt_step = L::splat(in.numbers.dt);
 
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
@@ -101,6 +106,14 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
 
         const F dvn = nx * (b[0] - a[0]) + ny * (b[1] - a[1]);
         const F mass = a[3] + b[3];
+        F gain = zero;  // m/s^2, of the normal velocity
+        if (r.bouncy) {
+            F ga[8], gb[8];
+            L::template gather8<motion_words>(motions, r.body_a, ga);
+            L::template gather8<motion_words>(motions, r.body_b, gb);
+            gain = (nx * (gb[4] - ga[4]) + ny * (gb[5] - ga[5])) * L::splat(in.numbers.inv_h);
+        }
+
         F sum_n = zero, sum_t = zero, wa = zero, wb = zero;
         const std::uint32_t points = r.two_points ? 2 : 1;
         for (std::uint32_t i = 0; i < points; ++i) {
@@ -128,7 +141,11 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             wa = wa + (at * ln - an * lt);
             wb = wb + (bt * ln - bn * lt);
             if (r.bouncy) {
-                L::store(r.approach[i], dvn + b[2] * bt - a[2] * at);
+                // The normal velocity at the moment the surfaces will meet, gravity and forces included until then.
+                const F now = dvn + b[2] * bt - a[2] * at;
+                const F gap = max(m3[1 + i] + moved + turned, zero);
+                const F time = select(now < zero, min(gap / max(zero - now, tiny), dt_step), zero);
+                L::store(r.approach[i], now + time * gain);
                 L::store(r.peak[i], zero);
             }
         }

@@ -51,7 +51,7 @@ struct alignas(W * 4) ContactRows {
     float dn[W], dt[W];
     Point points[2];
     float rolling_mass[W], rolling_impulse[W], rolling_resistance[W], tangent_speed[W];  // if special
-    float restitution[W], approach[2][W], peak[2][W];  // if bouncy: normal velocity before the step, largest impulse in it
+    float restitution[W], approach[2][W], peak[2][W];  // if bouncy: normal velocity as the surfaces meet, largest impulse
     bool two_points, special, bouncy;
     std::uint8_t pad[W * 4 - 3];
 };

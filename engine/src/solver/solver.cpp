@@ -233,7 +233,7 @@ void solve_batch(Solve& s, const Batch& batch) {
     gather_bodies(s, batch);
     name_contacts(s.core, rows + first_block, blocks, s.plan.contacts + std::size_t{first_block} * K::W);
     name_contacts(s.core, overflow_rows, overflow, overflow_contacts);
-    const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.numbers};
+    const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers};
     // Colour by colour: rows of one colour share no body, which warm starting relies on.
     for (std::uint32_t c = 0; c < color_count; ++c)
         K::prepare(in, rows + batch.first_block[c], batch.first_block[c + 1] - batch.first_block[c]);
@@ -265,6 +265,7 @@ const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.bodies = arena.take<SolverBody>(plan.slot_count);
     s.motions = arena.take<SolverMotion>(plan.slot_count);
     s.bodies[0] = SolverBody{};
+    s.motions[0] = SolverMotion{};
     s.blocks = arena.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
     s.overflow = arena.take<ContactRows<1>>(plan.overflow_count);
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {

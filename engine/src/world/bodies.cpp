@@ -1,6 +1,7 @@
 // The public functions on bodies.
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
+#include "math/float_mode.hpp"
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/shapes.hpp"
@@ -52,6 +53,7 @@ void kick(Core& core, std::uint32_t i, Vec2 impulse, float angular_impulse) {
 
 BodyId World::create_body(const BodyDef& def) {
     Core& c = core();
+    const DefaultFloatMode mode;
     if (!check_def(c, def)) return {};
     const std::uint32_t i = pool_take(c.state->body_pool, c.bodies, c.capacity.bodies);
     if (i == null_index) {
@@ -155,6 +157,7 @@ std::uint32_t World::shapes(BodyId id, std::span<ShapeId> out) const {
 
 void World::set_transform(BodyId id, Vec2 position, float angle) {
     Core& c = core();
+    const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_finite(c, position) || !check_finite(c, angle)) return;
     destroy_contacts(c, i);
@@ -230,6 +233,7 @@ void World::apply_angular_impulse(BodyId id, float impulse) {
 
 void World::set_type(BodyId id, BodyType type) {
     Core& c = core();
+    const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check(c, type <= BodyType::dynamic, Error::out_of_range)) return;
     Body& b = c.bodies[i];
@@ -256,6 +260,7 @@ void World::set_type(BodyId id, BodyType type) {
 
 void World::set_mass(BodyId id, const MassData& mass) {
     Core& c = core();
+    const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_range(c, mass.mass, 1.0e-30f, 1.0e30f) || !check_finite(c, mass.center) ||
         !check_range(c, mass.inertia, 0, no_limit) || !core().is_dynamic(i))
@@ -267,6 +272,7 @@ void World::set_mass(BodyId id, const MassData& mass) {
 
 void World::reset_mass(BodyId id) {
     Core& c = core();
+    const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
     wake_island(c, i, c.arena());

@@ -4,6 +4,7 @@
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
 #include "broadphase/tree.hpp"
+#include "math/float_mode.hpp"
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/geometry_pool.hpp"
@@ -83,6 +84,7 @@ void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32
 
 // After shapes were added to a body or taken from it: mass (the override ends), boxes, the tree.
 void shapes_changed(Core& core, std::uint32_t body) {
+    const DefaultFloatMode mode;
     core.bodies[body].flags &= ~static_cast<std::uint32_t>(body_mass_override);
     update_mass(core, body);
     update_boxes(core, body, false);

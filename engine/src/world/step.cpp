@@ -1,5 +1,6 @@
 // A step, as a table of contents.
 #include "broadphase/pairs.hpp"
+#include "math/float_mode.hpp"
 #include "island/batches.hpp"
 #include "solver/solver.hpp"
 #include "world/contact_update.hpp"
@@ -41,6 +42,7 @@ void fill_report(Core& core, const Plan& plan) {
 void World::step(float dt) {
     Core& c = core();
     if (!(dt > 0) || !(dt <= 1.0f)) return c.fail(Error::bad_time_step);
+    const DefaultFloatMode mode;
     clear_events(c);
 
     find_pairs(c, dt);

@@ -1,0 +1,193 @@
+// What the hash of a world must notice, and what it must not: everything that the future depends on, and nothing else.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <functional>
+
+#include "support/test_world.hpp"
+
+namespace islet::test {
+namespace {
+
+// Two boxes in contact, one ball in flight, one body asleep.
+struct Stage {
+    TestWorld world;
+    BodyId ground, lower, upper, ball, sleeper;
+
+    explicit Stage(const WorldDef& def = {}) : world({.bodies = 8, .shapes = 8, .contacts = 16}, def) {
+        ground = world.add_ground();
+        lower = world.add_box({0, 0.5f});
+        upper = world.add_box({0.25f, 1.5f});
+        BodyDef flying;
+        flying.type = BodyType::dynamic;
+        flying.position = {4, 5};
+        flying.linear_velocity = {1, 2};
+        ball = world.add(Circle{}, flying);
+        BodyDef asleep;
+        asleep.type = BodyType::dynamic;
+        asleep.position = {-6, 4};
+        asleep.awake = false;
+        sleeper = world.add(Circle{}, asleep);
+        world.step(5);
+    }
+};
+
+float next_up(float f) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(f) + 1u); }
+
+struct Change {
+    const char* name;
+    std::function<void(Stage&)> apply;
+};
+
+class Matters : public testing::TestWithParam<Change> {};
+
+TEST_P(Matters, ChangesTheHash) {
+    Stage plain, changed;
+    ASSERT_EQ(plain.world->hash(), changed.world->hash());
+    GetParam().apply(changed);
+    EXPECT_NE(plain.world->hash(), changed.world->hash());
+    EXPECT_TRUE(changed.world.errors.empty());
+}
+
+const Change matters[] = {
+    {"OneBitOfAVelocity",
+     [](Stage& s) {
+         const Vec2 v = s.world->linear_velocity(s.ball);
+         s.world->set_linear_velocity(s.ball, {next_up(v.x), v.y});
+     }},
+    {"OneBitOfASpin", [](Stage& s) { s.world->set_angular_velocity(s.ball, 1e-45f); }},
+    {"OneBitOfAPlace",
+     [](Stage& s) {
+         const Vec2 p = s.world->position(s.ball);
+         s.world->set_transform(s.ball, {next_up(p.x), p.y}, 0);
+     }},
+    {"AFriction", [](Stage& s) { s.world->set_friction(s.world.shape_of(s.ball), 0.5f); }},
+    {"ARestitution", [](Stage& s) { s.world->set_restitution(s.world.shape_of(s.ball), 0.5f); }},
+    {"ARollingResistance", [](Stage& s) { s.world->set_rolling_resistance(s.world.shape_of(s.ball), 0.5f); }},
+    {"ATangentSpeed", [](Stage& s) { s.world->set_tangent_speed(s.world.shape_of(s.ball), 0.5f); }},
+    {"AFilter",
+     [](Stage& s) {
+         Filter f;
+         f.category = 2;
+         s.world->set_filter(s.world.shape_of(s.ball), f);
+     }},
+    {"ADamping", [](Stage& s) { s.world->set_linear_damping(s.ball, 0.5f); }},
+    {"AnAngularDamping", [](Stage& s) { s.world->set_angular_damping(s.ball, 0.5f); }},
+    {"AGravityScale", [](Stage& s) { s.world->set_gravity_scale(s.ball, 0.5f); }},
+    {"AFixedRotation", [](Stage& s) { s.world->set_fixed_rotation(s.ball, true); }},
+    {"AMass", [](Stage& s) { s.world->set_mass(s.ball, {2, {0, 0}, 1}); }},
+    {"AForce", [](Stage& s) { s.world->apply_force_to_center(s.ball, {1, 0}); }},
+    {"ATorque", [](Stage& s) { s.world->apply_torque(s.ball, 1); }},
+    {"AnImpulse", [](Stage& s) { s.world->apply_linear_impulse_to_center(s.ball, {1, 0}); }},
+    {"AType", [](Stage& s) { s.world->set_type(s.ball, BodyType::kinematic); }},
+    {"ThatABodyIsAwake", [](Stage& s) { s.world->wake(s.sleeper); }},
+    {"ThatABodyMaySleep", [](Stage& s) { s.world->enable_sleep(s.ball, false); }},
+    {"ThatTheWorldMaySleep", [](Stage& s) { s.world->enable_sleep(false); }},
+    {"Gravity", [](Stage& s) { s.world->set_gravity({0, -9.5f}); }},
+    {"TheSubsteps",
+     [](Stage& s) {
+         SolverDef d = s.world->solver();
+         d.substeps = 5;
+         s.world->set_solver(d);
+     }},
+    {"TheWarmStart",
+     [](Stage& s) {
+         SolverDef d = s.world->solver();
+         d.warm_start = false;
+         s.world->set_solver(d);
+     }},
+    {"TheRelaxationFactor",
+     [](Stage& s) {
+         SolverDef d = s.world->solver();
+         d.omega = 1.25f;
+         s.world->set_solver(d);
+     }},
+    {"ABodyMore", [](Stage& s) { s.world->create_body({}); }},
+    {"AShapeMore", [](Stage& s) { s.world->create_shape(s.ground, Circle{{50, 50}, 0.5f}); }},
+    {"ABodyFewer", [](Stage& s) { s.world->destroy_body(s.sleeper); }},
+    {"ABodyMadeAndDestroyed", [](Stage& s) { s.world->destroy_body(s.world->create_body({})); }},  // the next id has another generation
+    {"AStep", [](Stage& s) { s.world.step(); }},
+};
+
+INSTANTIATE_TEST_SUITE_P(Hash, Matters, testing::ValuesIn(matters), [](const auto& test) { return std::string(test.param.name); });
+
+class DoesNotMatter : public testing::TestWithParam<Change> {};
+
+TEST_P(DoesNotMatter, LeavesTheHashAsItWas) {
+    Stage plain, changed;
+    GetParam().apply(changed);
+    EXPECT_EQ(plain.world->hash(), changed.world->hash());
+    plain.world.step(30);
+    changed.world.step(30);
+    EXPECT_EQ(plain.world->hash(), changed.world->hash()) << "and the future";
+}
+
+const Change does_not_matter[] = {
+    {"UserDataOfABody", [](Stage& s) { s.world->set_user_data(s.ball, 0x1234567890abcdefull); }},
+    {"UserDataOfAShape", [](Stage& s) { s.world->set_user_data(s.world.shape_of(s.ball), 77); }},
+    {"AnError", [](Stage& s) { s.world->step(-1); }},
+    {"AnErrorCleared",
+     [](Stage& s) {
+         s.world->set_friction({}, 1);
+         s.world->clear_error();
+     }},
+    {"ARefusedBody",
+     [](Stage& s) {
+         BodyDef bad;
+         bad.linear_damping = -1;
+         s.world->create_body(bad);
+     }},
+    {"ARefusedShape", [](Stage& s) { s.world->create_shape(s.ball, Circle{{}, -1}); }},
+    {"ARefusedSolver",
+     [](Stage& s) {
+         SolverDef d = s.world->solver();
+         d.substeps = 0;
+         s.world->set_solver(d);
+     }},
+    {"ANumberSetToWhatItWas", [](Stage& s) { s.world->set_friction(s.world.shape_of(s.ball), 0.6f); }},
+};
+
+INSTANTIATE_TEST_SUITE_P(Hash, DoesNotMatter, testing::ValuesIn(does_not_matter), [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Hash, DoesNotDependOnHooksOrLanes) {
+    // The same objects in a world with no hook and other lanes.
+    const Stage stage;
+    Block block(world_bytes(stage.world->capacity()));
+    for (const std::uint32_t lanes : {1u, 4u, 8u}) {
+        WorldDef def;
+        def.lanes = lanes;
+        const Stage other(def);
+        EXPECT_EQ(stage.world->hash(), other.world->hash()) << "lanes " << lanes;
+        World* bare = World::create(block.span(), stage.world->capacity(), def);
+        TestWorld hooked({.bodies = 8, .shapes = 8, .contacts = 16}, def);
+        EXPECT_EQ(bare->hash(), hooked->hash());
+    }
+}
+
+TEST(Hash, DoesNotDependOnTheCapacityThatIsNotUsed) {
+    // Room that holds nothing decides nothing.
+    std::uint64_t hashes[2];
+    int i = 0;
+    for (const Capacity& c : {Capacity{.bodies = 8, .shapes = 8, .contacts = 64}, Capacity{.bodies = 60, .shapes = 50, .contacts = 64}}) {
+        TestWorld world(c);
+        world.add_ground();
+        for (int k = 0; k < 5; ++k) world.add_box({0.25f * static_cast<float>(k), 2 + 2 * static_cast<float>(k)});
+        world.step(60);
+        hashes[i++] = world->hash();
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(Hash, TellsTheOrderOfCreation) {
+    // Slots decide the order of the solve, so worlds filled in another order are other worlds.
+    TestWorld a, b;
+    a.add_box({0, 0});
+    a.add_circle({5, 0});
+    b.add_circle({5, 0});
+    b.add_box({0, 0});
+    EXPECT_NE(a->hash(), b->hash());
+}
+
+}  // namespace
+}  // namespace islet::test

@@ -1,0 +1,64 @@
+// Runs scenes and compares their hashes with golden.txt: a bare program, to be built with any compiler and any flags.
+//
+//     hashes GOLDEN_FILE [--lanes 1,4,8] [--most-steps N] [--large-steps N] [--update]
+//
+// Exit status 0: all equal; 1: not; 2: wrong usage. --most-steps leaves out the checkpoints beyond, --large-steps those of the benchmark scenes.
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "golden.hpp"
+
+using namespace islet;
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "usage: hashes GOLDEN_FILE [--lanes 1,4,8] [--most-steps N] [--large-steps N] [--update]\n");
+        return 2;
+    }
+    const std::string path = argv[1];
+    std::string lanes = "1,4,8";
+    int most_steps = 1 << 30, large_steps = 1 << 30;
+    bool update = false;
+    for (int i = 2; i < argc; ++i) {
+        const std::string option = argv[i];
+        if (option == "--update") {
+            update = true;
+        } else if (i + 1 < argc && option == "--lanes") {
+            lanes = argv[++i];
+        } else if (i + 1 < argc && option == "--most-steps") {
+            most_steps = std::atoi(argv[++i]);
+        } else if (i + 1 < argc && option == "--large-steps") {
+            large_steps = std::atoi(argv[++i]);
+        } else {
+            std::fprintf(stderr, "hashes: unknown option %s\n", option.c_str());
+            return 2;
+        }
+    }
+
+    const golden::Table table = golden::read(path);
+    golden::Table fresh;
+    int compared = 0, wrong = 0;
+    for (const samples::SceneInfo& info : samples::catalogue()) {
+        const std::vector<golden::Checkpoint> due = golden::checkpoints_of(table, info);
+        if (update) {
+            fresh.push_back({info.name, golden::run(info, due, 0, 1 << 30)});
+            continue;
+        }
+        const int steps = std::string(info.group) == "benchmark" ? std::min(most_steps, large_steps) : most_steps;
+        for (const char c : lanes) {
+            if (c < '0' || c > '9') continue;
+            const std::vector<golden::Checkpoint> seen = golden::run(info, due, static_cast<std::uint32_t>(c - '0'), steps);
+            for (std::size_t i = 0; i < seen.size(); ++i) {
+                ++compared;
+                if (seen[i].hash == due[i].hash) continue;
+                ++wrong;
+                std::printf("%s, lanes %c, %d steps: %s, should be %s\n", info.name, c, seen[i].steps, golden::hex(seen[i].hash).c_str(),
+                            golden::hex(due[i].hash).c_str());
+            }
+        }
+    }
+    if (update) return golden::write(path, fresh) ? 0 : 1;
+    std::printf("%d hashes compared, %d differ\n", compared, wrong);
+    return wrong == 0 && compared > 0 ? 0 : 1;
+}
