@@ -25,8 +25,8 @@ void add_wall(TestWorld& world, Wall wall) {
     switch (wall) {
         case Wall::segment: world->create_shape(id, Segment{{wall_at, -20}, {wall_at, 20}}); break;
         case Wall::chain: {
-            // Solid on the right of its direction: downwards in its order of points, the left side faces what comes.
-            const Vec2 points[] = {{wall_at, -30}, {wall_at, -10}, {wall_at, 10}, {wall_at, 30}};
+            // Solid to those on the right of its direction: running down, it faces what comes from the left.
+            const Vec2 points[] = {{wall_at, 30}, {wall_at, 10}, {wall_at, -10}, {wall_at, -30}};
             world->create_chain(id, points, false);
             break;
         }

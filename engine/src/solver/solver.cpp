@@ -76,8 +76,8 @@ void choose_numbers(Solve& s, float dt) {
         s.ground = soft_sweep(2.0f * hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
         s.biased.impulse_scale *= n.omega;
         s.ground.impulse_scale *= n.omega;
-        // Friction belongs to the relaxed sweep, where the normal impulses are not inflated by the push (as in Box2D 3.2).
-        s.biased.friction = s.ground.friction = def.relax_iterations == 0;
+        // Friction is solved in both sweeps. Leaving it to the relaxed one, as Box2D 3.2 does, saves 3 % of large_pyramid's time, but the pile then still
+        // holds 6.4 J after 500 steps instead of 0.07 J.
     } else {
         s.biased.inv_h = n.inv_h;
         s.biased.bias_rate = def.baumgarte * n.inv_h;
