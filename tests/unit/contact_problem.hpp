@@ -48,8 +48,8 @@ struct ContactProblem {
     }
 
     /// A contact whose manifold was made at the bodies' present poses; anchors are relative to A's centre.
-    detail::ContactManifold& add_contact(std::size_t group, std::uint32_t a, std::uint32_t b, Vec2 normal, std::initializer_list<Vec2> anchors,
-                                         float friction, const Material& material = {}) {
+    detail::ContactManifold& add_contact(std::size_t group, std::uint32_t a, std::uint32_t b, Vec2 normal,
+                                         std::initializer_list<Vec2> anchors, float friction, const Material& material = {}) {
         detail::ContactManifold m;
         m.body_a = a;
         m.body_b = b;
@@ -100,8 +100,9 @@ inline ContactProblem random_problem(std::uint64_t seed, std::uint32_t groups, s
             if (materials && random.one_in(3)) material.tangent_speed = random.between(-2, 2);
             const std::uint32_t a = random.one_in(5) ? 0 : order[2 * i];
             detail::ContactManifold& m =
-                random.one_in(2) ? p.add_contact(g, a, order[2 * i + 1], {q.c, q.s}, {vector(0.7f)}, random.between(0, 1), material)
-                                 : p.add_contact(g, a, order[2 * i + 1], {q.c, q.s}, {vector(0.7f), vector(0.7f)}, random.between(0, 1), material);
+                random.one_in(2)
+                    ? p.add_contact(g, a, order[2 * i + 1], {q.c, q.s}, {vector(0.7f)}, random.between(0, 1), material)
+                    : p.add_contact(g, a, order[2 * i + 1], {q.c, q.s}, {vector(0.7f), vector(0.7f)}, random.between(0, 1), material);
             for (std::uint32_t k = 0; k < m.count(); ++k) {
                 m.separation[k] = random.between(-0.02f, 0.01f);
                 m.normal_impulse[k] = random.one_in(3) ? 0 : random.between(0, 0.5f);
@@ -125,7 +126,8 @@ struct Solved {
 
 /// Runs the kernel of the engine: prepare, warm start, then for each pair of sweeps one of each kind with an integration of positions between.
 template <class Lane>
-Solved run_kernel(const ContactProblem& problem, const detail::SweepNumbers& biased, const detail::SweepNumbers& relaxed, int sweeps, bool restitution) {
+Solved run_kernel(const ContactProblem& problem, const detail::SweepNumbers& biased, const detail::SweepNumbers& relaxed, int sweeps,
+                  bool restitution) {
     using namespace detail;
     using Kernel = ContactKernel<Lane>;
     constexpr std::uint32_t W = Lane::width;
@@ -182,7 +184,9 @@ inline Vec2d operator*(double s, Vec2d a) { return {s * a.x, s * a.y}; }
 inline double dot(Vec2d a, Vec2d b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
 inline Vec2d wide(Vec2 a) { return {double{a.x}, double{a.y}}; }
-inline Vec2d turned(Vec2d v, double angle) { return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y}; }
+inline Vec2d turned(Vec2d v, double angle) {
+    return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
+}
 
 /// A textbook solver: one row at a time, J v = -u.(v_a + w_a x r_a) + u.(v_b + w_b x r_b) for a direction u.
 class PlainSolver {
@@ -240,14 +244,17 @@ private:
         const Vec2d ra = wide(m.anchors[i]);
         return of_b ? ra - wide(m.offset) : ra;
     }
+    // Lever arms stay as they were when the manifold was made (a kept manifold leaves out the geometric stiffness), so the turn since then and the turn
+    // within the step both act on that arm.
     double separation(std::size_t c, std::uint32_t i) const {
         const detail::ContactManifold& m = p_.manifolds[c];
-        const auto now = [&](std::uint32_t body, Rot then, bool of_b) {
+        const auto moved = [&](std::uint32_t body, Rot then, bool of_b) {
             const detail::Pose& pose = p_.poses[body];
-            const double turn = std::atan2(double{pose.q.s}, double{pose.q.c}) - std::atan2(double{then.s}, double{then.c}) + bodies[body].dq;
-            return wide(pose.center) + bodies[body].dp + turned(arm(c, i, of_b), turn);
+            const double turn = std::atan2(double{pose.q.s}, double{pose.q.c}) - std::atan2(double{then.s}, double{then.c});
+            const Vec2d r = arm(c, i, of_b);
+            return wide(pose.center) + bodies[body].dp + turned(r, turn) + turned(r, bodies[body].dq) - r;
         };
-        return double{m.separation[i]} + dot(normal(c), now(m.body_b, m.rotation_b, true) - now(m.body_a, m.rotation_a, false));
+        return double{m.separation[i]} + dot(normal(c), moved(m.body_b, m.rotation_b, true) - moved(m.body_a, m.rotation_a, false));
     }
     double mass(std::size_t c, std::uint32_t i, Vec2d u) const {
         const detail::ContactManifold& m = p_.manifolds[c];

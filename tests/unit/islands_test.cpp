@@ -85,9 +85,7 @@ void check_batches(const Core& core, const Plan& plan, const std::vector<Touch>&
         const ContactManifold& m = core.manifolds[contact];
         for (const std::uint32_t body : {m.body_a, m.body_b}) {
             const std::uint32_t slot = plan.slot_of[body];
-            if (slot != 0) {
-                ASSERT_EQ(owner[slot], static_cast<int>(batch)) << "a contact acts on a body of another batch";
-            }
+            if (slot != 0) { ASSERT_EQ(owner[slot], static_cast<int>(batch)) << "a contact acts on a body of another batch"; }
             if (used != nullptr && core.is_dynamic(body)) {
                 ASSERT_TRUE(used->insert(body).second) << "two contacts of a colour share a body";
             }
@@ -200,7 +198,8 @@ TEST(Islands, ManySmallOnesShareBatchesAndALargeOneIsSplitOverNone) {
     // A wall of 30 x 30 in one island, and 200 pairs.
     for (int y = 0; y < 30; ++y)
         for (int x = 0; x < 30; ++x) w.add_box({static_cast<float>(x), 0.5f + static_cast<float>(y)});
-    for (int i = 0; i < 100; ++i) w.add_box({100 + 3.0f * static_cast<float>(i), 0.5f}), w.add_box({100 + 3.0f * static_cast<float>(i), 1.5f});
+    for (int i = 0; i < 100; ++i)
+        w.add_box({100 + 3.0f * static_cast<float>(i), 0.5f}), w.add_box({100 + 3.0f * static_cast<float>(i), 1.5f});
     w.step(3);
     EXPECT_EQ(w->report().islands, 101u);
     EXPECT_GT(w->report().batches, 1u);

@@ -220,7 +220,8 @@ TEST(Layout, AWorldNeverGetsSmallerWhenACapacityGrows) {
     for (int i = 0; i < 2000; ++i) {
         const auto up_to = [&](std::uint32_t n) { return 1 + static_cast<std::uint32_t>(random.below(n)); };
         const Capacity c{up_to(5000), up_to(5000), up_to(20000), up_to(100), up_to(5000)};
-        for (std::uint32_t Capacity::*member : {&Capacity::bodies, &Capacity::shapes, &Capacity::contacts, &Capacity::joints, &Capacity::geometries}) {
+        for (std::uint32_t Capacity::*member :
+             {&Capacity::bodies, &Capacity::shapes, &Capacity::contacts, &Capacity::joints, &Capacity::geometries}) {
             Capacity more = c;
             more.*member += up_to(1000);
             ASSERT_GE(world_bytes(more), world_bytes(c));
@@ -229,15 +230,18 @@ TEST(Layout, AWorldNeverGetsSmallerWhenACapacityGrows) {
 }
 
 TEST(Layout, NoGeometriesMeansAsManyAsShapes) {
-    EXPECT_EQ(world_bytes({.bodies = 10, .shapes = 33, .contacts = 10}), world_bytes({.bodies = 10, .shapes = 33, .contacts = 10, .geometries = 33}));
-    EXPECT_LT(world_bytes({.bodies = 10, .shapes = 33, .contacts = 10, .geometries = 1}), world_bytes({.bodies = 10, .shapes = 33, .contacts = 10}));
+    EXPECT_EQ(world_bytes({.bodies = 10, .shapes = 33, .contacts = 10}),
+              world_bytes({.bodies = 10, .shapes = 33, .contacts = 10, .geometries = 33}));
+    EXPECT_LT(world_bytes({.bodies = 10, .shapes = 33, .contacts = 10, .geometries = 1}),
+              world_bytes({.bodies = 10, .shapes = 33, .contacts = 10}));
 }
 
 TEST(Layout, TheRegionsFollowOneAnotherAlignedToCacheLines) {
     const Layout l = layout_of({.bodies = 7, .shapes = 13, .contacts = 101, .geometries = 3});
-    const std::size_t offsets[] = {host_bytes,     l.state,        l.poses,        l.motions,  l.bodies,       l.shapes,         l.boxes,
-                                   l.geometries,   l.geometry_buckets, l.tree,     l.contacts, l.manifolds,    l.pairs,          l.awake_bodies,
-                                   l.awake_contacts, l.moved_shapes, l.begin_events, l.end_events, l.moved_events, l.slept_events, l.scratch, l.end};
+    const std::size_t offsets[] = {
+        host_bytes,         l.state,      l.poses,        l.motions,      l.bodies,  l.shapes,       l.boxes,          l.geometries,
+        l.geometry_buckets, l.tree,       l.contacts,     l.manifolds,    l.pairs,   l.awake_bodies, l.awake_contacts, l.moved_shapes,
+        l.begin_events,     l.end_events, l.moved_events, l.slept_events, l.scratch, l.end};
     EXPECT_TRUE(std::is_sorted(std::begin(offsets), std::end(offsets)));
     for (const std::size_t offset : offsets) EXPECT_EQ(offset % 64, 0u);
     EXPECT_EQ(l.persistent_end, l.begin_events);

@@ -74,7 +74,8 @@ void step_and_check(const TestWorld& w, float dt = 1.0f / 60) {
     w->step(dt);
     ASSERT_EQ(w->report().dropped_contacts, 0u);
     const Pairs found = contacts_of(*w);
-    for (const std::uint64_t pair : near.must) ASSERT_TRUE(found.count(pair) != 0) << "shapes " << (pair & 0xffffffffu) << " and " << (pair >> 32) - 1 << " have no contact";
+    for (const std::uint64_t pair : near.must)
+        ASSERT_TRUE(found.count(pair) != 0) << "shapes " << (pair & 0xffffffffu) << " and " << (pair >> 32) - 1 << " have no contact";
     for (const std::uint64_t pair : found) ASSERT_TRUE(near.may.count(pair) != 0) << "shapes that must not collide have a contact";
     const char* broken = w->validate();
     ASSERT_EQ(broken, nullptr) << broken;
@@ -96,10 +97,10 @@ BodyId add_random(TestWorld& w, Random& random) {
         if (random.one_in(3)) shape.filter = {1u << random.below(3), random.below(8), static_cast<std::int32_t>(random.below(5)) - 2};
         const Vec2 at{random.between(-0.3f, 0.3f), random.between(-0.3f, 0.3f)};
         switch (random.below(4)) {
-            case 0: w->create_shape(body, Circle{at, random.between(0.1f, 0.5f)}, shape); break;
-            case 1: w->create_shape(body, make_box(random.between(0.1f, 0.8f), 0.3f), shape); break;
-            case 2: w->create_shape(body, Segment{at, {1, random.between(-1, 1)}}, shape); break;
-            default: w->create_shape(body, Capsule{at, {0.7f, 0.7f}, 0.1f}, shape);
+        case 0: w->create_shape(body, Circle{at, random.between(0.1f, 0.5f)}, shape); break;
+        case 1: w->create_shape(body, make_box(random.between(0.1f, 0.8f), 0.3f), shape); break;
+        case 2: w->create_shape(body, Segment{at, {1, random.between(-1, 1)}}, shape); break;
+        default: w->create_shape(body, Capsule{at, {0.7f, 0.7f}, 0.1f}, shape);
         }
     }
     return body;
@@ -117,12 +118,14 @@ void random_life(std::uint64_t seed, std::uint32_t lanes) {
         for (int change = 0; change < 3; ++change) {
             BodyId& body = bodies[random.below(static_cast<std::uint32_t>(bodies.size()))];
             switch (random.below(8)) {
-                case 0: w->set_transform(body, {random.between(-6, 6), random.between(-6, 6)}, random.between(-3, 3)); break;
-                case 1: w->destroy_body(body), body = add_random(w, random); break;
-                case 2: w->set_type(body, static_cast<BodyType>(random.below(3))); break;
-                case 3: w->set_filter(w.shape_of(body), {1u << random.below(3), random.below(8), static_cast<std::int32_t>(random.below(5)) - 2}); break;
-                case 4: w->wake(body); break;
-                default: w->set_linear_velocity(body, {random.between(-20, 20), random.between(-20, 20)});
+            case 0: w->set_transform(body, {random.between(-6, 6), random.between(-6, 6)}, random.between(-3, 3)); break;
+            case 1: w->destroy_body(body), body = add_random(w, random); break;
+            case 2: w->set_type(body, static_cast<BodyType>(random.below(3))); break;
+            case 3:
+                w->set_filter(w.shape_of(body), {1u << random.below(3), random.below(8), static_cast<std::int32_t>(random.below(5)) - 2});
+                break;
+            case 4: w->wake(body); break;
+            default: w->set_linear_velocity(body, {random.between(-20, 20), random.between(-20, 20)});
             }
             // Nobody leaves the arena.
             if (length(w->position(body)) > 10) w->set_transform(body, {0, 0}, 0);

@@ -94,8 +94,8 @@ TEST(Tree, StaysInBalanceWhateverTheOrderOfInsertion) {
         std::vector<std::uint32_t> leaves;
         for (std::uint32_t i = 0; i < n; ++i) {
             const auto x = static_cast<float>(order == 0 ? i : n - i);
-            const Aabb box = order < 2    ? Aabb{{x, 0}, {x + 0.5f, 1}}       // a row, from the left or from the right
-                             : order == 2 ? Aabb{{0, 0}, {1, 1}}              // all the same
+            const Aabb box = order < 2    ? Aabb{{x, 0}, {x + 0.5f, 1}}  // a row, from the left or from the right
+                             : order == 2 ? Aabb{{0, 0}, {1, 1}}         // all the same
                                           : random_box(random, 100, 1);
             leaves.push_back(tree_insert(f.tree(), box, i));
         }
@@ -115,7 +115,8 @@ TEST(Tree, UsesNoMoreNodesThanTwiceItsLeaves) {
     Random random(6);
     std::vector<std::uint32_t> leaves;
     for (int round = 0; round < 200; ++round) {
-        while (leaves.size() < n) leaves.push_back(tree_insert(f.tree(), random_box(random, 10, 1), static_cast<std::uint32_t>(leaves.size())));
+        while (leaves.size() < n)
+            leaves.push_back(tree_insert(f.tree(), random_box(random, 10, 1), static_cast<std::uint32_t>(leaves.size())));
         ASSERT_LE(f.state.high_water, 2 * n);
         for (std::size_t keep = random.below(n); leaves.size() > keep; leaves.pop_back()) {
             std::swap(leaves[random.below(static_cast<std::uint32_t>(leaves.size()))], leaves.back());

@@ -11,9 +11,7 @@ namespace {
 using namespace islet;
 using namespace islet::test;
 
-bool is_pair(const TouchEvent& e, ShapeId a, ShapeId b) {
-    return (e.shape_a == a && e.shape_b == b) || (e.shape_a == b && e.shape_b == a);
-}
+bool is_pair(const TouchEvent& e, ShapeId a, ShapeId b) { return (e.shape_a == a && e.shape_b == b) || (e.shape_a == b && e.shape_b == a); }
 
 // -- touching ----------------------------------------------------------------------------------------------------------------------------
 
@@ -179,16 +177,16 @@ TEST(Sleep, TheWholeIslandWakesTogether) {
         w.step(120);
         ASSERT_EQ(w->report().awake_bodies, 0u);
         switch (way) {
-            case 0: w->wake(stack[0]); break;
-            case 1: w->set_linear_velocity(stack[1], {0.1f, 0}); break;
-            case 2: w->apply_force_to_center(stack[2], {0, 1}); break;
-            case 3: w->apply_angular_impulse(stack[0], 0.01f); break;
-            case 4: w->set_transform(stack[2], {0, 2.5f}, 0); break;
-            case 5: w->set_gravity_scale(stack[0], 0.5f); break;
-            case 6: w->set_friction(w.shape_of(stack[0]), 0.1f); break;
-            case 7: w->set_mass(stack[1], {3, {}, 1}); break;
-            case 8: w->enable_sleep(stack[0], false); break;
-            case 9: w->set_angular_velocity(stack[0], 0.1f); break;
+        case 0: w->wake(stack[0]); break;
+        case 1: w->set_linear_velocity(stack[1], {0.1f, 0}); break;
+        case 2: w->apply_force_to_center(stack[2], {0, 1}); break;
+        case 3: w->apply_angular_impulse(stack[0], 0.01f); break;
+        case 4: w->set_transform(stack[2], {0, 2.5f}, 0); break;
+        case 5: w->set_gravity_scale(stack[0], 0.5f); break;
+        case 6: w->set_friction(w.shape_of(stack[0]), 0.1f); break;
+        case 7: w->set_mass(stack[1], {3, {}, 1}); break;
+        case 8: w->enable_sleep(stack[0], false); break;
+        case 9: w->set_angular_velocity(stack[0], 0.1f); break;
         }
         for (const BodyId id : stack) EXPECT_TRUE(w->is_awake(id));
         EXPECT_FALSE(w->is_awake(apart)) << "another island";
@@ -272,8 +270,8 @@ TEST(Report, CountsWhatTheStepFound) {
     TestWorld w;
     w.add_ground();
     for (int i = 0; i < 3; ++i) w.add_box({0, 0.5f + static_cast<float>(i)});  // one island, three contacts
-    w.add_circle({10, 0.5f});                                                 // another
-    w.add_circle({20, 5});                                                    // in the air
+    w.add_circle({10, 0.5f});                                                  // another
+    w.add_circle({20, 5});                                                     // in the air
     w.step(2);
     const StepReport r = w->report();
     EXPECT_EQ(r.bodies, 6u);

@@ -6,11 +6,12 @@
 
 #include <cstdint>
 
+#include "geometry/convex.hpp"
 #include "islet/geometry.hpp"
 
 namespace islet::detail {
 
-inline constexpr float linear_slop = 0.005f;                       // m: a length that is numerically large and visually small
+inline constexpr float linear_slop = min_length;                  // m: a length that is numerically large and visually small
 inline constexpr float speculative_distance = 4.0f * linear_slop;  // m: contacts are made this long before surfaces meet
 
 struct ManifoldPoint {

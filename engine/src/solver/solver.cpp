@@ -115,6 +115,14 @@ void gather_bodies(Solve& s, const Batch& batch) {
     }
 }
 
+// Also of velocities that overflowed: infinite parts become the limit, and what is not a number becomes zero.
+Vec2 limit_speed(Vec2 v, float max_speed) {
+    v.x = v.x == v.x ? clamp(v.x, -max_speed, max_speed) : 0;
+    v.y = v.y == v.y ? clamp(v.y, -max_speed, max_speed) : 0;
+    const float speed = length(v);
+    return speed > max_speed ? (max_speed / speed) * v : v;
+}
+
 // v <- factor (v + a) + warm start. Within a step anchors and normals do not change, so the warm start of a later substep, M^-1 J^T lambda summed over a
 // body's rows, is just what the sweeps of the substep before made of its velocity: v - v_free. One addition a body replaces a pass over all rows.
 void integrate_velocities(Solve& s, const Batch& batch, bool first) {
@@ -137,9 +145,8 @@ void integrate_velocities(Solve& s, const Batch& batch, bool first) {
         }
         Vec2 v = m.linear_factor * (b.v + m.a);
         float w = m.angular_factor * (b.w + m.alpha);
-        const float speed2 = dot(v, v);
-        if (speed2 > max_speed * max_speed) v *= max_speed / sqrt(speed2);
-        w = clamp(w, -max_turn, max_turn);
+        if (!(dot(v, v) <= max_speed * max_speed)) v = limit_speed(v, max_speed);
+        w = w == w ? clamp(w, -max_turn, max_turn) : 0;
         m.v_free = v;
         m.w_free = w;
         b.v = v + dv;

@@ -1,0 +1,148 @@
+// What the engine's sources must not contain: they have to work without a heap, exceptions, RTTI, threads and most of the C++ library.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path engine_folder() { return fs::path(__FILE__).parent_path() / ".." / ".." / "engine"; }
+
+struct Source {
+    std::string name;
+    std::string text;  // without comments and string literals
+};
+
+// Comments and literals become blanks; lines stay where they are, and so do those that include a header.
+std::string code_only(const std::string& text) {
+    std::string out = text;
+    enum class In { code, include, line, block, string, character } in = In::code;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const char next = i + 1 < text.size() ? text[i + 1] : '\0';
+        if (in == In::code) {
+            const bool digit_separator = i > 0 && std::isxdigit(static_cast<unsigned char>(text[i - 1])) != 0;
+            if (text.compare(i, 8, "#include") == 0) in = In::include;
+            if (c == '/' && next == '/') in = In::line;
+            if (c == '/' && next == '*') in = In::block;
+            if (c == '"') in = In::string;
+            if (c == '\'' && !digit_separator) in = In::character;
+            if (in == In::line || in == In::block) out[i] = ' ';
+            continue;
+        }
+        if (c == '\n' && (in == In::line || in == In::include)) in = In::code;
+        if (in == In::include || c == '\n') continue;
+        out[i] = ' ';
+        if (in == In::block && c == '/' && text[i - 1] == '*') in = In::code;
+        if ((in == In::string || in == In::character) && c == '\\') {
+            out[++i] = ' ';
+        } else if ((in == In::string && c == '"') || (in == In::character && c == '\'')) {
+            in = In::code;
+        }
+    }
+    return out;
+}
+
+std::vector<Source> read_sources() {
+    std::vector<Source> sources;
+    for (const char* folder : {"include", "src"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(engine_folder() / folder)) {
+            if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
+            std::ifstream file(entry.path());
+            std::stringstream text;
+            text << file.rdbuf();
+            sources.push_back({fs::relative(entry.path(), engine_folder()).generic_string(), code_only(text.str())});
+        }
+    }
+    return sources;
+}
+
+const std::vector<Source>& engine_sources() {
+    static const std::vector<Source> sources = read_sources();
+    return sources;
+}
+
+// Every line of the engine that matches.
+std::string lines_with(const std::regex& pattern) {
+    std::string found;
+    for (const Source& source : engine_sources()) {
+        std::istringstream lines(source.text);
+        std::string line;
+        for (int number = 1; std::getline(lines, line); ++number)
+            if (std::regex_search(line, pattern)) found += source.name + ':' + std::to_string(number) + ": " + line + '\n';
+    }
+    return found;
+}
+
+TEST(CoreRules, TheSourcesAreFound) { EXPECT_GT(engine_sources().size(), 20u); }
+
+TEST(CoreRules, CommentsAndLiteralsAreNotCode) {
+    EXPECT_EQ(code_only("a // throw\nb"), "a          \nb");
+    EXPECT_EQ(code_only("a /* new X */ b").find("new"), std::string::npos);
+    EXPECT_EQ(code_only("f(\"throw \\\" it\"); throw").rfind("throw"), code_only("f(\"throw \\\" it\"); throw").find("throw"));
+    EXPECT_NE(code_only("1'000 + virtual").find("virtual"), std::string::npos);
+    EXPECT_NE(code_only("#include \"math/scalar.hpp\"\n").find("math/scalar"), std::string::npos);
+}
+
+TEST(CoreRules, OnlyHeadersThatNeedNoRuntimeAreIncluded) {
+    // Freestanding ones, <span>, the memory functions, and the compiler's own.
+    const std::set<std::string> allowed = {"bit",         "cstddef", "cstdint",    "cstring",       "span",
+                                           "immintrin.h", "cpuid.h", "arm_neon.h", "wasm_simd128.h"};
+    const std::regex include(R"(^\s*#\s*include\s*<([^>]+)>)");
+    std::string bad;
+    for (const Source& source : engine_sources()) {
+        std::istringstream lines(source.text);
+        std::string line;
+        std::smatch match;
+        while (std::getline(lines, line))
+            if (std::regex_search(line, match, include) && allowed.count(match[1]) == 0) bad += source.name + ": " + line + '\n';
+    }
+    EXPECT_EQ(bad, "");
+}
+
+TEST(CoreRules, NoExceptionsNoRttiNoVirtualCalls) {
+    EXPECT_EQ(lines_with(std::regex(R"(\b(throw|try|catch|virtual|dynamic_cast|typeid)\b)")), "");
+}
+
+TEST(CoreRules, NoHeap) {
+    EXPECT_EQ(lines_with(std::regex(R"(\b(malloc|calloc|realloc|free|aligned_alloc|alloca|unique_ptr|shared_ptr)\s*[(<])")), "");
+    // Placement new is the only one: the address comes first.
+    EXPECT_EQ(lines_with(std::regex(R"(\bnew\s+[A-Za-z_:])")), "");
+    EXPECT_EQ(lines_with(std::regex(R"(\bdelete\b(?!\s*;))")), "") << "only deleted functions may say delete";
+}
+
+TEST(CoreRules, NoThreadsNoClockNoOutput) {
+    EXPECT_EQ(lines_with(std::regex(R"(\b(thread_local|mutex|printf|fopen|getenv|std::c(out|err)|chrono|clock_gettime|rand)\b)")), "");
+}
+
+TEST(CoreRules, NoDoublePrecision) { EXPECT_EQ(lines_with(std::regex(R"(\bdouble\b)")), "") << "a Cortex-M has no unit for it"; }
+
+TEST(CoreRules, FoldersIncludeOnlyFoldersBelowThem) {
+    const std::vector<std::string> order = {"math", "memory",     "geometry", "collide", "broadphase",
+                                            "lcp",  "constraint", "island",   "solver",  "world"};
+    const auto rank = [&](const std::string& folder) { return std::find(order.begin(), order.end(), folder) - order.begin(); };
+    const std::regex include(R"re(^\s*#\s*include\s*"([a-z]+)/)re");
+    std::string bad;
+    for (const Source& source : engine_sources()) {
+        if (source.name.rfind("src/", 0) != 0) continue;
+        const std::string folder = source.name.substr(4, source.name.find('/', 4) - 4);
+        std::istringstream lines(source.text);
+        std::string line;
+        std::smatch match;
+        while (std::getline(lines, line))
+            if (std::regex_search(line, match, include) && match[1] != "islet" && rank(match[1]) > rank(folder))
+                bad += source.name + ": " + line + '\n';
+    }
+    EXPECT_EQ(bad, "");
+}
+
+}  // namespace

@@ -1,0 +1,273 @@
+// No heap: a world driven through every feature never allocates. Every way to the heap that a C++ program has is replaced by one that counts.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "islet/islet.hpp"
+
+// Sanitizers bring their own malloc, which may not be replaced; the operators may.
+#if defined(__SANITIZE_ADDRESS__)
+#define ISLET_OWN_MALLOC 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
+#define ISLET_OWN_MALLOC 0
+#endif
+#endif
+#if !defined(ISLET_OWN_MALLOC)
+#if defined(__GLIBC__)
+#define ISLET_OWN_MALLOC 1
+#else
+#define ISLET_OWN_MALLOC 0
+#endif
+#endif
+
+namespace {
+
+bool counting = false;
+long allocations = 0;
+
+void count() { allocations += counting ? 1 : 0; }
+
+}  // namespace
+
+#if ISLET_OWN_MALLOC
+// The C library's own functions under their other names; operator new of the C++ runtime ends in malloc, so it is counted too.
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+void __libc_free(void*);
+
+void* malloc(std::size_t n) { return count(), __libc_malloc(n); }
+void* calloc(std::size_t n, std::size_t size) { return count(), __libc_calloc(n, size); }
+void* realloc(void* p, std::size_t n) { return count(), __libc_realloc(p, n); }
+void* memalign(std::size_t alignment, std::size_t n) { return count(), __libc_memalign(alignment, n); }
+void* aligned_alloc(std::size_t alignment, std::size_t n) { return count(), __libc_memalign(alignment, n); }
+void free(void* p) {
+    if (p != nullptr) count();
+    __libc_free(p);
+}
+}
+#else
+void* operator new(std::size_t n) {
+    count();
+    if (void* p = std::malloc(n)) return p;
+    std::abort();
+}
+void operator delete(void* p) noexcept {
+    if (p != nullptr) count();
+    std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+#endif
+
+namespace {
+
+using namespace islet;
+
+constexpr Capacity capacity{.bodies = 48, .shapes = 64, .contacts = 96, .geometries = 24};
+StaticWorld<capacity> storage;
+
+// Counts from construction on.
+struct Watch {
+    Watch() {
+        allocations = 0;
+        counting = true;
+    }
+    ~Watch() { counting = false; }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+    long stop() const {
+        counting = false;
+        return allocations;
+    }
+};
+
+BodyDef moving(Vec2 position) {
+    BodyDef def;
+    def.type = BodyType::dynamic;
+    def.position = position;
+    return def;
+}
+
+// Errors are counted without a heap, too.
+int errors_heard = 0;
+
+World& build() {
+    WorldDef def;
+    def.error_hook = [](Error, void*) { ++errors_heard; };
+    World& w = storage.create(def);
+    const BodyId ground = w.create_body({});
+    const Vec2 bowl[] = {{12, 8}, {10, 0}, {-10, 0}, {-12, 8}};
+    w.create_chain(ground, bowl, false);
+    w.create_shape(ground, Segment{{-3, 1}, {3, 2}});
+    for (int i = 0; i < 30; ++i) {
+        const BodyId body = w.create_body(moving({static_cast<float>(i % 6) - 3, 3 + 0.8f * static_cast<float>(i)}));
+        ShapeDef shape;
+        shape.restitution = i % 5 == 0 ? 0.6f : 0;
+        shape.rolling_resistance = i % 7 == 0 ? 0.1f : 0;
+        shape.tangent_speed = i % 11 == 0 ? 1.0f : 0;
+        switch (i % 5) {
+        case 0: w.create_shape(body, Circle{{0, 0}, 0.4f}, shape); break;
+        case 1: w.create_shape(body, Capsule{{-0.3f, 0}, {0.3f, 0}, 0.2f}, shape); break;
+        case 2: w.create_shape(body, make_rounded_box(0.3f, 0.3f, 0.05f), shape); break;
+        case 3:
+            w.create_shape(body, make_box(0.4f, 0.2f), shape);
+            w.create_shape(body, Circle{{0.4f, 0}, 0.2f}, shape);
+            break;
+        default: {
+            const Vec2 points[] = {{0, 0}, {0.6f, 0}, {0.3f, 0.5f}, {0.3f, 0.2f}};
+            w.create_shape(body, make_polygon(compute_hull(points)), shape);
+        }
+        }
+    }
+    return w;
+}
+
+void change_everything(World& w) {
+    const BodyId body = w.body_at(5);
+    ShapeId shape;
+    w.shapes(body, {&shape, 1});
+    w.set_transform(body, {0, 9}, 1);
+    w.set_linear_velocity(body, {1, 2});
+    w.set_angular_velocity(body, 3);
+    w.apply_force(body, {1, 2}, {0, 9});
+    w.apply_force_to_center(body, {1, 1});
+    w.apply_torque(body, 1);
+    w.apply_linear_impulse(body, {0.1f, 0}, {0, 9});
+    w.apply_linear_impulse_to_center(body, {0.1f, 0});
+    w.apply_angular_impulse(body, 0.1f);
+    w.set_mass(body, {2, {0.1f, 0}, 1});
+    w.reset_mass(body);
+    w.set_linear_damping(body, 0.1f);
+    w.set_angular_damping(body, 0.1f);
+    w.set_gravity_scale(body, 0.5f);
+    w.set_fixed_rotation(body, true);
+    w.set_fixed_rotation(body, false);
+    w.enable_sleep(body, false);
+    w.enable_sleep(body, true);
+    w.wake(body);
+    w.set_user_data(body, 5);
+    w.set_friction(shape, 0.3f);
+    w.set_restitution(shape, 0.3f);
+    w.set_rolling_resistance(shape, 0.3f);
+    w.set_tangent_speed(shape, 0.3f);
+    w.set_filter(shape, {.group = 3});
+    w.set_user_data(shape, 5);
+    w.set_type(w.body_at(7), BodyType::kinematic);
+    w.set_type(w.body_at(8), BodyType::static_body);
+    w.set_type(w.body_at(8), BodyType::dynamic);
+    w.destroy_shape(shape);
+    w.destroy_body(w.body_at(9));
+    w.create_shape(w.create_body(moving({2, 12})), Circle{{0, 0}, 3});
+    w.set_gravity({0, -9.81f});
+    w.enable_sleep(false);
+    w.enable_sleep(true);
+}
+
+float read_everything(const World& w) {
+    float sum = 0;
+    for (std::uint32_t slot = 0; slot < w.capacity().bodies; ++slot) {
+        const BodyId id = w.body_at(slot);
+        if (!id) continue;
+        ShapeId shapes[8];
+        const std::uint32_t n = w.shapes(id, shapes);
+        for (std::uint32_t i = 0; i < n && i < 8; ++i) {
+            sum += w.aabb(shapes[i]).lower.x + w.friction(shapes[i]) + w.restitution(shapes[i]) + w.rolling_resistance(shapes[i]);
+            sum += w.circle(shapes[i]) != nullptr || w.polygon(shapes[i]) != nullptr ? 1.0f : 0.0f;
+        }
+        sum += w.transform(id).p.x + w.angle(id) + w.center_of_mass(id).x + w.local_center_of_mass(id).y + w.mass(id) +
+               w.rotational_inertia(id);
+        sum += w.linear_velocity(id).x + w.angular_velocity(id) + w.velocity_at(id, {0, 0}).x + w.linear_damping(id) + w.gravity_scale(id);
+    }
+    ContactInfo info;
+    for (std::uint32_t slot = 0; slot < w.capacity().contacts; ++slot) sum += w.contact_at(slot, info) ? info.points[0].separation : 0;
+    sum +=
+        static_cast<float>(w.begin_touch_events().size() + w.end_touch_events().size() + w.moved_bodies().size() + w.slept_bodies().size());
+    return sum + static_cast<float>(w.report().contacts + w.hash() % 2 + (w.validate() == nullptr ? 1u : 0u));
+}
+
+TEST(NoHeap, TheCounterCounts) {
+    const Watch watch;
+    int* volatile p = new int(1);
+    delete p;
+    EXPECT_GE(watch.stop(), 2) << "an allocation and a release went by unseen: nothing below proves anything";
+}
+
+TEST(NoHeap, MakingAWorldAllocatesNothing) {
+    const Watch watch;
+    build();
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+}
+
+TEST(NoHeap, SteppingAllocatesNothing) {
+    World& w = build();
+    const Watch watch;
+    for (int i = 0; i < 300; ++i) w.step(1.0f / 60);
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_GT(w.report().contacts, 10u);
+}
+
+TEST(NoHeap, NeitherDoesAnySchedule) {
+    World& w = build();
+    SolverDef classic;
+    classic.schedule = Schedule::classic;
+    classic.substeps = 1;
+    classic.iterations = 10;
+    const Watch watch;
+    w.set_solver(classic);
+    for (int i = 0; i < 100; ++i) w.step(1.0f / 60);
+    EXPECT_EQ(watch.stop(), 0);
+}
+
+TEST(NoHeap, NoCallAllocates) {
+    World& w = build();
+    float sum = 0;
+    const Watch watch;
+    for (int i = 0; i < 5; ++i) {
+        for (int k = 0; k < 20; ++k) w.step(1.0f / 60);
+        change_everything(w);
+        sum += read_everything(w);
+    }
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_TRUE(is_finite(sum));
+    EXPECT_EQ(w.validate(), nullptr);
+}
+
+TEST(NoHeap, ErrorsAndFullPoolsAllocateNothing) {
+    World& w = build();
+    errors_heard = 0;
+    const Watch watch;
+    w.step(0);
+    w.step(-1);
+    w.destroy_body({});
+    w.set_transform({7, 7}, {0, 0}, 0);
+    while (const BodyId id = w.create_body(moving({0, 5}))) w.create_shape(id, Circle{{0, 0}, 0.5f});
+    for (int i = 0; i < 100; ++i) w.create_shape(w.body_at(1), Circle{{0, 0}, 0.01f * static_cast<float>(i + 1)});
+    for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
+    const char* sentence = describe(w.last_error());
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_GT(errors_heard, 10);
+    EXPECT_NE(sentence, nullptr);
+    EXPECT_EQ(w.validate(), nullptr);
+}
+
+TEST(NoHeap, DestroyingEverythingAllocatesNothing) {
+    World& w = build();
+    for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
+    const Watch watch;
+    for (std::uint32_t slot = 0; slot < w.capacity().bodies; ++slot)
+        if (const BodyId id = w.body_at(slot)) w.destroy_body(id);
+    w.step(1.0f / 60);
+    EXPECT_EQ(watch.stop(), 0);
+    EXPECT_EQ(w.body_count(), 0u);
+    EXPECT_EQ(w.contact_count(), 0u);
+}
+
+}  // namespace
