@@ -27,8 +27,14 @@ build release --target islet_runner
 
 say "running $scene"
 picture=$root/build/pictures/$scene.svg
+arguments=("$@")
+case " $* " in *" --svg"*) picture= ;; *) arguments+=(--svg "$picture") ;; esac
 mkdir -p "$root/build/pictures"
 status=0
-"$root/build/release/samples/islet" run "$scene" --svg "$picture" "$@" || status=$?
-if [ "$status" -lt 2 ]; then printf 'picture: %s\n' "$picture"; fi
+"$root/build/release/samples/islet" run "$scene" "${arguments[@]}" || status=$?
+if [ "$status" -lt 2 ] && [ -n "$picture" ]; then
+    # What --json prints must stay JSON.
+    case " $* " in *" --json "*) exec >&2 ;; esac
+    printf 'picture: %s\n' "$picture"
+fi
 exit "$status"

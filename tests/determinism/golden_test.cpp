@@ -1,8 +1,8 @@
 // The same bits everywhere: every scene, at every width of lanes, against the hashes in golden.txt. This test is built and run by every compiler, at
 // every optimisation level and under the sanitizers, so a pass there is equality between them.
 //
-// When the engine's results are meant to change: ISLET_UPDATE_GOLDEN=1 tests/islet_determinism_tests rewrites golden.txt (so does the
-// program `hashes` with --update). Builds with asserts or sanitizers run the benchmark scenes to their near checkpoint only.
+// When the engine's results are meant to change: ISLET_UPDATE_GOLDEN=1 tests/islet_determinism_tests --gtest_filter=GoldenFile.*
+// rewrites golden.txt (so does the program `islet_hashes` with --update). Builds with asserts or sanitizers run the benchmark scenes to their near checkpoint only.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -4,7 +4,7 @@
 //
 // Exit status 0: all equal; 1: not; 2: wrong usage. --most-steps leaves out the checkpoints beyond, --large-steps those of the benchmark scenes.
 #include <cstdio>
-#include <cstring>
+#include <cstdlib>
 #include <string>
 
 #include "golden.hpp"

@@ -1,9 +1,6 @@
 // What the bits may not depend on: the memory a world is made in, objects that were there before, who looks on; and what the hash must notice.
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cstring>
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>

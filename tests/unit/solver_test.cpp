@@ -114,9 +114,7 @@ void compare_with_plain(const SweepNumbers& first, const SweepNumbers& second, i
         }
         const Solved got = run_kernel<Lane4>(p, first, second, sweeps, false);
         // The kernel leaves out the third order of a turn by q = w h: lever q^3 / 6 / h, or 3 m (5 / 240)^3 / 6 240 = 1e-3 m/s.
-        const auto expect_near = [](float value, double expected) {
-            EXPECT_NEAR(double{value}, expected, 1e-3 * (1 + std::abs(expected)));
-        };
+        const auto expect_near = [](float value, double expected) { EXPECT_NEAR(wide(value), expected, 1e-3 * (1 + std::abs(expected))); };
         for (std::size_t i = 1; i < p.bodies.size(); ++i) {
             expect_near(got.bodies[i].v.x, plain.bodies[i].v.x);
             expect_near(got.bodies[i].v.y, plain.bodies[i].v.y);
@@ -169,7 +167,7 @@ struct Speeds {
 // Relative velocity at a point, in double precision, from what the kernel left.
 Speeds speeds_at(const ContactProblem& p, const Solved& s, std::size_t c, std::uint32_t i) {
     PlainSolver view(p);
-    for (std::size_t b = 0; b < s.bodies.size(); ++b) view.bodies[b] = {wide(s.bodies[b].v), {}, double{s.bodies[b].w}, 0, 0, 0};
+    for (std::size_t b = 0; b < s.bodies.size(); ++b) view.bodies[b] = {wide(s.bodies[b].v), {}, wide(s.bodies[b].w), 0, 0, 0};
     return {view.speed(c, i, view.normal(c)), view.speed(c, i, view.tangent(c))};
 }
 
@@ -183,14 +181,14 @@ TEST(ContactKernel, AConvergedSolveObeysTheContactLaws) {
         int sliding = 0, open = 0, pressed = 0;
         for (std::size_t c = 0; c < p.manifolds.size(); ++c) {
             for (std::uint32_t i = 0; i < 2; ++i) {
-                const double n = double{s.manifolds[c].normal_impulse[i]}, t = double{s.manifolds[c].tangent_impulse[i]};
+                const double n = wide(s.manifolds[c].normal_impulse[i]), t = wide(s.manifolds[c].tangent_impulse[i]);
                 const Speeds v = speeds_at(p, s, c, i);
                 // Signorini: 0 <= lambda, 0 <= v_n, and one of them is 0.
                 EXPECT_GE(n, 0);
                 EXPECT_GE(v.n, -1e-4) << "seed " << seed;
                 EXPECT_NEAR(n * v.n, 0, 1e-4) << "seed " << seed;
                 // Coulomb: |lambda_t| <= mu lambda_n; below the bound it sticks, at the bound it slides against the impulse.
-                const double bound = double{p.manifolds[c].friction} * n;
+                const double bound = wide(p.manifolds[c].friction) * n;
                 EXPECT_LE(std::abs(t), bound + 1e-5);
                 const bool sticks = std::abs(t) < bound - 1e-3;
                 EXPECT_NEAR(sticks ? v.t : 0, 0, 1e-3) << "seed " << seed;
@@ -220,10 +218,10 @@ TEST(ContactKernel, MomentumIsExchangedNotMade) {
             double px = 0, py = 0, l = 0;
             for (std::size_t i = 1; i < bodies.size(); ++i) {
                 const SolverBody& b = bodies[i];
-                const double m = 1 / double{b.inv_mass};
-                px += m * double{b.v.x};
-                py += m * double{b.v.y};
-                l += m * cross(wide(p.poses[i].center), wide(b.v)) + (b.inv_inertia > 0 ? double{b.w} / double{b.inv_inertia} : 0);
+                const double m = 1 / wide(b.inv_mass);
+                px += m * wide(b.v.x);
+                py += m * wide(b.v.y);
+                l += m * cross(wide(p.poses[i].center), wide(b.v)) + (b.inv_inertia > 0 ? wide(b.w) / wide(b.inv_inertia) : 0);
             }
             return std::vector<double>{px, py, l};
         };

@@ -182,31 +182,41 @@ void find_moved_pairs(Core& core) {
     sweep(out, all, moved);
 
     const Tree tree{&core.state->tree, core.tree};
-    const auto against_rest = [&](std::uint32_t shape) {
-        tree_query(tree, core.boxes[shape], [&](std::uint32_t other) { out.push(shape, other); });
-    };
-    for (std::uint32_t i = 0; i < moved.count; ++i) against_rest(moved.shape[i]);
+    for (std::uint32_t i = 0; i < moved.count; ++i)
+        tree_query(tree, core.boxes[moved.shape[i]], [&](std::uint32_t other) { out.push(moved.shape[i], other); });
 
 
-    // Shapes at rest whose boxes changed: just created, teleported, or fallen asleep as they moved.
+    // Shapes at rest whose boxes changed: just created, teleported, or fallen asleep as they moved. Each pair is looked at once, so that each one
+    // dropped counts once.
     core.moved_shapes.for_each([&](std::uint32_t shape) {
         if (core.is_awake(core.shapes[shape].body)) return;
-        for (std::uint32_t i = 0; i < all.count; ++i)
-            if (overlaps(core.boxes[all.shape[i]], core.boxes[shape])) out.push(shape, all.shape[i]);
-        against_rest(shape);
+        for (std::uint32_t i = 0; i < all.count; ++i) {
+            const std::uint32_t other = all.shape[i];
+            if (overlaps(core.boxes[other], core.boxes[shape]) && !core.moved_shapes.test(other)) out.push(shape, other);
+        }
+        tree_query(tree, core.boxes[shape], [&](std::uint32_t other) {
+            if (other > shape || !core.moved_shapes.test(other)) out.push(shape, other);
+        });
     });
     out.flush();
 }
 
+inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness: who may move more in a step looks ahead for contacts
+
 // Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step.
 void find_pairs_ahead(Core& core, float dt) {
     const Tree tree{&core.state->tree, core.tree};
-    if (core.state->tree.leaf_count == 0) return;
     core.awake_bodies.for_each([&](std::uint32_t body) {
-        if ((core.poses[body].flags & pose_fast) == 0) return;
+        const Motion& motion = core.motions[body];
+        Pose& pose = core.poses[body];
+        const bool fast = dt * (length(motion.v) + abs(motion.w) * pose.max_extent) > fast_fraction * core.bodies[body].min_extent;
+        pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
+        if (!fast) return;
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
             tree_query(tree, box_ahead(core, s, dt), [&](std::uint32_t other) {
-                if (core.bodies[core.shapes[other].body].type() == BodyType::static_body) add_pair(core, s, other);
+                // Where the fat boxes overlap the contact is there already, or was dropped and counted.
+                const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
+                if (is_static && !overlaps(core.boxes[s], core.boxes[other])) add_pair(core, s, other);
             });
         }
     });
@@ -215,10 +225,10 @@ void find_pairs_ahead(Core& core, float dt) {
 }  // namespace
 
 void mark_moved(Core& core, std::uint32_t shape) {
+    core.poses[core.shapes[shape].body].flags |= pose_moved;
     if (core.moved_shapes.test(shape)) return;
     core.moved_shapes.set(shape);
     ++core.state->moved_count;
-    core.poses[core.shapes[shape].body].flags |= pose_moved;
 }
 
 Aabb box_ahead(const Core& core, std::uint32_t shape, float dt) {

@@ -11,7 +11,7 @@
 namespace islet::detail {
 
 enum PoseFlags : std::uint32_t {
-    pose_fast = 1u,   // moved so far in the last step that its contacts look further ahead
+    pose_fast = 1u,   // may move so far in this step that its contacts look further ahead
     pose_moved = 2u,  // a fat box of it changed since contacts were last updated
 };
 

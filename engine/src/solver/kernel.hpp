@@ -18,6 +18,7 @@ namespace islet::detail {
 
 inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
 inline constexpr std::uint32_t body_words = sizeof(SolverBody) / 4;
+inline constexpr std::uint32_t restitution_passes = 6;
 inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
 
 /// Where prepare finds its inputs.
@@ -172,7 +173,6 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
     float* bodies = reinterpret_cast<float*>(bodies_in);
     const F zero = L::splat(0.0f);
     const F one = L::splat(1.0f);
-    const F half = L::splat(0.5f);
     const F inv_h = L::splat(numbers.inv_h);
     const F bias_rate = L::splat(numbers.bias_rate);
     const F mass_scale = L::splat(numbers.mass_scale);
@@ -193,18 +193,17 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
         F vn = nx * vx + ny * vy;
         F wa = a[2], wb = b[2];
 
-        // How far the centres moved apart along n, and the part of turning that does not depend on the point; see ContactRows.
-        const F half_a = half * a[6] * a[6], half_b = half * b[6] * b[6];
-        const F turn = b[6] - a[6], bend = half_a - half_b;
-        const F base = nx * (b[4] - a[4]) + ny * (b[5] - a[5]) + (b[6] * dt - half_b * dn);
+        // How far the two surfaces moved apart along n: the row's Jacobian times the bodies' way. The part that does not depend on the point first.
+        const F turn = b[6] - a[6];
+        const F base = nx * (b[4] - a[4]) + ny * (b[5] - a[5]) + b[6] * dt;
 
         F sum_n = zero, total_n = zero;
         const std::uint32_t points = r.two_points ? 2 : 1;
         for (std::uint32_t i = 0; i < points; ++i) {
             typename Rows::Point& p = r.points[i];
-            const F an = L::load(p.an), at = L::load(p.at);
+            const F at = L::load(p.at);
             const F bt = at + dt;
-            const F s = L::load(p.separation) + base + (at * turn + an * bend);
+            const F s = L::load(p.separation) + base + at * turn;
             const F m = L::load(p.normal_mass);
             const F old = L::load(p.normal_impulse);
             const F speed = vn + (wb * bt - wa * at);
@@ -282,8 +281,11 @@ void ContactKernel<L>::restitute(SolverBody* bodies_in, Rows* rows, std::uint32_
         const F nx = L::load(r.nx), ny = L::load(r.ny), dt = L::load(r.dt), e = L::load(r.restitution);
         F vn = nx * (b[0] - a[0]) + ny * (b[1] - a[1]);
         F wa = a[2], wb = b[2], sum = zero;
-        const std::uint32_t points = r.two_points ? 2 : 1;
-        for (std::uint32_t i = 0; i < points; ++i) {
+        // The two points of a manifold share the blow: a few passes over them solve their 2 x 2 problem, so that a box that lands flat bounces flat.
+        const F second = r.two_points ? L::load(r.points[1].normal_mass) : zero;  // zero where a lane has one point: that one is solved once
+        const std::uint32_t rows_to_solve = r.two_points ? 2 * restitution_passes : 1;
+        for (std::uint32_t k = 0; k < rows_to_solve; ++k) {
+            const std::uint32_t i = k & 1u;
             typename Rows::Point& p = r.points[i];
             const F at = L::load(p.at), bt = at + dt;
             const F approach = L::load(r.approach[i]);
@@ -294,6 +296,7 @@ void ContactKernel<L>::restitute(SolverBody* bodies_in, Rows* rows, std::uint32_
             lambda = select(approach < threshold, lambda, old);
             lambda = select(L::load(r.peak[i]) > zero, lambda, old);
             lambda = select(e > zero, lambda, old);
+            if (k >= 2) lambda = select(second > zero, lambda, old);
             const F delta = lambda - old;
             L::store(p.normal_impulse, lambda);
             sum = sum + delta;

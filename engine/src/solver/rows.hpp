@@ -32,8 +32,7 @@ static_assert(sizeof(SolverBody) == solver_body_bytes && sizeof(SolverMotion) ==
 /// The rows of W contacts of one colour: for each of up to two points one row along the normal n and one along the tangent t = right_perp(n).
 ///
 /// Anchors are kept in the contact's own frame: r = an n + at t. So r x n = at and r x t = -an, which are the angular entries of the two
-/// Jacobians, and turning a body by a small angle q moves its anchor along n by q at - q^2/2 an. The contact point is the same for both bodies,
-/// so B's anchor is A's plus (dn, dt), the vector from B's centre to A's.
+/// Jacobians. The contact point is the same for both bodies, so B's anchor is A's plus (dn, dt), the vector from B's centre to A's.
 template <std::uint32_t W>
 struct alignas(W * 4) ContactRows {
     struct Point {

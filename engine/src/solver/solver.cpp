@@ -115,10 +115,11 @@ void gather_bodies(Solve& s, const Batch& batch) {
     }
 }
 
-// Also of velocities that overflowed: infinite parts become the limit, and what is not a number becomes zero.
+// Also of velocities that overflowed: what is infinite becomes very large first, and what is not a number becomes zero.
 Vec2 limit_speed(Vec2 v, float max_speed) {
-    v.x = v.x == v.x ? clamp(v.x, -max_speed, max_speed) : 0;
-    v.y = v.y == v.y ? clamp(v.y, -max_speed, max_speed) : 0;
+    constexpr float huge = 1.0e18f;  // its square is still a number
+    v.x = v.x == v.x ? clamp(v.x, -huge, huge) : 0;
+    v.y = v.y == v.y ? clamp(v.y, -huge, huge) : 0;
     const float speed = length(v);
     return speed > max_speed ? (max_speed / speed) * v : v;
 }
@@ -156,8 +157,10 @@ void integrate_velocities(Solve& s, const Batch& batch, bool first) {
 
 void integrate_positions(Solve& s, const Batch& batch) {
     const float h = s.numbers.h;
+    const float max_turn = s.numbers.max_turn;  // separations follow the turning to first order, so no substep may turn far
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
+        b.w = clamp(b.w, -max_turn, max_turn);
         b.dp += h * b.v;
         b.dq += h * b.w;
     }

@@ -1,5 +1,6 @@
 #include "world/bounds.hpp"
 
+#include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
 
 namespace islet::detail {
@@ -119,6 +120,12 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     pose.inv_mass = dynamic && mass.mass > 0 ? 1.0f / mass.mass : 0;
     pose.inv_inertia = turns ? 1.0f / mass.inertia : 0;
 
+    if (b.local_center != mass.center) {
+        // Manifolds keep lever arms from the centre of mass, so they must be made anew.
+        for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) {
+            core.manifolds[contact].flags &= ~static_cast<std::uint32_t>(contact_posed);
+        });
+    }
     const Vec2 old_center = pose.center;
     b.local_center = mass.center;
     pose.center = transform_point(body_transform(core, body), mass.center);

@@ -8,8 +8,6 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness: who moves more in a step looks ahead for contacts
-
 // Pose and boxes after the way made. The slack says how far the body may go on before a box could be left, so most bodies need no look at their shapes.
 void move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt) {
     Pose& pose = core.poses[i];
@@ -18,14 +16,11 @@ void move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt) {
     body.origin = pose.center - rotate(pose.q, body.local_center);
 
     const float moved = length(way.dp) + abs(way.dq) * pose.max_extent;
-    const float ahead = dt * (length(motion.v) + abs(motion.w) * pose.max_extent);
-    const bool fast = max(moved, ahead) > fast_fraction * body.min_extent;
-    pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
     motion.slack -= moved;
     if (motion.slack < 0) update_boxes(core, i, false);
 
     // Sleep watches the way made too, so that bodies that are being pushed apart stay awake.
-    const float speed = max(ahead / dt, 0.5f * moved / dt);
+    const float speed = max(length(motion.v) + abs(motion.w) * pose.max_extent, 0.5f * moved / dt);
     const bool resting = speed <= body.sleep_threshold && (body.flags & body_may_sleep) != 0;
     motion.sleep_time = resting ? motion.sleep_time + dt : 0;
 }

@@ -12,24 +12,34 @@ std::uint32_t hash_of(const Geometry& g) {
     return h ^ h >> 15;
 }
 
+std::uint32_t bucket_mask(const Core& core) { return next_power_of_two(geometry_capacity(core.capacity)) - 1; }
+
 }  // namespace
 
-std::uint32_t share_geometry(Core& core, const Geometry& g) {
-    const std::uint32_t capacity = geometry_capacity(core.capacity);
+std::uint32_t find_geometry(const Core& core, const Geometry& g) {
     const std::uint32_t hash = hash_of(g);
-    std::uint32_t& bucket = core.geometry_buckets[hash & (next_power_of_two(capacity) - 1)];
-    for (std::uint32_t i = bucket; i != null_index; i = core.geometries[i].next) {
-        Geometry& other = core.geometries[i];
-        if (other.hash != hash || other.type != g.type || std::memcmp(other.words, g.words, sizeof(g.words)) != 0) continue;
-        ++other.references;
-        return i;
+    std::uint32_t i = core.geometry_buckets[hash & bucket_mask(core)];
+    for (; i != null_index; i = core.geometries[i].next) {
+        const Geometry& other = core.geometries[i];
+        if (other.hash == hash && other.type == g.type && std::memcmp(other.words, g.words, sizeof(g.words)) == 0) break;
     }
+    return i;
+}
+
+std::uint32_t share_geometry(Core& core, const Geometry& g) {
+    const std::uint32_t shared = find_geometry(core, g);
+    if (shared != null_index) {
+        ++core.geometries[shared].references;
+        return shared;
+    }
+    const std::uint32_t hash = hash_of(g);
+    std::uint32_t& bucket = core.geometry_buckets[hash & bucket_mask(core)];
     PoolState& pool = core.state->geometry_pool;
     std::uint32_t index = pool.free_head;
     if (index != null_index) {
         pool.free_head = core.geometries[index].next;
     } else {
-        if (pool.high_water == capacity) return null_index;
+        if (pool.high_water == geometry_capacity(core.capacity)) return null_index;
         index = pool.high_water++;
     }
     ++pool.count;
@@ -44,7 +54,7 @@ std::uint32_t share_geometry(Core& core, const Geometry& g) {
 void release_geometry(Core& core, std::uint32_t index) {
     Geometry& g = core.geometries[index];
     if (--g.references != 0) return;
-    std::uint32_t* link = &core.geometry_buckets[g.hash & (next_power_of_two(geometry_capacity(core.capacity)) - 1)];
+    std::uint32_t* link = &core.geometry_buckets[g.hash & bucket_mask(core)];
     while (*link != index) link = &core.geometries[*link].next;
     *link = g.next;
     g = Geometry{};

@@ -7,6 +7,8 @@ namespace islet::detail {
 
 /// Index of the stored geometry that equals g (bit by bit), with one more reference; null_index if there is no room for a new one.
 std::uint32_t share_geometry(Core& core, const Geometry& g);
+/// Index of the stored geometry that equals g, or null_index.
+std::uint32_t find_geometry(const Core& core, const Geometry& g);
 void release_geometry(Core& core, std::uint32_t index);
 
 }  // namespace islet::detail

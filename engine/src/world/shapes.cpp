@@ -92,13 +92,10 @@ void shapes_changed(Core& core, std::uint32_t body) {
 }
 
 std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& g, const ShapeDef& def) {
+    if (!check(core, core.state->shape_pool.count < core.capacity.shapes, Error::shapes_full)) return null_index;
     const std::uint32_t geometry = share_geometry(core, g);
     if (!check(core, geometry != null_index, Error::geometries_full)) return null_index;
     const std::uint32_t index = pool_take(core.state->shape_pool, core.shapes, core.capacity.shapes);
-    if (!check(core, index != null_index, Error::shapes_full)) {
-        release_geometry(core, geometry);
-        return null_index;
-    }
     link_shape(core, body, index, geometry, def);
     return index;
 }
@@ -176,22 +173,24 @@ std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool 
         const Vec2 after = i + 2 < n ? points[i + 2] : (loop ? points[(i + 2) % n] : p2 + (p2 - p1));
         return ChainSegment{before, {p1, p2}, after};
     };
-    for (std::uint32_t i = 0; i < segments; ++i) {
-        const ChainSegment s = segment_at(i);
-        if (!check_finite(c, s.segment.point1) || !check_finite(c, s.segment.point2)) return 0;
-        if (!check(c, islet::is_valid(s), Error::bad_chain)) return 0;
-    }
+    for (const Vec2 point : points)
+        if (!check_finite(c, point)) return 0;
+    for (std::uint32_t i = 0; i < segments; ++i)
+        if (!check(c, islet::is_valid(segment_at(i)), Error::bad_chain)) return 0;
     if (!check(c, c.capacity.shapes - c.state->shape_pool.count >= segments, Error::shapes_full)) return 0;
 
-    for (std::uint32_t i = 0; i < segments; ++i) {
+    const auto geometry_at = [&](std::uint32_t i) {
         Geometry g = blank(ShapeType::chain_segment);
         g.chain = segment_at(i);
-        const std::uint32_t index = add_shape(c, body, g, def);
-        if (index == null_index) {
-            // No room for another geometry: what was made, newest first, goes again.
-            for (std::uint32_t made = 0; made < i; ++made) remove_shape(c, c.bodies[body].shape_head);
-            return 0;
-        }
+        return g;
+    };
+    // All or nothing, so count first. (A segment that the chain itself repeats is counted each time.)
+    std::uint32_t fresh = 0;
+    for (std::uint32_t i = 0; i < segments; ++i) fresh += find_geometry(c, geometry_at(i)) == null_index ? 1 : 0;
+    if (!check(c, geometry_capacity(c.capacity) - c.state->geometry_pool.count >= fresh, Error::geometries_full)) return 0;
+
+    for (std::uint32_t i = 0; i < segments; ++i) {
+        const std::uint32_t index = add_shape(c, body, geometry_at(i), def);
         if (i < out.size()) out[i] = c.shape_id(index);
     }
     shapes_changed(c, body);
