@@ -73,7 +73,8 @@ inline std::vector<Checkpoint> checkpoints_of(const Table& table, const samples:
 }
 
 /// Runs a scene and fills in the hash at each checkpoint with at most `most_steps` steps; those beyond are left out.
-inline std::vector<Checkpoint> run(const samples::SceneInfo& info, const std::vector<Checkpoint>& points, std::uint32_t lanes, int most_steps) {
+inline std::vector<Checkpoint> run(const samples::SceneInfo& info, const std::vector<Checkpoint>& points, std::uint32_t lanes,
+                                   int most_steps) {
     samples::Scene scene = info.make();
     scene.world.lanes = lanes;
     samples::IsletEngine engine;

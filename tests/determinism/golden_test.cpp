@@ -51,7 +51,8 @@ TEST_P(Golden, HashIsTheSameOnEveryMachine) {
     const bool large = std::string(info.group) == "benchmark";
     const std::vector<golden::Checkpoint> seen = golden::run(info, due, lanes, large ? most_large_steps : 1 << 30);
     ASSERT_FALSE(seen.empty());
-    for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(golden::hex(seen[i].hash), golden::hex(due[i].hash)) << "after " << seen[i].steps << " steps";
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        EXPECT_EQ(golden::hex(seen[i].hash), golden::hex(due[i].hash)) << "after " << seen[i].steps << " steps";
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Combine(testing::ValuesIn(samples::catalogue()), testing::Values(1u, 4u, 8u)),

@@ -76,15 +76,27 @@ const Change matters[] = {
     {"AnAngularDamping", [](Stage& s) { s.world->set_angular_damping(s.ball, 0.5f); }},
     {"AGravityScale", [](Stage& s) { s.world->set_gravity_scale(s.ball, 0.5f); }},
     {"AFixedRotation", [](Stage& s) { s.world->set_fixed_rotation(s.ball, true); }},
-    {"AMass", [](Stage& s) { s.world->set_mass(s.ball, {2, {0, 0}, 1}); }},
-    {"AForce", [](Stage& s) { s.world->apply_force_to_center(s.ball, {1, 0}); }},
+    {"AMass",
+     [](Stage& s) {
+         s.world->set_mass(s.ball, {2, {0, 0}, 1});
+     }},
+    {"AForce",
+     [](Stage& s) {
+         s.world->apply_force_to_center(s.ball, {1, 0});
+     }},
     {"ATorque", [](Stage& s) { s.world->apply_torque(s.ball, 1); }},
-    {"AnImpulse", [](Stage& s) { s.world->apply_linear_impulse_to_center(s.ball, {1, 0}); }},
+    {"AnImpulse",
+     [](Stage& s) {
+         s.world->apply_linear_impulse_to_center(s.ball, {1, 0});
+     }},
     {"AType", [](Stage& s) { s.world->set_type(s.ball, BodyType::kinematic); }},
     {"ThatABodyIsAwake", [](Stage& s) { s.world->wake(s.sleeper); }},
     {"ThatABodyMaySleep", [](Stage& s) { s.world->enable_sleep(s.ball, false); }},
     {"ThatTheWorldMaySleep", [](Stage& s) { s.world->enable_sleep(false); }},
-    {"Gravity", [](Stage& s) { s.world->set_gravity({0, -9.5f}); }},
+    {"Gravity",
+     [](Stage& s) {
+         s.world->set_gravity({0, -9.5f});
+     }},
     {"TheSubsteps",
      [](Stage& s) {
          SolverDef d = s.world->solver();
@@ -104,7 +116,10 @@ const Change matters[] = {
          s.world->set_solver(d);
      }},
     {"ABodyMore", [](Stage& s) { s.world->create_body({}); }},
-    {"AShapeMore", [](Stage& s) { s.world->create_shape(s.ground, Circle{{50, 50}, 0.5f}); }},
+    {"AShapeMore",
+     [](Stage& s) {
+         s.world->create_shape(s.ground, Circle{{50, 50}, 0.5f});
+     }},
     {"ABodyFewer", [](Stage& s) { s.world->destroy_body(s.sleeper); }},
     {"ABodyMadeAndDestroyed", [](Stage& s) { s.world->destroy_body(s.world->create_body({})); }},  // the next id has another generation
     {"AStep", [](Stage& s) { s.world.step(); }},
@@ -138,7 +153,10 @@ const Change does_not_matter[] = {
          bad.linear_damping = -1;
          s.world->create_body(bad);
      }},
-    {"ARefusedShape", [](Stage& s) { s.world->create_shape(s.ball, Circle{{}, -1}); }},
+    {"ARefusedShape",
+     [](Stage& s) {
+         s.world->create_shape(s.ball, Circle{{}, -1});
+     }},
     {"ARefusedSolver",
      [](Stage& s) {
          SolverDef d = s.world->solver();
@@ -148,7 +166,8 @@ const Change does_not_matter[] = {
     {"ANumberSetToWhatItWas", [](Stage& s) { s.world->set_friction(s.world.shape_of(s.ball), 0.6f); }},
 };
 
-INSTANTIATE_TEST_SUITE_P(Hash, DoesNotMatter, testing::ValuesIn(does_not_matter), [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Hash, DoesNotMatter, testing::ValuesIn(does_not_matter),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Hash, DoesNotDependOnHooksOrLanes) {
     // The same objects in a world with no hook and other lanes.

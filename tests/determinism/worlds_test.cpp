@@ -47,12 +47,12 @@ Objects fill(World& world) {
         shape.restitution = i % 4 == 1 ? 0.5f : 0;
         shape.rolling_resistance = i % 5 == 0 ? 0.1f : 0;
         switch (i % 4) {
-            case 0: world.create_shape(id, Circle{{}, 0.375f}, shape); break;
-            case 1: world.create_shape(id, make_box(0.5f, 0.25f), shape); break;
-            case 2: world.create_shape(id, Capsule{{-0.25f, 0}, {0.25f, 0}, 0.25f}, shape); break;
-            default:
-                world.create_shape(id, make_box(0.125f, 0.5f), shape);
-                world.create_shape(id, make_offset_box(0.5f, 0.125f, {{0, 0.25f}, {}}), shape);
+        case 0: world.create_shape(id, Circle{{}, 0.375f}, shape); break;
+        case 1: world.create_shape(id, make_box(0.5f, 0.25f), shape); break;
+        case 2: world.create_shape(id, Capsule{{-0.25f, 0}, {0.25f, 0}, 0.25f}, shape); break;
+        default:
+            world.create_shape(id, make_box(0.125f, 0.5f), shape);
+            world.create_shape(id, make_offset_box(0.5f, 0.125f, {{0, 0.25f}, {}}), shape);
         }
         made.bodies.push_back(id);
     }
@@ -187,8 +187,8 @@ std::string story(const World& world) {
     const StepReport& r = world.report();
     std::string text;
     const auto add = [&](std::uint64_t n) { text += std::to_string(n) + " "; };
-    for (const std::uint32_t n : {r.bodies, r.awake_bodies, r.shapes, r.contacts, r.touching_contacts, r.recycled_contacts, r.dropped_contacts,
-                                  r.dropped_events, r.islands, r.colors, r.overflow_contacts})
+    for (const std::uint32_t n : {r.bodies, r.awake_bodies, r.shapes, r.contacts, r.touching_contacts, r.recycled_contacts,
+                                  r.dropped_contacts, r.dropped_events, r.islands, r.colors, r.overflow_contacts})
         add(n);
     const auto events = [&](std::span<const TouchEvent> list) {
         text += "| ";

@@ -61,12 +61,12 @@ INSTANTIATE_TEST_SUITE_P(
     Chain, FlatChain,
     testing::Values(Slider{"Box", 0.5f, [](TestWorld& w, const BodyDef& def) { return w.add(make_box(0.5f, 0.5f), def, rough(0)); }},
                     Slider{"Circle", 0.5f, [](TestWorld& w, const BodyDef& def) { return w.add(Circle{}, def, rough(0)); }},
-                    Slider{"Capsule", 0.25f, [](TestWorld& w, const BodyDef& def) {
+                    Slider{"Capsule", 0.25f,
+                           [](TestWorld& w, const BodyDef& def) {
                                return w.add(Capsule{{-0.5f, 0}, {0.5f, 0}, 0.25f}, def, rough(0));
                            }},
-                    Slider{"RoundedBox", 0.5f, [](TestWorld& w, const BodyDef& def) {
-                               return w.add(make_rounded_box(0.4f, 0.4f, 0.1f), def, rough(0));
-                           }}),
+                    Slider{"RoundedBox", 0.5f,
+                           [](TestWorld& w, const BodyDef& def) { return w.add(make_rounded_box(0.4f, 0.4f, 0.1f), def, rough(0)); }}),
     [](const auto& test) { return test.param.name; });
 
 TEST(Chain, ADiscRollsOverItsJointsWithoutSlowing) {

@@ -83,7 +83,8 @@ TEST(Damping, FollowsTheImplicitFormula) {
         const BodyId id = world.add(make_box(0.5f, 0.5f), def);
         world.step(60);
         const int n = 60 * substeps;
-        const double h = double(step_time) / substeps, keep = std::pow(1 + h * double(c), -n), keep_turn = std::pow(1 + 2 * h * double(c), -n);
+        const double h = double(step_time) / substeps, keep = std::pow(1 + h * double(c), -n),
+                     keep_turn = std::pow(1 + 2 * h * double(c), -n);
         EXPECT_NEAR(double(world->linear_velocity(id).x), 3 * keep, 3 * keep * 2 * n * eps) << "c " << c;
         EXPECT_NEAR(double(world->linear_velocity(id).y), -4 * keep, 4 * keep * 2 * n * eps) << "c " << c;
         EXPECT_NEAR(double(world->angular_velocity(id)), 2 * keep_turn, 2 * keep_turn * 2 * n * eps) << "c " << c;

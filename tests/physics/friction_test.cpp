@@ -49,7 +49,8 @@ TEST(Friction, BoxSlidesAboveTheCriticalAngle) {
             const double start = slope.speed();
             slope.world.step(120);
             const double due = g * (std::sin(angle) - double(mu) * std::cos(angle));
-            EXPECT_NEAR((slope.speed() - start) / 2, due, 0.01 * g * double(mu) * std::cos(angle)) << "mu " << mu << ", " << degrees << " over";
+            EXPECT_NEAR((slope.speed() - start) / 2, due, 0.01 * g * double(mu) * std::cos(angle))
+                << "mu " << mu << ", " << degrees << " over";
         }
     }
 }

@@ -14,9 +14,9 @@ inline constexpr bool slow_build = false;
 inline constexpr bool slow_build = true;
 #endif
 
-inline constexpr float step_time = 1.0f / 60;  // s
-inline constexpr double g = 10;                // m/s^2, the default gravity
-inline constexpr double eps = 1.0 / (1 << 24); // largest relative error of one rounding of a float
+inline constexpr float step_time = 1.0f / 60;   // s
+inline constexpr double g = 10;                 // m/s^2, the default gravity
+inline constexpr double eps = 1.0 / (1 << 24);  // largest relative error of one rounding of a float
 
 /// What does not change in a free system (the momenta) or only falls (the energy).
 struct Invariants {

@@ -98,7 +98,9 @@ TEST(Momentum, ASmoothCollisionOfTwoBodiesNeverGainsEnergy) {
             TestWorld world(roomy, weightless());
             ShapeDef shape = rough(0);
             shape.restitution = e;
-            const auto uniform = [&](float low, float high) { return low + (high - low) * static_cast<float>(random() >> 8) / 16777216.0f; };
+            const auto uniform = [&](float low, float high) {
+                return low + (high - low) * static_cast<float>(random() >> 8) / 16777216.0f;
+            };
             // Every other pair meets face to face, where two points share the impact.
             const bool flat = i % 2 == 0;
             BodyDef def = dynamic_at({-2, uniform(-0.6f, 0.6f)}, flat ? 0 : uniform(0, 1.5f));

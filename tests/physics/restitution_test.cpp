@@ -48,9 +48,7 @@ TEST(Restitution, ABallReboundsToTheSquareOfEOfItsHeight) {
     }
 }
 
-TEST(Restitution, WithoutItNothingBounces) {
-    EXPECT_LT(rebound_height(0, 5, step_time), 1e-3);
-}
+TEST(Restitution, WithoutItNothingBounces) { EXPECT_LT(rebound_height(0, 5, step_time), 1e-3); }
 
 struct Speeds {
     double a, b;

@@ -92,7 +92,8 @@ TEST(Rocking, ADiscWithItsWeightOffCentreSwingsWithItsSmallOscillationPeriod) {
         world.add_ground(0, 100, rough(1));
         constexpr double radius = 0.5, inertia = 0.15, mass = 2, swing = 0.1;
         // Turned by theta about the touching point, the middle has rolled by -R theta.
-        const BodyId id = world.add(Circle{{0, 0}, 0.5f}, dynamic_at({static_cast<float>(-radius * swing), 0.5f}, static_cast<float>(swing)), rough(1));
+        const BodyId id =
+            world.add(Circle{{0, 0}, 0.5f}, dynamic_at({static_cast<float>(-radius * swing), 0.5f}, static_cast<float>(swing)), rough(1));
         world->set_mass(id, {static_cast<float>(mass), {0, static_cast<float>(-d)}, static_cast<float>(inertia)});
         Crossings angle;
         for (int i = 1; i <= 3600; ++i) {

@@ -65,7 +65,8 @@ TEST_P(EveryScene, KeepsItsCheck) {
     if (!cut_short) { EXPECT_NEAR(double(engine.counts().contacts), double(size->contacts), 0.15 * double(size->contacts)); }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(samples::catalogue()), [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(samples::catalogue()),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Scenes, NamesAreUniqueAndFound) {
     for (const SceneInfo& info : samples::catalogue()) {

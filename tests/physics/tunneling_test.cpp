@@ -23,22 +23,22 @@ constexpr float wall_at = 10, half_thickness = 0.05f, size = 0.1f;  // m
 void add_wall(TestWorld& world, Wall wall) {
     const BodyId id = world->create_body({});
     switch (wall) {
-        case Wall::segment: world->create_shape(id, Segment{{wall_at, -20}, {wall_at, 20}}); break;
-        case Wall::chain: {
-            // Solid to those on the right of its direction: running down, it faces what comes from the left.
-            const Vec2 points[] = {{wall_at, 30}, {wall_at, 10}, {wall_at, -10}, {wall_at, -30}};
-            world->create_chain(id, points, false);
-            break;
-        }
-        case Wall::plate: world->create_shape(id, make_offset_box(half_thickness, 20, {{wall_at + half_thickness, 0}, {}})); break;
+    case Wall::segment: world->create_shape(id, Segment{{wall_at, -20}, {wall_at, 20}}); break;
+    case Wall::chain: {
+        // Solid to those on the right of its direction: running down, it faces what comes from the left.
+        const Vec2 points[] = {{wall_at, 30}, {wall_at, 10}, {wall_at, -10}, {wall_at, -30}};
+        world->create_chain(id, points, false);
+        break;
+    }
+    case Wall::plate: world->create_shape(id, make_offset_box(half_thickness, 20, {{wall_at + half_thickness, 0}, {}})); break;
     }
 }
 
 BodyId add_bullet(TestWorld& world, Bullet bullet, const BodyDef& def) {
     switch (bullet) {
-        case Bullet::circle: return world.add(Circle{{}, size}, def);
-        case Bullet::box: return world.add(make_box(size, size), def);
-        case Bullet::capsule: return world.add(Capsule{{-size, 0}, {size, 0}, 0.5f * size}, def);
+    case Bullet::circle: return world.add(Circle{{}, size}, def);
+    case Bullet::box: return world.add(make_box(size, size), def);
+    case Bullet::capsule: return world.add(Capsule{{-size, 0}, {size, 0}, 0.5f * size}, def);
     }
     return {};
 }

@@ -237,6 +237,9 @@ public:
     };
     std::vector<Body> bodies;
     std::vector<Impulse> impulses;
+    /// A soft sweep met a contact that is exactly closed, as a speculative one is after a substep: whether it counts as apart, and so rigid, or as
+    /// overlapping, and so soft, is then a matter of rounding.
+    bool on_edge = false;
 
 private:
     Vec2d arm(std::size_t c, std::uint32_t i, bool of_b) const {
@@ -244,15 +247,14 @@ private:
         const Vec2d ra = wide(m.anchors[i]);
         return of_b ? ra - wide(m.offset) : ra;
     }
-    // Lever arms stay as they were when the manifold was made (a kept manifold leaves out the geometric stiffness), so the turn since then and the turn
-    // within the step both act on that arm.
+    // Since the manifold was made the bodies have turned by a finite angle; within the step the separation changes by the Jacobian times their way.
     double separation(std::size_t c, std::uint32_t i) const {
         const detail::ContactManifold& m = p_.manifolds[c];
         const auto moved = [&](std::uint32_t body, Rot then, bool of_b) {
             const detail::Pose& pose = p_.poses[body];
             const double turn = std::atan2(wide(pose.q.s), wide(pose.q.c)) - std::atan2(wide(then.s), wide(then.c));
             const Vec2d r = arm(c, i, of_b);
-            return wide(pose.center) + bodies[body].dp + turned(r, turn) + turned(r, bodies[body].dq) - r;
+            return wide(pose.center) + bodies[body].dp + turned(r, turn) + bodies[body].dq * Vec2d{-r.y, r.x};
         };
         return wide(m.separation[i]) + dot(normal(c), moved(m.body_b, m.rotation_b, true) - moved(m.body_a, m.rotation_a, false));
     }
@@ -275,7 +277,10 @@ private:
         const detail::ContactManifold& m = p_.manifolds[c];
         Impulse& lambda = impulses[c];
         double s[2];
-        for (std::uint32_t i = 0; i < m.count(); ++i) s[i] = separation(c, i);
+        for (std::uint32_t i = 0; i < m.count(); ++i) {
+            s[i] = separation(c, i);
+            on_edge = on_edge || (n.mass_scale < 1 && std::abs(s[i]) < 1e-6);
+        }
         for (std::uint32_t i = 0; i < m.count(); ++i) {
             double bias = s[i] * wide(n.inv_h), mass_scale = 1, impulse_scale = 0;
             if (s[i] <= 0) {

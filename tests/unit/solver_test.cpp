@@ -98,6 +98,7 @@ TEST(ContactKernel, TheLanesOfAWorldDoNotChangeItsBits) {
 // -- a plain solver ------------------------------------------------------------------------------------------------------------------------
 
 void compare_with_plain(const SweepNumbers& first, const SweepNumbers& second, int sweeps, bool surfaces) {
+    int compared = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         ContactProblem p = random_problem(seed, 3, 6, false);
         if (surfaces) {
@@ -112,9 +113,11 @@ void compare_with_plain(const SweepNumbers& first, const SweepNumbers& second, i
             plain.integrate();
             plain.sweep(second);
         }
+        if (plain.on_edge) continue;
+        ++compared;
         const Solved got = run_kernel<Lane4>(p, first, second, sweeps, false);
-        // The kernel leaves out the third order of a turn by q = w h: lever q^3 / 6 / h, or 3 m (5 / 240)^3 / 6 240 = 1e-3 m/s.
-        const auto expect_near = [](float value, double expected) { EXPECT_NEAR(wide(value), expected, 1e-3 * (1 + std::abs(expected))); };
+        // Single precision, through a few sweeps of numbers around one.
+        const auto expect_near = [](float value, double expected) { EXPECT_NEAR(wide(value), expected, 2e-4 * (1 + std::abs(expected))); };
         for (std::size_t i = 1; i < p.bodies.size(); ++i) {
             expect_near(got.bodies[i].v.x, plain.bodies[i].v.x);
             expect_near(got.bodies[i].v.y, plain.bodies[i].v.y);
@@ -128,9 +131,11 @@ void compare_with_plain(const SweepNumbers& first, const SweepNumbers& second, i
         }
         ASSERT_FALSE(testing::Test::HasFailure()) << "seed " << seed;
     }
+    EXPECT_GE(compared, 15);
 }
 
-TEST(ContactKernel, MatchesAPlainSolverForSoftContacts) { compare_with_plain(soft_numbers(false), rigid_numbers(true), 2, false); }
+// One round: a speculative contact then closes its gap exactly, and a soft row jumps at a separation of 0, where rounding alone would decide.
+TEST(ContactKernel, MatchesAPlainSolverForSoftContacts) { compare_with_plain(soft_numbers(false), rigid_numbers(true), 1, false); }
 TEST(ContactKernel, MatchesAPlainSolverForBaumgarte) { compare_with_plain(baumgarte_numbers(), baumgarte_numbers(), 2, false); }
 TEST(ContactKernel, MatchesAPlainSolverWithMovingSurfaces) { compare_with_plain(rigid_numbers(true), rigid_numbers(true), 2, true); }
 

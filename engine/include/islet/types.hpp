@@ -10,6 +10,13 @@
 
 namespace islet {
 
+/// No position may exceed this on either axis, m: there a float steps by a metre. Bodies that fly farther stop at it.
+inline constexpr float max_position = 1.0e7f;
+/// Coefficients of friction and rolling resistance go from 0 to this.
+inline constexpr float max_coefficient = 1.0e9f;
+/// Speed limits and surface speeds go up to this, m/s.
+inline constexpr float max_speed_limit = 1.0e6f;
+
 /// Handle of a body. Default-constructed: null. Safe to keep: an id whose object was destroyed is stale, never wrong.
 struct BodyId {
     std::uint32_t index1 = 0;      // slot + 1; 0 is null
@@ -88,7 +95,7 @@ struct WorldDef {
     SolverDef solver = {};
     bool enable_sleep = true;            ///< Let islands at rest fall asleep after 0.5 s.
     float restitution_threshold = 1.0f;  ///< m/s, >= 0. Slower impacts do not bounce.
-    float max_speed = 400.0f;            ///< m/s, > 0. No body moves faster.
+    float max_speed = 400.0f;            ///< m/s, > 0, at most max_speed_limit. No body moves faster.
     std::uint32_t lanes = 0;             ///< 1, 4 or 8 constraints at once; 0 picks the widest the processor has. The bits are the same.
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
@@ -103,7 +110,7 @@ enum class BodyType : std::uint8_t {
 /// What a new body is like.
 struct BodyDef {
     BodyType type = BodyType::static_body;
-    Vec2 position = {};                  ///< m, of the body's origin
+    Vec2 position = {};             ///< m, of the body's origin; within max_position
     float angle = 0;                ///< rad
     Vec2 linear_velocity = {};           ///< m/s, of the centre of mass
     float angular_velocity = 0;     ///< rad/s
@@ -126,10 +133,10 @@ struct Filter {
 
 /// What a new shape is like.
 struct ShapeDef {
-    float friction = 0.6f;           ///< Coulomb coefficient, >= 0. Two shapes mix by the geometric mean.
+    float friction = 0.6f;           ///< Coulomb coefficient, 0 to max_coefficient. Two shapes mix by the geometric mean.
     float restitution = 0;           ///< 0 to 1. Two shapes mix by the larger.
-    float rolling_resistance = 0;    ///< >= 0, times the larger radius: lever arm of the resisting torque. Two shapes mix by the larger.
-    float tangent_speed = 0;         ///< m/s. A conveyor: the surface runs to the left along the outline. Two shapes add.
+    float rolling_resistance = 0;    ///< 0 to max_coefficient, times the larger radius: lever arm of the resisting torque. Two shapes mix by the larger.
+    float tangent_speed = 0;         ///< m/s. A conveyor: what lies on the surface is carried to its right (clockwise around the shape). Two shapes add.
     float density = 1;               ///< kg/m^2, >= 0
     Filter filter = {};
     std::uint64_t user_data = 0;

@@ -108,7 +108,8 @@ public:
     float mass(BodyId body) const;
     /// About the centre of mass.
     float rotational_inertia(BodyId body) const;
-    /// Replaces what the shapes gave, until a shape is added or removed or reset_mass is called. mass > 0, inertia >= 0 (0: does not turn).
+    /// Replaces what the shapes gave, until a shape is added or removed or reset_mass is called. mass 1e-12 to 1e30 kg, inertia
+    /// 0 (does not turn) or 1e-15 to 1e30 kg m^2, centre within max_position.
     void set_mass(BodyId body, const MassData& mass);
     /// Mass, centre and inertia from the shapes' densities again.
     void reset_mass(BodyId body);

@@ -177,7 +177,9 @@ void sweep(PairBuffer& out, const Columns& all, const Columns& moved) {
 // Every pair in which a fat box changed.
 void find_moved_pairs(Core& core) {
     Arena arena = core.arena();
-    const auto [all, moved] = sorted_columns(core, arena);
+    const Motioned columns = sorted_columns(core, arena);
+    const Columns& all = columns.all;
+    const Columns& moved = columns.moved;
     PairBuffer out{core, {}};
     sweep(out, all, moved);
 

@@ -178,7 +178,7 @@ void scatter_bodies(Solve& s, const Batch& batch) {
         motion.w = b.w;
         motion.force = {0, 0};
         motion.torque = 0;
-        pose.center += b.dp;
+        pose.center = max(min(pose.center + b.dp, Vec2{max_position, max_position}), Vec2{-max_position, -max_position});
         if (b.dq != 0) pose.q = integrate(pose.q, b.dq);
     }
 }

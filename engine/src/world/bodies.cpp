@@ -27,7 +27,7 @@ namespace {
 bool check_def(const Core& core, const BodyDef& d) {
     const bool finite = is_finite(d.position) && is_finite(d.angle) && is_finite(d.linear_velocity) && is_finite(d.angular_velocity) &&
                         is_finite(d.linear_damping) && is_finite(d.angular_damping) && is_finite(d.gravity_scale) && is_finite(d.sleep_threshold);
-    return check(core, finite, Error::not_finite) &&
+    return check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range);
 }
 
@@ -159,7 +159,7 @@ void World::set_transform(BodyId id, Vec2 position, float angle) {
     Core& c = core();
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
-    if (i == null_index || !check_finite(c, position) || !check_finite(c, angle)) return;
+    if (i == null_index || !check_position(c, position) || !check_finite(c, angle)) return;
     destroy_contacts(c, i);
     wake_island(c, i, c.arena());
     const bool at_rest = !c.is_awake(i);
@@ -262,9 +262,9 @@ void World::set_mass(BodyId id, const MassData& mass) {
     Core& c = core();
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
-    if (i == null_index || !check_range(c, mass.mass, 1.0e-30f, 1.0e30f) || !check_finite(c, mass.center) ||
-        !check_range(c, mass.inertia, 0, no_limit) || !core().is_dynamic(i))
-        return;
+    if (i == null_index || !check_range(c, mass.mass, min_mass, max_mass) || !check_position(c, mass.center)) return;
+    if (mass.inertia != 0 && !check_range(c, mass.inertia, min_inertia, max_mass)) return;
+    if (!c.is_dynamic(i)) return;
     wake_island(c, i, c.arena());
     c.bodies[i].flags |= body_mass_override;
     apply_mass(c, i, mass);

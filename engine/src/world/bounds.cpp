@@ -117,8 +117,8 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     const bool turns = dynamic && (b.flags & body_fixed_rotation) == 0 && mass.inertia > 0;
     b.mass = dynamic ? mass.mass : 0;
     b.inertia = dynamic ? mass.inertia : 0;
-    pose.inv_mass = dynamic && mass.mass > 0 ? 1.0f / mass.mass : 0;
-    pose.inv_inertia = turns ? 1.0f / mass.inertia : 0;
+    pose.inv_mass = dynamic ? 1.0f / clamp(mass.mass, min_mass, max_mass) : 0;
+    pose.inv_inertia = turns ? 1.0f / clamp(mass.inertia, min_inertia, max_mass) : 0;
 
     if (b.local_center != mass.center) {
         // Manifolds keep lever arms from the centre of mass, so they must be made anew.
@@ -146,13 +146,16 @@ void update_mass(Core& core, std::uint32_t body) {
         total.mass += m.mass;
         total.center += m.mass * m.center;
     }
-    if (total.mass > 0) total.center *= 1.0f / total.mass;
+    if (total.mass < min_mass) {
+        // A dynamic body without mass would not move: it weighs a kilogram. One lighter than the lightest is a point of that mass.
+        apply_mass(core, body, {total.mass > 0 ? min_mass : 1.0f, {0, 0}, 0});
+        return;
+    }
+    total.center *= 1.0f / total.mass;
     for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
         const MassData m = mass_of(core.geometries[core.shapes[s].geometry], core.shapes[s].density);
         inertia += m.inertia + m.mass * distance_squared(m.center, total.center);
     }
-    // A dynamic body without mass would not move: it weighs a kilogram, and turns only if its shapes give it inertia.
-    if (total.mass <= 0) total = {1.0f, {0, 0}, 0};
     total.inertia = inertia;
     apply_mass(core, body, total);
 }

@@ -6,6 +6,11 @@
 
 namespace islet::detail {
 
+// Lighter and heavier bodies are taken for this light and this heavy, so that no inverse overflows.
+inline constexpr float min_mass = 1.0e-12f;     // kg
+inline constexpr float min_inertia = 1.0e-15f;  // kg m^2
+inline constexpr float max_mass = 1.0e30f;      // kg; the largest inertia too, kg m^2
+
 Transform body_transform(const Core& core, std::uint32_t body);
 /// Tight box of a shape in the world.
 Aabb shape_aabb(const Core& core, std::uint32_t shape);

@@ -24,6 +24,10 @@ inline bool check_range(const Core& core, float a, float lo, float hi) {
 }
 inline constexpr float no_limit = 3.4e38f;
 
+inline bool check_position(const Core& core, Vec2 p) {
+    return check_range(core, p.x, -max_position, max_position) && check_range(core, p.y, -max_position, max_position);
+}
+
 bool check_solver(const SolverDef& def, Error& error);
 
 }  // namespace islet::detail

@@ -57,7 +57,9 @@ bool check_def(const Core& core, const ShapeDef& d) {
     const bool finite = is_finite(d.friction) && is_finite(d.restitution) && is_finite(d.rolling_resistance) && is_finite(d.tangent_speed) &&
                         is_finite(d.density);
     return check(core, finite, Error::not_finite) &&
-           check(core, d.friction >= 0 && d.restitution >= 0 && d.restitution <= 1 && d.rolling_resistance >= 0 && d.density >= 0, Error::out_of_range);
+           check_range(core, d.friction, 0, max_coefficient) && check_range(core, d.restitution, 0, 1) &&
+           check_range(core, d.rolling_resistance, 0, max_coefficient) &&
+           check_range(core, d.tangent_speed, -max_speed_limit, max_speed_limit) && check_range(core, d.density, 0, no_limit);
 }
 
 void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32_t geometry, const ShapeDef& def) {
@@ -274,7 +276,7 @@ const ChainSegment* World::chain_segment(ShapeId id) const {
 void World::set_friction(ShapeId id, float friction) {
     Core& c = core();
     const std::uint32_t i = find_shape(c, id);
-    if (i == null_index || !check_range(c, friction, 0, no_limit)) return;
+    if (i == null_index || !check_range(c, friction, 0, max_coefficient)) return;
     c.shapes[i].friction = friction;
     remix(c, i);
 }
@@ -290,7 +292,7 @@ void World::set_restitution(ShapeId id, float restitution) {
 void World::set_rolling_resistance(ShapeId id, float resistance) {
     Core& c = core();
     const std::uint32_t i = find_shape(c, id);
-    if (i == null_index || !check_range(c, resistance, 0, no_limit)) return;
+    if (i == null_index || !check_range(c, resistance, 0, max_coefficient)) return;
     c.shapes[i].rolling_resistance = resistance;
     remix(c, i);
 }
@@ -298,7 +300,7 @@ void World::set_rolling_resistance(ShapeId id, float resistance) {
 void World::set_tangent_speed(ShapeId id, float speed) {
     Core& c = core();
     const std::uint32_t i = find_shape(c, id);
-    if (i == null_index || !check_finite(c, speed)) return;
+    if (i == null_index || !check_range(c, speed, -max_speed_limit, max_speed_limit)) return;
     c.shapes[i].tangent_speed = speed;
     remix(c, i);
 }

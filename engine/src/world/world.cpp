@@ -28,7 +28,7 @@ Error check_capacity(const Capacity& c) {
 
 Error check_def(const WorldDef& def) {
     if (!is_finite(def.gravity) || !is_finite(def.restitution_threshold) || !is_finite(def.max_speed)) return Error::not_finite;
-    if (def.restitution_threshold < 0 || def.max_speed <= 0) return Error::out_of_range;
+    if (def.restitution_threshold < 0 || def.max_speed <= 0 || def.max_speed > max_speed_limit) return Error::out_of_range;
     if (def.lanes != 0 && def.lanes != 1 && def.lanes != 4 && def.lanes != 8) return Error::out_of_range;
     Error error = Error::none;
     check_solver(def.solver, error);
