@@ -120,7 +120,7 @@ struct BodyDef {
     float sleep_threshold = 0.05f;  ///< m/s, >= 0. Slower bodies may fall asleep.
     bool enable_sleep = true;       ///< false: keeps itself and its island awake.
     bool awake = true;              ///< false: starts asleep.
-    bool fixed_rotation = false;    ///< true: infinite rotational inertia.
+    bool fixed_rotation = false;    ///< true: infinite rotational inertia, and no angular velocity to start with.
     std::uint64_t user_data = 0;
 };
 
@@ -157,7 +157,7 @@ struct StepReport {
     std::uint32_t touching_contacts = 0; ///< of the awake ones
     std::uint32_t recycled_contacts = 0; ///< awake contacts whose manifold was kept
     std::uint32_t dropped_contacts = 0;  ///< pairs that found no room this step; they are retried every step
-    std::uint32_t dropped_events = 0;    ///< end events that found no room
+    std::uint32_t dropped_events = 0;    ///< end events that found no room since the last step began
     std::uint32_t islands = 0;           ///< awake islands
     std::uint32_t colors = 0;            ///< constraint colours in use
     std::uint32_t overflow_contacts = 0; ///< contacts that found no colour and were solved one by one

@@ -91,6 +91,7 @@ public:
     void set_transform(BodyId body, Vec2 position, float angle);
     /// No effect on static bodies. Wakes the body if the velocity is not zero.
     void set_linear_velocity(BodyId body, Vec2 velocity);
+    /// As above; no effect on bodies of fixed rotation either.
     void set_angular_velocity(BodyId body, float velocity);
 
     /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s)
@@ -103,12 +104,12 @@ public:
     void apply_angular_impulse(BodyId body, float impulse);
 
     BodyType type(BodyId body) const;
-    /// Changes the type; contacts are found anew. A body that becomes static loses its velocity.
+    /// Changes the type; contacts are found anew, and the mass is that of the shapes again. A body that becomes static loses its velocity.
     void set_type(BodyId body, BodyType type);
     float mass(BodyId body) const;
     /// About the centre of mass.
     float rotational_inertia(BodyId body) const;
-    /// Replaces what the shapes gave, until a shape is added or removed or reset_mass is called. mass 1e-12 to 1e30 kg, inertia
+    /// Replaces what the shapes gave, until a shape is added or removed, the type changes or reset_mass is called. mass 1e-12 to 1e30 kg, inertia
     /// 0 (does not turn) or 1e-15 to 1e30 kg m^2, centre within max_position.
     void set_mass(BodyId body, const MassData& mass);
     /// Mass, centre and inertia from the shapes' densities again.

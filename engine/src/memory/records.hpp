@@ -39,7 +39,6 @@ enum BodyFlags : std::uint32_t {
     body_type_mask = 3u,     // BodyType
     body_fixed_rotation = 4u,
     body_may_sleep = 8u,
-    body_mass_override = 16u,
 };
 
 struct Body {

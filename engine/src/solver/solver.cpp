@@ -157,9 +157,11 @@ void integrate_velocities(Solve& s, const Batch& batch, bool first) {
 
 void integrate_positions(Solve& s, const Batch& batch) {
     const float h = s.numbers.h;
+    const float max_speed = s.numbers.max_speed;
     const float max_turn = s.numbers.max_turn;  // separations follow the turning to first order, so no substep may turn far
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
+        if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
         b.w = clamp(b.w, -max_turn, max_turn);
         b.dp += h * b.v;
         b.dq += h * b.w;
@@ -174,7 +176,7 @@ void scatter_bodies(Solve& s, const Batch& batch) {
         b.dq = clamp(b.dq, -max_turn, max_turn);
         Pose& pose = s.core.poses[i];
         Motion& motion = s.core.motions[i];
-        motion.v = b.v;
+        motion.v = limit_speed(b.v, s.numbers.max_speed);
         motion.w = b.w;
         motion.force = {0, 0};
         motion.torque = 0;

@@ -78,7 +78,7 @@ BodyId World::create_body(const BodyDef& def) {
     const bool moves = def.type != BodyType::static_body;
     if (moves) {
         c.motions[i].v = def.linear_velocity;
-        c.motions[i].w = def.angular_velocity;
+        c.motions[i].w = def.fixed_rotation ? 0 : def.angular_velocity;
     }
     c.awake_bodies.assign(i, moves && def.awake);
     c.motions[i].slack = 3.0e38f;
@@ -183,6 +183,7 @@ void World::set_angular_velocity(BodyId id, float velocity) {
     Core& c = core();
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
+    if ((c.bodies[i].flags & body_fixed_rotation) != 0) return;
     if (velocity != 0) wake_island(c, i, c.arena());
     if (c.is_awake(i)) c.motions[i].w = velocity;
 }
@@ -242,7 +243,7 @@ void World::set_type(BodyId id, BodyType type) {
     destroy_contacts(c, i);
     unrest_shapes(c, i);
     c.awake_bodies.clear(i);
-    b.flags = (b.flags & ~(body_type_mask | body_mass_override)) | static_cast<std::uint32_t>(type);
+    b.flags = (b.flags & ~static_cast<std::uint32_t>(body_type_mask)) | static_cast<std::uint32_t>(type);
     c.motions[i].force = {0, 0};
     c.motions[i].torque = 0;
     c.motions[i].sleep_time = 0;
@@ -266,7 +267,6 @@ void World::set_mass(BodyId id, const MassData& mass) {
     if (mass.inertia != 0 && !check_range(c, mass.inertia, min_inertia, max_mass)) return;
     if (!c.is_dynamic(i)) return;
     wake_island(c, i, c.arena());
-    c.bodies[i].flags |= body_mass_override;
     apply_mass(c, i, mass);
 }
 
@@ -276,7 +276,6 @@ void World::reset_mass(BodyId id) {
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
     wake_island(c, i, c.arena());
-    c.bodies[i].flags &= ~static_cast<std::uint32_t>(body_mass_override);
     update_mass(c, i);
 }
 

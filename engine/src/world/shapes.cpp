@@ -84,10 +84,9 @@ void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32
     core.boxes[index] = {{1, 1}, {-1, -1}};  // holds nothing, so that update_boxes makes it anew
 }
 
-// After shapes were added to a body or taken from it: mass (the override ends), boxes, the tree.
+// After shapes were added to a body or taken from it: mass, boxes, the tree.
 void shapes_changed(Core& core, std::uint32_t body) {
     const DefaultFloatMode mode;
-    core.bodies[body].flags &= ~static_cast<std::uint32_t>(body_mass_override);
     update_mass(core, body);
     update_boxes(core, body, false);
     if (!core.is_awake(body)) rest_shapes(core, body);
