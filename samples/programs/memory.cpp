@@ -8,7 +8,7 @@ using namespace islet;
 namespace {
 
 constexpr Capacity tiny = {.bodies = 8, .shapes = 8, .contacts = 16, .geometries = 4};
-static_assert(world_bytes(tiny) < 128 * 1024, "must fit the microcontroller's memory");
+static_assert(world_bytes(tiny) < 32 * 1024, "must fit the microcontroller's memory");
 
 void print(const char* what, const Capacity& c) {
     const std::size_t bytes = world_bytes(c);
