@@ -121,12 +121,15 @@ Capacity capacity_of(const Scene& scene) {
             if (body.def.type != BodyType::static_body) moving_shapes += count;
         }
     }
+    capacity.shapes += scene.extra_shapes;
+    moving_shapes += scene.extra_shapes;
     // A dense pile has 3 to 5 pairs of overlapping fat boxes a shape; the rest is room for a pile being squeezed.
     constexpr std::uint32_t pairs_per_shape = 7, spare_pairs = 32;
-    capacity.bodies = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.bodies.size()));
+    capacity.bodies = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.bodies.size()) + scene.extra_bodies);
     capacity.shapes = std::max<std::uint32_t>(1, capacity.shapes);
     capacity.contacts = pairs_per_shape * moving_shapes + spare_pairs + scene.extra_contacts;
-    capacity.geometries = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(geometries.size()) + chain_geometries);
+    capacity.joints = static_cast<std::uint32_t>(scene.joints.size()) + scene.extra_joints;
+    capacity.geometries = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(geometries.size()) + chain_geometries + scene.extra_shapes);
     return capacity;
 }
 

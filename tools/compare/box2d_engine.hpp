@@ -25,6 +25,8 @@ struct Box2dOptions {
 /// Empty if Box2D 2.4 has every feature the scene uses; else a sentence that names the first one missing.
 std::string box2d_lacks(const samples::Scene& scene);
 
+class Box2dJoints;
+
 class Box2dEngine final : public samples::Engine {
 public:
     explicit Box2dEngine(const Box2dOptions& options = {});
@@ -40,12 +42,26 @@ public:
     void destroy_body(std::size_t index) override;
     void set_velocity(std::size_t index, Vec2 linear, float angular) override;
     void apply_force(std::size_t index, Vec2 force) override;
+    void apply_force_at(std::size_t index, Vec2 force, Vec2 point) override;
+    void apply_torque(std::size_t index, float torque) override;
     void apply_impulse(std::size_t index, Vec2 impulse) override;
+    void destroy_joint(std::size_t index) override;
+    bool joint_exists(std::size_t index) const override;
+    float joint_position(std::size_t index) const override;
+    float joint_speed(std::size_t index) const override;
+    float motor_force(std::size_t index) const override;
+    Vec2 joint_force(std::size_t index) const override;
+    float joint_torque(std::size_t index) const override;
 
 protected:
     void step(float dt) override;
+    void make_joint(const samples::SceneJoint& joint) override;
+    void change_joint(std::size_t index) override;
 
 private:
+    std::unique_ptr<Box2dJoints> joints_;
+    float substep_ = 1;  // s, length of the last call of b2World::Step
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "box2d_joints.hpp"
+
 namespace islet::compare {
 
 using samples::Chain;
@@ -96,6 +98,9 @@ std::string box2d_lacks(const Scene& scene) {
         for (const SceneShape& shape : body.shapes) {
             if (std::string what = shape_lacks(shape); !what.empty()) return "Box2D 2.4 has no " + what;
         }
+    }
+    for (const samples::SceneJoint& joint : scene.joints) {
+        if (std::string what = joint_lacks(joint); !what.empty()) return "Box2D 2.4 has no " + what;
     }
     return {};
 }
