@@ -13,6 +13,7 @@ Prefab make_bridge(const BridgeDef& def) {
     span.hold_from = true;
     span.hold_to = true;
     span.hinge.friction = def.stiffness;
+    span.hinge.spring = {.enable = def.hertz > 0, .hertz = def.hertz, .damping_ratio = 1};
     span.hinge.base.break_force = def.break_force;
     ShapeDef wood;
     wood.density = def.density;

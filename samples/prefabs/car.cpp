@@ -72,6 +72,10 @@ void drive(World& world, const Spawned& car, float speed) {
     }
 }
 
+void drive(Engine& engine, const Placed& car, const CarDef& def, float speed) {
+    for (const std::size_t joint : {rear, front}) engine.set_motor(car.first_joint + joint, wheel_motor(def, speed));
+}
+
 void coast(World& world, const Spawned& car) {
     for (const std::size_t joint : {rear, front}) {
         JointMotor motor = world.motor(car.joints[joint]);

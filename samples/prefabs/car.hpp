@@ -30,6 +30,7 @@ Prefab make_car(const CarDef& def);
 JointMotor wheel_motor(const CarDef& def, float speed);
 /// Turns both wheels so that the car goes at `speed`; the wheels' radius and torque are those it was made with.
 void drive(World& world, const Spawned& car, float speed);
+void drive(Engine& engine, const Placed& car, const CarDef& def, float speed);
 void coast(World& world, const Spawned& car);
 
 }  // namespace islet::samples

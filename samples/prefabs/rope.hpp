@@ -14,7 +14,7 @@ namespace islet::samples {
 
 struct RopeDef {
     Vec2 from = {}, to = {};  ///< m
-    float slack = 1;          ///< >= 1: its length over the distance of its ends; with slack it starts on an arc below the straight line
+    float slack = 1;          ///< >= 1: its length over the distance of its ends; with slack it starts on an arc to the right of the way
     std::size_t links = 16;
     float radius = 0.03f;     ///< m, half its thickness
     float density = 15;       ///< kg/m^2: about 1 kg a metre for the thickness above
@@ -25,8 +25,8 @@ struct RopeDef {
     bool hold_to = false;     ///< and this one
 };
 
-/// Bodies: the links from `from` to `to`, then what holds the ends. Joint i hinges link i to link i + 1. The last joint keeps the ends no farther
-/// apart than the rope is long, so that a heavy load does not stretch it.
+/// Bodies: the links from `from` to `to`, then what holds the ends. Joint i hinges link i to link i + 1. The last joint keeps the ends within
+/// 1.01 times the rope's length, so that a heavy load does not stretch it.
 Prefab make_rope(const RopeDef& def);
 /// Where the rope begins and ends on its first and its last link.
 JointFrame rope_start(const RopeDef& def);

@@ -57,7 +57,7 @@ Prefab make_span(const SpanDef& def, const std::function<std::vector<SceneShape>
         DistanceJointDef limit;
         limit.base.frame_a.position = {-half, 0};
         limit.base.frame_b.position = {half, 0};
-        limit.length = 2 * half * n;
+        limit.length = 1.01f * 2 * half * n;  // slack enough for the hinges to carry the line's own weight
         limit.limit = {.enable = true, .lower = 0, .upper = limit.length};
         span.joints.push_back({0, def.links - 1, limit});
     }

@@ -13,7 +13,7 @@ struct SpanDef {
     std::size_t links = 1;
     bool hold_from = false;        ///< a static body holds this end
     bool hold_to = false;          ///< and this one
-    bool rope_limit = false;       ///< one more joint keeps the two ends no farther apart than the line is long, however heavy the load
+    bool rope_limit = false;       ///< one more joint keeps the ends within 1.01 times the line's length, however heavy the load
     RevoluteJointDef hinge = {};   ///< friction, spring and breaking force of every hinge; the rest is filled in
     BodyDef link = {};             ///< damping and the like; the rest is filled in
 };
@@ -22,7 +22,8 @@ struct SpanDef {
 float half_link(const SpanDef& def);
 
 /// A link lies along its x axis, from (-half, 0) to (half, 0). Bodies: the links from `from` to `to`, then what holds the ends. Joint i hinges
-/// link i to link i + 1; then come the ends' hinges and the limit. Where there is slack, the links start on an arc below the straight line.
+/// link i to link i + 1; then come the ends' hinges and the limit. Where there is slack, the links start on an arc to the right of the
+/// way: below it if `from` is on the left.
 Prefab make_span(const SpanDef& def, const std::function<std::vector<SceneShape>(float half, std::size_t index)>& shapes_of_link);
 
 }  // namespace islet::samples

@@ -24,6 +24,13 @@ Scene make_mass_ratio();
 Scene make_confined();
 Scene make_cairn();
 
+// soft
+Scene make_cloth_scene();
+Scene make_flag();
+Scene make_blob();
+Scene make_soft_stack();
+Scene make_cable_bridge();
+
 // benchmark
 Scene make_large_pyramid();
 Scene make_many_pyramids();
