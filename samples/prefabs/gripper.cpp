@@ -63,6 +63,10 @@ Prefab make_gripper(const GripperDef& def) {
         {2, 3, slider({-hinge.x, hinge.y}, root, 0, 0, side - finger_half)},
         {2, 4, slider(hinge, root, pi, 0, side - finger_half)},
     };
+    // A rack and pinion between the fingers: they close by the same way, so that the palm stays over what they hold.
+    GearJointDef pinion;
+    pinion.ratio = -1;
+    gripper.joints.push_back({2, 3, pinion});
     // Frame B of the right finger is turned by half a turn, as its axis is: the finger itself stands upright.
     const std::array<JointMotor, 4> still = gripper_motors(def, {});
     for (std::size_t i = 0; i < still.size(); ++i) std::get<PrismaticJointDef>(gripper.joints[i].def).motor = still[i];

@@ -17,7 +17,8 @@ namespace islet::samples {
 
 /// The order of a gripper's bodies.
 enum class GripperPart : std::size_t { rail, trolley, palm, left_finger, right_finger };
-/// The order of its joints: sliders, positive to the right, upwards, and as the finger closes.
+/// The order of its joints: sliders, positive to the right, upwards, and as the finger closes. A gear between the fingers comes
+/// last.
 enum class GripperAxis : std::size_t { travel, lift, left_finger, right_finger };
 
 struct GripperDef {

@@ -31,6 +31,10 @@ Scene make_blob();
 Scene make_soft_stack();
 Scene make_cable_bridge();
 
+// robots
+Scene make_gripper_scene();
+Scene make_walker();
+
 // benchmark
 Scene make_large_pyramid();
 Scene make_many_pyramids();
