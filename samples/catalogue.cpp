@@ -75,6 +75,8 @@ const std::vector<SceneInfo>& catalogue() {
         {"cable_bridge", "soft", "a deck hangs from a cable between two towers, and a car crosses it", make_cable_bridge},
         {"gripper", "robots", "a gripper lifts a box by friction, carries it 2 m and puts it down", make_gripper_scene},
         {"walker", "robots", "six legs of Theo Jansen's linkage on one crank walk more than 5 m", make_walker},
+        {"arm", "robots", "an arm of three bars, its joints driven by motors, draws circles", make_arm},
+        {"quadruped", "robots", "a four-legged robot lies on its belly and stands up", make_quadruped},
         {"large_pyramid", "benchmark", "one pyramid with 100 boxes at its base", make_large_pyramid},
         {"many_pyramids", "benchmark", "400 pyramids of 55 boxes, in 20 rows", make_many_pyramids},
         {"joint_grid", "benchmark", "a net of 10000 discs and 19800 hinges hangs from seven of them", make_joint_grid},

@@ -34,6 +34,8 @@ Scene make_cable_bridge();
 // robots
 Scene make_gripper_scene();
 Scene make_walker();
+Scene make_arm();
+Scene make_quadruped();
 
 // benchmark
 Scene make_large_pyramid();
