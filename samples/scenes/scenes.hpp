@@ -37,6 +37,12 @@ Scene make_walker();
 Scene make_arm();
 Scene make_quadruped();
 
+// granular
+Scene make_hourglass();
+Scene make_silo();
+Scene make_avalanche();
+Scene make_mixer();
+
 // benchmark
 Scene make_large_pyramid();
 Scene make_many_pyramids();
