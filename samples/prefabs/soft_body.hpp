@@ -22,14 +22,14 @@
 namespace islet::samples {
 
 struct SoftBodyDef {
-    Vec2 position = {};          ///< m, of its middle
-    float radius = 0.5f;         ///< m, to the middle of its skin
+    Vec2 position = {};   ///< m, of its middle
+    float radius = 0.5f;  ///< m, to the middle of its skin
     std::size_t links = 20;
-    float thickness = 0.08f;     ///< m, of the skin: less than the length of a link
-    float density = 5;           ///< kg/m^2, of the skin
-    float pressure = 60;         ///< N/m, when it is round
-    float damping = 0.5f;        ///< 1/s: calms the waves that run around the skin
-    float gas_damping = 0.1f;    ///< s: the pressure falls by `pressure` times this times the rate, per round area, at which the area grows
+    float thickness = 0.08f;   ///< m, of the skin: less than the length of a link
+    float density = 5;         ///< kg/m^2, of the skin
+    float pressure = 60;       ///< N/m, when it is round
+    float damping = 0.5f;      ///< 1/s: calms the waves that run around the skin
+    float gas_damping = 0.1f;  ///< s: the pressure falls by `pressure` times this times the rate, per round area, at which the area grows
     float friction = 0.6f;
 };
 

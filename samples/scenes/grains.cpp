@@ -32,8 +32,8 @@ SceneGeometry some_pebble(Random& random) {
 using Grain = std::function<SceneGeometry(Random&)>;
 
 /// Pours grains in loose rows into `box` wherever `free` says so, until there are `count`. Returns the first one's index.
-std::size_t pour(Scene& scene, std::size_t count, const Aabb& box, const std::function<bool(Vec2)>& is_free, const Grain& shape, const ShapeDef& def,
-                 std::uint64_t seed) {
+std::size_t pour(Scene& scene, std::size_t count, const Aabb& box, const std::function<bool(Vec2)>& is_free, const Grain& shape,
+                 const ShapeDef& def, std::uint64_t seed) {
     const std::size_t first = scene.bodies.size();
     const float pitch = 2.4f * grain;
     Random random(seed);
@@ -67,11 +67,13 @@ Scene make_hourglass() {
     // Clockwise: the inside is on the right.
     Chain glass;
     glass.loop = true;
-    glass.points = {{-width, tall},      {width, tall},   {width, shoulder},    {neck, throat},  {neck, -throat}, {width, -shoulder},
+    glass.points = {{-width, tall}, {width, tall},   {width, shoulder},   {neck, throat},   {neck, -throat}, {width, -shoulder},
                     {width, -tall}, {-width, -tall}, {-width, -shoulder}, {-neck, -throat}, {-neck, throat}, {-width, shoulder}};
     const ShapeDef smooth = {.friction = 0.3f};
     add_static(scene, {}, glass, smooth);
-    const auto inside = [](Vec2 p) { return abs(p.x) < min(width, neck + (width - neck) * (p.y - throat) / (shoulder - throat)) - 2 * grain; };
+    const auto inside = [](Vec2 p) {
+        return abs(p.x) < min(width, neck + (width - neck) * (p.y - throat) / (shoulder - throat)) - 2 * grain;
+    };
     const std::size_t first = pour(scene, count, {{-width, 0.4f}, {width, tall - 0.1f}}, inside, some_disc, smooth, 31);
 
     // A jam would last: how long nothing has gone through.
@@ -184,9 +186,9 @@ double surface_slope(const Engine& engine, std::size_t first, std::size_t count,
 }  // namespace
 
 Scene make_avalanche() {
-    constexpr std::size_t count = 280;                      // on each side
+    constexpr std::size_t count = 280;                        // on each side
     constexpr float ledge = 3.6f, drop = -2.5f, wall = 0.1f;  // m
-    constexpr float frictions[] = {0.15f, 0.6f};            // left and right of the wall
+    constexpr float frictions[] = {0.15f, 0.6f};              // left and right of the wall
     constexpr int open_step = 90;
     Scene scene;
     scene.name = "avalanche";
@@ -246,7 +248,8 @@ double mixing(const Engine& engine, std::size_t first, const std::vector<bool>& 
     double p = 0;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const Vec2 place = engine.body(first + i).position;
-        const int x = std::clamp(static_cast<int>(2 * (place.x + 3)), 0, side - 1), y = std::clamp(static_cast<int>(2 * place.y), 0, side - 1);
+        const int x = std::clamp(static_cast<int>(2 * (place.x + 3)), 0, side - 1),
+                  y = std::clamp(static_cast<int>(2 * place.y), 0, side - 1);
         Cell& cell = cells[static_cast<std::size_t>(y * side + x)];
         cell.all += 1;
         cell.of_first += kinds[i] ? 1 : 0;
@@ -307,7 +310,8 @@ Scene make_mixer() {
     constexpr std::size_t half = 125;
     const std::size_t first = pour(scene, half, {{-radius, 0}, {-0.12f, 2 * radius}}, is_free, some_disc, grit, 35);
     const std::size_t discs = scene.bodies.size() - first;
-    pour(scene, half, {{0.12f, 0}, {radius, 2 * radius}}, is_free, [&](Random&) { return SceneGeometry(hexagon); }, grit, 36);
+    pour(
+        scene, half, {{0.12f, 0}, {radius, 2 * radius}}, is_free, [&](Random&) { return SceneGeometry(hexagon); }, grit, 36);
     std::vector<bool> kinds(scene.bodies.size() - first, false);
     std::fill_n(kinds.begin(), discs, true);
 

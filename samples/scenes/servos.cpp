@@ -101,7 +101,8 @@ Scene make_arm() {
     for (std::size_t i = 0; i < 3; ++i) {
         const float shift = i == 2 ? -1.0f : 0.0f;
         const Vec2 far = joint + rotate(make_rot(angles[i]), {ArmPlan::bars[i], 0});
-        scene.bodies.push_back(moving(i == 2 ? far : joint, angles[i], {bar_of(ArmPlan::bars[i], 0.09f - 0.02f * static_cast<float>(i), steel, shift)}));
+        scene.bodies.push_back(
+            moving(i == 2 ? far : joint, angles[i], {bar_of(ArmPlan::bars[i], 0.09f - 0.02f * static_cast<float>(i), steel, shift)}));
         const std::size_t bar = scene.bodies.size() - 1;
         RevoluteJointDef hinge;
         hinge.base.frame_a.position = i == 0 ? Vec2{0, 0.5f} : Vec2{ArmPlan::bars[i - 1], 0};
@@ -227,7 +228,8 @@ Scene make_quadruped() {
         if (step == 0) *seen = {};
         if (step == lying_step - 1) seen->lying = double(engine.body(body).position.y);
         for (const Servo& leg : legs)
-            seen->torque = std::max({seen->torque, std::abs(double(engine.motor_force(leg.hip))), std::abs(double(engine.motor_force(leg.knee)))});
+            seen->torque =
+                std::max({seen->torque, std::abs(double(engine.motor_force(leg.hip))), std::abs(double(engine.motor_force(leg.knee)))});
     };
     scene.check = [=](const Engine& engine) -> std::vector<CheckLine> {
         const BodyState now = engine.body(body);

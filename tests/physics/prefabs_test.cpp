@@ -84,7 +84,9 @@ TEST(Prefabs, SlackPutsTheMiddleBelowAndTheEndsWhereTheyAre) {
         // The arc's depth grows with the slack: for little slack it is chord * sqrt(3/8 slack), here measured across the chord.
         const Vec2 across = right_perp(normalize(def.to - def.from));
         const double depth = double(dot(at(8, {}) - 0.5f * (def.from + def.to), across)), chord = std::sqrt(17.0);
-        if (slack < 1.2f) { EXPECT_NEAR(depth, chord * std::sqrt(0.375 * (double(slack) - 1)), 0.05 * chord * double(slack - 1) + 1e-3) << slack; }
+        if (slack < 1.2f) {
+            EXPECT_NEAR(depth, chord * std::sqrt(0.375 * (double(slack) - 1)), 0.05 * chord * double(slack - 1) + 1e-3) << slack;
+        }
     }
 }
 
@@ -246,14 +248,35 @@ struct Kind {
 
 std::vector<Kind> kinds() {
     return {
-        {"rope", [] { return make_rope({.from = {0, 6}, .to = {0, 3}, .hold_from = true}); }},
-        {"chain", [] { return make_chain({.from = {0, 6}, .to = {2, 6}, .hold_from = true}); }},
-        {"bridge", [] { return make_bridge({.from = {-4, 3}, .to = {4, 3}}); }},
+        {"rope",
+         [] {
+             return make_rope({.from = {0, 6}, .to = {0, 3}, .hold_from = true});
+         }},
+        {"chain",
+         [] {
+             return make_chain({.from = {0, 6}, .to = {2, 6}, .hold_from = true});
+         }},
+        {"bridge",
+         [] {
+             return make_bridge({.from = {-4, 3}, .to = {4, 3}});
+         }},
         {"car", [] { return make_car({}); }},
-        {"cloth", [] { return make_cloth({.corner = {-1, 4}}); }},
-        {"soft_body", [] { return make_soft_body({.position = {0, 3}}); }},
-        {"gripper", [] { return make_gripper({.rail = {0, 5}}); }},
-        {"ragdoll", [] { return make_ragdoll({.position = {0, 1}}); }},
+        {"cloth",
+         [] {
+             return make_cloth({.corner = {-1, 4}});
+         }},
+        {"soft_body",
+         [] {
+             return make_soft_body({.position = {0, 3}});
+         }},
+        {"gripper",
+         [] {
+             return make_gripper({.rail = {0, 5}});
+         }},
+        {"ragdoll",
+         [] {
+             return make_ragdoll({.position = {0, 1}});
+         }},
     };
 }
 
@@ -291,7 +314,8 @@ TEST(Prefabs, AWorldWithoutRoomSaysWhyAndStaysWhole) {
             Error error;
             Capacity capacity;
         };
-        std::vector<Case> cases = {{Error::none, enough}, {Error::bodies_full, enough}, {Error::shapes_full, enough}, {Error::joints_full, enough}};
+        std::vector<Case> cases = {
+            {Error::none, enough}, {Error::bodies_full, enough}, {Error::shapes_full, enough}, {Error::joints_full, enough}};
         cases[1].capacity.bodies = bodies / 2;
         cases[2].capacity.shapes = shapes / 2;
         cases[3].capacity.joints = joints / 2;
