@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace islet::compare {
+namespace islet::engines {
 
 using samples::Chain;
 using samples::Scene;
@@ -119,4 +119,4 @@ b2MassData box2d_mass(const SceneBody& body) {
     return total;
 }
 
-}  // namespace islet::compare
+}  // namespace islet::engines
