@@ -10,6 +10,8 @@
 
 namespace islet::compare {
 
+using namespace engines;
+
 namespace {
 
 double median(std::vector<double> values) {

@@ -9,7 +9,7 @@
 #include "box2d_joints.hpp"
 #include "box2d_shapes.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 using samples::BodyState;
 using samples::EngineCounts;
@@ -187,4 +187,4 @@ void Box2dEngine::apply_impulse(std::size_t index, Vec2 impulse) {
     impl_->bodies.at(index)->ApplyLinearImpulseToCenter(to_b2(impulse), true);
 }
 
-}  // namespace islet::compare
+}  // namespace islet::engines

@@ -5,7 +5,7 @@
 
 #include "box2d_joints.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 using samples::Chain;
 using samples::Scene;
@@ -124,4 +124,4 @@ b2MassData box2d_mass(const SceneBody& body) {
     return total;
 }
 
-}  // namespace islet::compare
+}  // namespace islet::engines

@@ -6,7 +6,7 @@
 
 #include "engine.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 /// Box2D 2.4 wraps polygons and segments in a skin of 1 cm, which is what touches: a unit box is 1.02 m to its neighbours.
 enum class Skin {
@@ -66,4 +66,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace islet::compare
+}  // namespace islet::engines
