@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine.hpp"
+#include "spawn.hpp"
 
 namespace islet::samples {
 namespace {
@@ -22,43 +23,6 @@ public:
 private:
     std::byte* data_;
     std::size_t size_;
-};
-
-/// Attaches shapes of whatever kind to a body.
-struct ShapeMaker {
-    World& world;
-    BodyId body;
-    const ShapeDef& def;
-
-    void operator()(const Chain& chain) const { world.create_chain(body, chain.points, chain.loop, def); }
-    template <class Geometry>
-    void operator()(const Geometry& geometry) const {
-        world.create_shape(body, geometry, def);
-    }
-};
-
-/// Makes joints of whatever kind, with the ids that belong to the scene's indices.
-struct JointMaker {
-    World& world;
-    const std::vector<BodyId>& bodies;
-    const std::vector<JointId>& joints;
-    std::size_t a, b;
-
-    JointId operator()(MouseJointDef def) const {
-        def.body = bodies[b];
-        return world.create_joint(def);
-    }
-    JointId operator()(GearJointDef def) const {
-        def.joint1 = joints[a];
-        def.joint2 = joints[b];
-        return world.create_joint(def);
-    }
-    template <class Def>
-    JointId operator()(Def def) const {
-        def.base.body_a = bodies[a];
-        def.base.body_b = bodies[b];
-        return world.create_joint(def);
-    }
 };
 
 }  // namespace
@@ -93,8 +57,7 @@ void IsletEngine::load(const Scene& scene) {
 std::size_t IsletEngine::create_body(const SceneBody& body) {
     World& w = world();
     w.clear_error();
-    const BodyId id = w.create_body(body.def);
-    for (const SceneShape& shape : body.shapes) std::visit(ShapeMaker{w, id, shape.def}, shape.geometry);
+    const BodyId id = spawn(w, body);
     if (w.last_error() != Error::none)
         throw std::runtime_error(std::string("cannot make a body of the scene: ") + describe(w.last_error()));
     impl_->bodies.push_back(id);
@@ -162,7 +125,7 @@ void IsletEngine::apply_impulse(std::size_t index, Vec2 impulse) { world().apply
 void IsletEngine::make_joint(const SceneJoint& joint) {
     World& w = world();
     w.clear_error();
-    impl_->joints.push_back(std::visit(JointMaker{w, impl_->bodies, impl_->joints, joint.body_a, joint.body_b}, joint.def));
+    impl_->joints.push_back(spawn(w, joint, impl_->bodies, impl_->joints));
     if (w.last_error() != Error::none)
         throw std::runtime_error(std::string("cannot make a joint of the scene: ") + describe(w.last_error()));
 }
