@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "box2d_joints.hpp"
+#include "box2d_nearest.hpp"
 
 namespace islet::engines {
 
@@ -104,6 +105,8 @@ std::string box2d_lacks(const Scene& scene) {
     }
     return {};
 }
+
+std::string box2d_lacks_even_nearest(const Scene& scene) { return box2d_lacks(box2d_nearest(scene)); }
 
 std::unique_ptr<b2Shape> make_box2d_shape(const SceneGeometry& geometry, Skin skin) { return std::visit(Maker{skin}, geometry); }
 

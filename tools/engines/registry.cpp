@@ -11,9 +11,9 @@ const std::vector<EngineInfo>& registry() {
         {"islet", [](const samples::Scene&) { return std::string(); },
          []() -> std::unique_ptr<samples::Engine> { return std::make_unique<samples::IsletEngine>(); }},
 #ifdef ISLET_BOX2D
-        {"box2d", box2d_lacks,
+        {"box2d", box2d_lacks_even_nearest,
          []() -> std::unique_ptr<samples::Engine> {
-             return std::make_unique<Box2dEngine>(Box2dOptions{.skin = Skin::outside, .continuous = false});
+             return std::make_unique<Box2dEngine>(Box2dOptions{.skin = Skin::outside, .continuous = false, .nearest = true});
          }},
 #endif
     };
