@@ -128,20 +128,22 @@ struct ChipmunkEngine::Impl {
 
     ~Impl() { clear(); }
 
+    /// The space goes first: taking bodies out of it one by one looks through all contacts for each.
     void clear() {
-        for (Body& body : bodies) remove(body);
-        bodies.clear();
         if (space != nullptr) cpSpaceFree(space);
         space = nullptr;
+        for (Body& body : bodies) free_body(body);
+        bodies.clear();
     }
 
-    void remove(Body& body) {
-        if (body.body == nullptr) return;
-        for (cpShape* shape : body.shapes) {
-            cpSpaceRemoveShape(space, shape);
-            cpShapeFree(shape);
-        }
+    void remove(Body& body) const {
+        for (cpShape* shape : body.shapes) cpSpaceRemoveShape(space, shape);
         cpSpaceRemoveBody(space, body.body);
+        free_body(body);
+    }
+
+    static void free_body(Body& body) {
+        for (cpShape* shape : body.shapes) cpShapeFree(shape);
         cpBodyFree(body.body);
         body = {};
     }
