@@ -3,7 +3,7 @@
 #   tools/test.sh              optimised build, all tests
 #   tools/test.sh --all        the same once more with clang, with sanitizers and unoptimised, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
-# Installs a compiler, CMake, Box2D and GoogleTest (and for the options: clang, gcovr, shellcheck) with apt if they are missing.
+# Installs a compiler, CMake, Box2D, Chipmunk and GoogleTest (and for the options: clang, gcovr, shellcheck) with apt if they are missing.
 set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"
