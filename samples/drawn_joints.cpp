@@ -1,0 +1,10 @@
+#include "drawn_joints.hpp"
+
+namespace islet::samples {
+
+std::vector<DrawnJoint> collect_joints(const World& /*world*/) {
+    // The engine has no joints yet; everything after this is ready for them.
+    return {};
+}
+
+}  // namespace islet::samples
