@@ -1,7 +1,7 @@
 // The shapes of bodies, and how they become paths on a canvas.
 
-/// From [radius, x, y, x, y, ...]: one point is a disc, two are a capsule, more a convex polygon whose corners the radius rounds; a negative
-/// radius means lines from point to point.
+/// From [radius, x, y, x, y, ...]: one point is a disc, two are a capsule, more a convex polygon whose corners the radius rounds; a
+/// negative radius means lines from point to point.
 export class Outline {
     constructor([radius, ...numbers]) {
         this.radius = radius;

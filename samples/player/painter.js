@@ -114,7 +114,8 @@ export class Painter {
     #typicalSize(state) {
         const sizes = [];
         for (let id = 0; id < state.bodies.size; ++id) {
-            if (state.bodies.live[id] && state.types[id] !== 0) sizes.push(Math.max(...this.models[state.models[id]].map((o) => o.size), 0));
+            if (!state.bodies.live[id] || types[state.types[id]] === "static") continue;
+            sizes.push(Math.max(0, ...this.models[state.models[id]].map((outline) => outline.size)));
             if (sizes.length >= 200) break;
         }
         sizes.sort((a, b) => a - b);
@@ -184,7 +185,7 @@ export class Painter {
         context.beginPath();
         for (const id of ids) {
             for (const outline of this.models[state.models[id]]) {
-                if (!outline.isDisc || state.types[id] === 0) continue;
+                if (!outline.isDisc || types[state.types[id]] === "static") continue;
                 const [from] = outline.points;
                 const to = { x: from.x + 0.8 * outline.radius, y: from.y };
                 const [x, y] = this.#pointOf(state, id, from);

@@ -143,7 +143,7 @@ function introduce() {
     element("verdict").classList.toggle("failed", run.checked && !run.passed);
     if (!run.contacts) document.documentElement.classList.add("no-contacts");
     if (columns.joints.every((n) => n === 0)) document.documentElement.classList.add("no-joints");
-    if (window.innerWidth < 700) element("numbers-panel").open = false;
+    if (window.innerWidth < 700 || window.innerHeight < 500) element("numbers-panel").open = false;
 }
 
 introduce();
