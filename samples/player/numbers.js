@@ -6,7 +6,7 @@ const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-
 /// A number with a unit, as 12.3 kJ.
 export function withUnit(value, unit) {
     const size = Math.abs(value);
-    if (!(size >= 1e-9)) return `0 ${unit}`;
+    if (!(size >= prefixes.at(-1)[0] / 200)) return `0 ${unit}`; // it would be rounded to that
     // Rounding may lead into the next prefix: 999.9 mJ is 1.00 J.
     const [scale, prefix] = prefixes.find(([s]) => Number((size / s).toPrecision(digits)) >= 1) ?? prefixes.at(-1);
     const scaled = value / scale;

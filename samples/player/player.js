@@ -116,6 +116,7 @@ function draw() {
     element("play").classList.toggle("playing", clock.playing);
     element("play").setAttribute("aria-label", clock.playing ? "pause" : "play");
     document.documentElement.dataset.frame = frame;
+    document.documentElement.classList.toggle("moved", !camera.fitted);
     showScaleBar();
 }
 
