@@ -51,11 +51,13 @@ std::string key_of(const Model& model) {
     return key;
 }
 
-/// The same joint at the same places but for rounding.
-bool nearly_same(const JointEnds& a, const JointEnds& b) {
+/// The same line but for rounding.
+bool nearly_same(const JointLine& a, const JointLine& b) {
     constexpr int rounding = 2;  // quanta
-    return a.body_a == b.body_a && a.body_b == b.body_b && std::abs(a.ax - b.ax) <= rounding && std::abs(a.ay - b.ay) <= rounding &&
-           std::abs(a.bx - b.bx) <= rounding && std::abs(a.by - b.by) <= rounding;
+    const auto same_point = [](const JointPoint& p, const JointPoint& q) {
+        return p.frame == q.frame && p.is_dot == q.is_dot && std::abs(p.x - q.x) <= rounding && std::abs(p.y - q.y) <= rounding;
+    };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_point);
 }
 
 }  // namespace
@@ -168,17 +170,21 @@ void Recorder::read_contacts(FrameNumbers& numbers) {
 
 void Recorder::read_joints(FrameNumbers& numbers) {
     const World& world = run_.engine.world();
-    Table<JointEnds> before;
+    Table<JointLine> before;
     std::swap(before, frame_.joints);
     frame_.joints.resize(before.size());
-    for (const DrawnJoint& joint : collect_joints(world)) {
-        const auto local = [&](BodyId body, Vec2 anchor) { return inv_transform_point(world.transform(body), anchor); };
-        const Vec2 a = local(joint.body_a, joint.anchor_a), b = local(joint.body_b, joint.anchor_b);
-        JointEnds ends{known_[joint.body_a.index1 - 1].id, known_[joint.body_b.index1 - 1].id, scale_.quanta(double(a.x)),
-                       scale_.quanta(double(a.y)),         scale_.quanta(double(b.x)),         scale_.quanta(double(b.y))};
-        // Anchors come back from world points with their last digit shaken: only a real move is written.
-        if (before.has(joint.slot) && nearly_same(before.entries[joint.slot], ends)) ends = before.entries[joint.slot];
-        frame_.joints.put(joint.slot, ends);
+    for (const RecordedJoint& joint : collect_joints(world)) {
+        JointLine line;
+        for (const RecordedJoint::Point& point : joint.line) {
+            const bool is_fixed = !point.body;
+            const Vec2 local = is_fixed ? point.place : inv_transform_point(world.transform(point.body), point.place);
+            line.push_back({is_fixed ? 0 : known_[point.body.index1 - 1].id + 1, point.is_anchor,
+                            is_fixed ? scale_.x(double(local.x)) : scale_.quanta(double(local.x)),
+                            is_fixed ? scale_.y(double(local.y)) : scale_.quanta(double(local.y))});
+        }
+        // What is fixed to a body comes back from the world with its last digits shaken: only a real move is written.
+        if (before.has(joint.slot) && nearly_same(before.entries[joint.slot], line)) line = before.entries[joint.slot];
+        frame_.joints.put(joint.slot, line);
         ++numbers.joints;
         numbers.max_joint_error = std::max(numbers.max_joint_error, joint.linear_error);
     }

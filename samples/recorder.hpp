@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "drawn_joints.hpp"
+#include "recorded_joints.hpp"
 #include "recording.hpp"
 #include "runner.hpp"
 

@@ -132,31 +132,29 @@ void take_table(std::string_view& bytes, Table<Place>& table, Motion& motion, co
     motion.changes = std::move(changes);
 }
 
-void put_joints(std::string& bytes, const Table<JointEnds>& was, const Table<JointEnds>& now) {
+void put_joints(std::string& bytes, const Table<JointLine>& was, const Table<JointLine>& now) {
     const auto same = [&](std::size_t id) { return was.has(id) && now.has(id) && was.entries[id] == now.entries[id]; };
     put_set(bytes, now.size(), [&](std::size_t id) { return was.has(id) && !same(id); });
     for (const std::uint32_t id : put_set(bytes, now.size(), [&](std::size_t i) { return now.has(i) && !same(i); })) {
-        const JointEnds& joint = now.entries[id];
-        put_number(bytes, joint.body_a);
-        put_signed(bytes, joint.ax);
-        put_signed(bytes, joint.ay);
-        put_number(bytes, joint.body_b);
-        put_signed(bytes, joint.bx);
-        put_signed(bytes, joint.by);
+        put_number(bytes, static_cast<std::uint32_t>(now.entries[id].size()));
+        for (const JointPoint& point : now.entries[id]) {
+            put_number(bytes, 2 * point.frame + (point.is_dot ? 1 : 0));
+            put_signed(bytes, point.x);
+            put_signed(bytes, point.y);
+        }
     }
 }
 
-void take_joints(std::string_view& bytes, Table<JointEnds>& joints) {
+void take_joints(std::string_view& bytes, Table<JointLine>& joints) {
     for (const std::uint32_t id : take_set(bytes)) joints.live[id] = 0;
     for (const std::uint32_t id : take_set(bytes)) {
-        JointEnds joint;
-        joint.body_a = take_number(bytes);
-        joint.ax = take_signed(bytes);
-        joint.ay = take_signed(bytes);
-        joint.body_b = take_number(bytes);
-        joint.bx = take_signed(bytes);
-        joint.by = take_signed(bytes);
-        joints.put(id, joint);
+        JointLine line;
+        for (std::uint32_t count = take_number(bytes); count > 0 && !bytes.empty(); --count) {
+            const std::uint32_t frame = take_number(bytes);
+            const std::int32_t x = take_signed(bytes), y = take_signed(bytes);
+            line.push_back({frame / 2, frame % 2 != 0, x, y});
+        }
+        joints.put(id, line);
     }
 }
 

@@ -5,8 +5,9 @@
 //
 //     frame   =  table of bodies, set of bodies that woke or fell asleep, table of contacts, joints
 //     table   =  set of ids that went, set of ids that came + a row for each, set of ids that moved + a row for each
-//     joints  =  set of ids that went, set of ids that came + for each: body a, x, y, body b, x, y (anchors in the bodies' frames)
+//     joints  =  set of ids that went, set of ids that came + for each: number of points, and the points
 //     set     =  number of runs, then for each run: ids skipped since the last run, ids in the run
+//     point   =  2 * (id of its body + 1, or 0 for the world) + (1 if it is drawn as a dot), x, y in the body's or the world's frame
 //     row     =  x, y, angle, and for a body that came its type and its model
 //
 // Of an id that came, x, y and angle are told as differences from the row before it in its set; of one that moved, from where it would be if
@@ -39,11 +40,14 @@ struct BodyKind {
     std::uint32_t model = 0;  // index of its list of shapes
 };
 
-struct JointEnds {
-    std::uint32_t body_a = 0, body_b = 0;  // ids of bodies
-    std::int32_t ax = 0, ay = 0, bx = 0, by = 0;
-    friend bool operator==(const JointEnds&, const JointEnds&) = default;
+/// A joint is a line through points that are fixed to bodies.
+struct JointPoint {
+    std::uint32_t frame = 0;  // id of the body + 1; 0: fixed in the world
+    bool is_dot = false;
+    std::int32_t x = 0, y = 0;
+    friend bool operator==(const JointPoint&, const JointPoint&) = default;
 };
+using JointLine = std::vector<JointPoint>;
 
 /// Entries by id, of which some are live.
 template <class Entry>
@@ -71,7 +75,7 @@ struct Frame {
     std::vector<BodyKind> kinds;
     std::vector<std::uint8_t> awake;
     Table<Place> contacts;
-    Table<JointEnds> joints;
+    Table<JointLine> joints;
 };
 
 /// How each row of a table changed in the last frame, which is where the next change is told from.

@@ -208,23 +208,29 @@ export class Painter {
         return [this.x + (c * p.x - s * p.y) * scale, this.y - (s * p.x + c * p.y) * scale];
     }
 
-    /// A dot at each anchor, and a line between the two where they are apart.
+    /// A line through each joint's points, and a dot at each of its anchors.
     #joints(state, size) {
-        const { context } = this;
-        const radius = clamp(0.09 * size, 1.2, 4);
-        const { quantum } = this.run;
+        const { context, run, camera } = this;
         const dots = [];
         context.beginPath();
-        for (const ends of state.joints.values()) {
-            const [a, b] = ends.map((end) => this.#pointOf(state, end.body, { x: end.x * quantum, y: end.y * quantum }));
-            dots.push(a, b);
-            context.moveTo(...a);
-            context.lineTo(...b);
+        for (const points of state.joints.values()) {
+            for (const [i, { body, isDot, x, y }] of points.entries()) {
+                const p = { x: x * run.quantum, y: y * run.quantum };
+                const place =
+                    body >= 0
+                        ? this.#pointOf(state, body, p)
+                        : [camera.screenX(run.origin[0] + p.x), camera.screenY(run.origin[1] + p.y)];
+                if (isDot) dots.push(place);
+                if (i === 0) context.moveTo(...place);
+                else context.lineTo(...place);
+            }
         }
         context.strokeStyle = this.colours.joint;
-        context.lineWidth = clamp(0.06 * size, 1, 2);
+        context.lineWidth = clamp(0.04 * size, 0.5, 1.6);
+        context.globalAlpha = 0.75;
         context.stroke();
-        this.#dots(dots, radius, this.colours.joint);
+        context.globalAlpha = 1;
+        this.#dots(dots, clamp(0.075 * size, 0.6, 3.2), this.colours.joint);
     }
 
     /// A dot at each touching point, and a short line along its normal.

@@ -38,7 +38,7 @@ class State {
         this.models = []; // by body
         this.awake = []; // by body
         this.contacts = new Table(contactTurn);
-        this.joints = new Map(); // by id
+        this.joints = new Map(); // by id; points of a line, whose body is -1 where they are fixed in the world
     }
 
     copy() {
@@ -94,8 +94,12 @@ export class Recording {
         this.#table(state.contacts, () => {});
         this.#set((id) => state.joints.delete(id));
         for (const id of this.#ids()) {
-            const end = () => ({ body: this.#number(), x: this.#signed(), y: this.#signed() });
-            state.joints.set(id, [end(), end()]);
+            const points = [];
+            for (let count = this.#number(); count > 0; --count) {
+                const frame = this.#number();
+                points.push({ body: (frame >> 1) - 1, isDot: (frame & 1) === 1, x: this.#signed(), y: this.#signed() });
+            }
+            state.joints.set(id, points);
         }
     }
 

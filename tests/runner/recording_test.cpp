@@ -25,7 +25,7 @@ public:
         scribble(frame_.contacts, contact_turn, 60);
         for (std::size_t id = 0; id < 10; ++id) {
             if (frame_.joints.has(id) && below(8) == 0) frame_.joints.live[id] = 0;
-            if (below(8) == 0) frame_.joints.put(id, {below(30), below(30), any(), any(), any(), any()});
+            if (below(8) == 0) frame_.joints.put(id, JointLine(below(4), {below(30), below(2) == 0, any(), any()}));
         }
         return frame_;
     }

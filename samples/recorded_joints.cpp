@@ -1,8 +1,8 @@
-#include "drawn_joints.hpp"
+#include "recorded_joints.hpp"
 
 namespace islet::samples {
 
-std::vector<DrawnJoint> collect_joints(const World& /*world*/) {
+std::vector<RecordedJoint> collect_joints(const World& /*world*/) {
     // The engine has no joints yet; everything after this is ready for them.
     return {};
 }
