@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bench.hpp"
+#include "html.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "runner.hpp"
@@ -24,7 +25,7 @@ using namespace islet::samples;
 enum ExitStatus { ok = 0, check_failed = 1, wrong_usage = 2 };
 
 struct RunCommand {
-    std::string scene, csv_path, svg_path;
+    std::string scene, csv_path, svg_path, html_path;
     RunOptions options;
     bool json = false;
 };
@@ -62,22 +63,33 @@ bool close_output(std::ofstream& file) {
 int run_scene(const RunCommand& command) {
     const SceneInfo* info = find_scene(command.scene);
     if (info == nullptr) return unknown_scene(command.scene);
-    std::ofstream csv, svg;
+    std::ofstream csv, svg, html;
     if (!open_output(csv, command.csv_path)) return wrong(fmt::format("cannot write '{}'", command.csv_path));
     if (!open_output(svg, command.svg_path)) return wrong(fmt::format("cannot write '{}'", command.svg_path));
+    if (!open_output(html, command.html_path)) return wrong(fmt::format("cannot write '{}'", command.html_path));
 
     Run run(info->make(), command.options);
+    std::optional<Recorder> recorder;
+    if (html.is_open()) recorder.emplace(run);
     ProgressBar bar(run.scene.steps);
     if (csv.is_open()) csv << csv_header();
     const RunResult result = run.run([&](const StepRecord& record) {
         if (csv.is_open()) csv << csv_line(record, run);
+        if (recorder) recorder->observe(record);
         bar.update(record.step);
     });
     bar.clear();
 
     if (svg.is_open()) svg << draw_svg(picture_of(run));
+    if (recorder) {
+        html << player_page(run, result, *recorder);
+        if (recorder->stride() > 1)
+            fmt::print(stderr, "islet: to keep the page small, '{}' shows one step of every {}{}\n", command.html_path, recorder->stride(),
+                       recorder->has_contacts() ? "" : ", without contacts");
+    }
     if (!close_output(csv)) return wrong(fmt::format("cannot write all of '{}'", command.csv_path));
     if (!close_output(svg)) return wrong(fmt::format("cannot write all of '{}'", command.svg_path));
+    if (!close_output(html)) return wrong(fmt::format("cannot write all of '{}'", command.html_path));
     fmt::print("{}", command.json ? json_of(result) : table_of(result));
     return result.passed() ? ok : check_failed;
 }
@@ -154,6 +166,7 @@ struct CommandLine {
         run->add_option("--hash-every", o.hash_every, "print the state's hash every so many steps")->check(CLI::Range(1, 100'000'000));
         run->add_option("--csv", command.csv_path, "write a line of numbers per step to this file");
         run->add_option("--svg", command.svg_path, "draw the last state to this file");
+        run->add_option("--html", command.html_path, "write a page that plays the run back to this file");
         run->add_flag("--json", command.json, "print one JSON object");
 
         // The bounds keep the number of all steps below 2^31.
