@@ -6,7 +6,7 @@
 
 #include "box2d_engine.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 using samples::SceneJoint;
 
@@ -384,4 +384,4 @@ float Box2dEngine::motor_force(std::size_t index) const { return joints_->motor_
 Vec2 Box2dEngine::joint_force(std::size_t index) const { return joints_->force(index, substep_); }
 float Box2dEngine::joint_torque(std::size_t index) const { return joints_->torque(index, substep_); }
 
-}  // namespace islet::compare
+}  // namespace islet::engines
