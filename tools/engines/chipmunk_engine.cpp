@@ -265,6 +265,15 @@ void ChipmunkEngine::apply_force(std::size_t index, Vec2 force) {
     cpBodyApplyForceAtWorldPoint(body, to_cp(force), center_of(body));
 }
 
+void ChipmunkEngine::apply_force_at(std::size_t index, Vec2 force, Vec2 point) {
+    cpBodyApplyForceAtWorldPoint(impl_->bodies.at(index).body, to_cp(force), to_cp(point));
+}
+
+void ChipmunkEngine::apply_torque(std::size_t index, float torque) {
+    cpBody* body = impl_->bodies.at(index).body;
+    cpBodySetTorque(body, cpBodyGetTorque(body) + double(torque));
+}
+
 void ChipmunkEngine::apply_impulse(std::size_t index, Vec2 impulse) {
     cpBody* body = impl_->bodies.at(index).body;
     cpBodyApplyImpulseAtWorldPoint(body, to_cp(impulse), center_of(body));

@@ -26,10 +26,22 @@ public:
     void destroy_body(std::size_t index) override;
     void set_velocity(std::size_t index, Vec2 linear, float angular) override;
     void apply_force(std::size_t index, Vec2 force) override;
+    void apply_force_at(std::size_t index, Vec2 force, Vec2 point) override;
+    void apply_torque(std::size_t index, float torque) override;
     void apply_impulse(std::size_t index, Vec2 impulse) override;
+    // The adapter makes no joints: chipmunk_lacks says so.
+    void destroy_joint(std::size_t) override {}
+    bool joint_exists(std::size_t) const override { return false; }
+    float joint_position(std::size_t) const override { return 0; }
+    float joint_speed(std::size_t) const override { return 0; }
+    float motor_force(std::size_t) const override { return 0; }
+    Vec2 joint_force(std::size_t) const override { return {}; }
+    float joint_torque(std::size_t) const override { return 0; }
 
 protected:
     void step(float dt) override;
+    void make_joint(const samples::SceneJoint&) override {}
+    void change_joint(std::size_t) override {}
 
 private:
     struct Impl;

@@ -85,6 +85,7 @@ std::string chipmunk_lacks(const Scene& scene) {
     for (const SceneBody& body : scene.bodies) {
         if (std::string what = body_lacks(body, scene.world.enable_sleep); !what.empty()) return "Chipmunk 7 has no " + what;
     }
+    if (!scene.joints.empty()) return "the Chipmunk adapter makes no joints";
     return {};
 }
 
