@@ -11,8 +11,8 @@ namespace islet::samples {
 
 Scene make_door() {
     constexpr float half_length = 0.9f, half_width = 0.06f, spacing = 4.5f, right_angle = 0.5f * pi;
-    constexpr float spin = 2, friction = 8;                              // rad/s, N m: of the door that coasts
-    constexpr float closing_speed = 1, closing_torque = 5, ajar = 1.2f;  // rad/s, N m, rad: of the door that closes itself
+    constexpr float spin = 2, friction = 8;                               // rad/s, N m: of the door that coasts
+    constexpr float closing_speed = 1, closing_torque = 50, ajar = 1.2f;  // rad/s, N m, rad: of the door that closes itself
     Scene scene;
     scene.name = "door";
     scene.world.gravity = {0, 0};
@@ -46,7 +46,7 @@ Scene make_door() {
 
     RevoluteJointDef struck;  // by a ball: flies open to its limit
     struck.limit = {.enable = true, .lower = -right_angle, .upper = right_angle};
-    struck.friction = 0.2f;
+    struck.friction = 2;
     const std::size_t struck_joint = add_door(-spacing, 0, 0, struck);
     RevoluteJointDef coasting;
     coasting.friction = friction;
@@ -79,13 +79,13 @@ Scene make_door() {
         const double inertia = double(door.inertia) + double(door.mass) * double(half_length * half_length);
         const double coast = 0.5 * inertia * double(spin * spin) / double(friction);
         return {
-            near_line("the struck door came to rest at its limit (rad)", engine.joint_position(struck_joint), double(right_angle), 0.03),
+            near_line("the struck door came to rest at its limit (rad)", engine.joint_position(struck_joint), double(right_angle), 0.05),
             at_most("farthest it went (rad)", seen->widest, double(right_angle) + 0.03),
             near_line("angle at which friction stopped the second (rad)", engine.joint_position(coasting_joint), coast,
                       double(spin) * h + 0.01 * coast),
             near_line("the third closes (rad/s)", seen->half_closed, -double(closing_speed), 0.01),
             near_line("and is shut (rad)", engine.joint_position(closing_joint), 0, 0.01),
-            near_line("where its motor pushes on (N m)", engine.motor_force(closing_joint), -double(closing_torque), 0.05),
+            near_line("where its motor pushes on (N m)", engine.motor_force(closing_joint), -double(closing_torque), 0.5),
             at_most("farthest a hinge came apart (m)", engine.max_joint_error().linear, 0.002),
         };
     };

@@ -32,10 +32,9 @@ Scene make_ragdoll() {
 
     const std::size_t first_joint = scene.joints.size();
     for (int i = 0; i < dolls; ++i) {
-        const Vec2 place = {-1.8f + 0.8f * static_cast<float>(i), rise * steps + 0.05f};
+        const Vec2 place = {-1.4f + 0.6f * static_cast<float>(i), rise * steps + 0.05f};
         const Placed doll = add_prefab(scene, make_ragdoll({.position = place, .friction_torque = 1, .hertz = 0.5f, .group = i + 1}));
-        for (std::size_t bone = 0; bone < bone_count; ++bone)
-            scene.bodies[doll.first_body + bone].def.linear_velocity = {1.5f + 0.5f * static_cast<float>(i), 0};
+        for (std::size_t bone = 0; bone < bone_count; ++bone) scene.bodies[doll.first_body + bone].def.linear_velocity = {3, 0};
         scene.traced.push_back(doll.first_body + static_cast<std::size_t>(Bone::torso));
     }
 

@@ -23,7 +23,7 @@ ShapeDef ghost(float density) {
 
 Scene make_scissor_lift() {
     constexpr int stages = 4, measured_step = 300;
-    constexpr float length = 2, wide = 1.85f, narrow = 0.95f, speed = 0.15f, strength = 5000;  // m, m, m, m/s, N
+    constexpr float length = 2, wide = 1.7f, narrow = 0.8f, speed = 0.15f, strength = 5000;  // m, m, m, m/s, N
     constexpr float platform_half = 1.2f, half = 0.35f;
     Scene scene;
     scene.name = "scissor_lift";

@@ -41,7 +41,7 @@ struct Road {
 
 Scene make_car() {
     constexpr int drive_step = 120;
-    constexpr float radius = 0.4f, rate = 15, torque = 30, hertz = 4;  // m, rad/s, N m, Hz
+    constexpr float radius = 0.4f, rate = 15, torque = 8, hertz = 4;  // m, rad/s, N m, Hz
     Scene scene;
     scene.name = "car";
     scene.world.enable_sleep = false;
