@@ -17,20 +17,20 @@ Scene make_door() {
     scene.name = "door";
     scene.world.gravity = {0, 0};
     scene.steps = 240;
-    scene.view = {{-6.6f, -2.8f}, {7, 3}};
+    scene.view = {{-8.2f, -2.6f}, {8, 3}};
 
     // Three doorways seen from above, hinges on the left.
+    constexpr float doorway = 2 * half_length + 0.1f;
     std::vector<SceneShape> posts;
-    for (int i = -1; i <= 1; ++i) {
-        const float left = spacing * static_cast<float>(i) - 1;
-        posts.push_back({make_offset_box(0.6f, 0.1f, {{left - 0.7f, 0}, {}}), {}});
-        posts.push_back({make_offset_box(0.6f, 0.1f, {{left + 2 * half_length + 0.75f, 0}, {}}), {}});
+    for (int i = -1; i <= 2; ++i) {
+        const float right = spacing * static_cast<float>(i) - 1.05f;
+        posts.push_back({make_offset_box(0.5f * (spacing - doorway), 0.1f, {{right - 0.5f * (spacing - doorway), 0}, {}}), {}});
     }
     const std::size_t wall = add_body(scene, {}, std::move(posts));
     ShapeDef oak;
     oak.density = 20;
-    const auto add_door = [&](float doorway, float angle, float rate, RevoluteJointDef hinge) {
-        const Vec2 pivot = {doorway - 1, 0};
+    const auto add_door = [&](float middle, float angle, float rate, RevoluteJointDef hinge) {
+        const Vec2 pivot = {middle - 1, 0};
         const Rot q = make_rot(angle);
         BodyDef def;
         def.type = BodyType::dynamic;
