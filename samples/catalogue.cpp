@@ -70,7 +70,11 @@ const std::vector<SceneInfo>& catalogue() {
         {"cairn", "stacks", "irregular stones, piled one on another, stay piled", make_cairn},
         {"large_pyramid", "benchmark", "one pyramid with 100 boxes at its base", make_large_pyramid},
         {"many_pyramids", "benchmark", "400 pyramids of 55 boxes, in 20 rows", make_many_pyramids},
+        {"joint_grid", "benchmark", "a net of 10000 discs and 19800 hinges hangs from seven of them", make_joint_grid},
+        {"tumbler", "benchmark", "2000 boxes in a square drum on a motor", make_tumbler},
         {"washer", "benchmark", "8100 boxes tumble in a turning drum with paddles", make_washer},
+        {"spinner", "benchmark", "a long paddle on a motor stirs 6000 bodies in a ring", make_spinner},
+        {"rain", "benchmark", "a thousand ragdolls, made and destroyed, rain on five floors", make_rain},
         {"smash", "benchmark", "a heavy box at 40 m/s hits a sleeping wall of 9600 bricks", make_smash},
         {"compounds", "benchmark", "3000 bodies of two triangles each fall into a trough", make_compounds},
         {"junkyard", "benchmark", "a pusher sweeps through 8000 irregular pentagons", make_junkyard},
@@ -121,12 +125,15 @@ Capacity capacity_of(const Scene& scene) {
             if (body.def.type != BodyType::static_body) moving_shapes += count;
         }
     }
+    capacity.shapes += scene.extra_shapes;
+    moving_shapes += scene.extra_shapes;
     // A dense pile has 3 to 5 pairs of overlapping fat boxes a shape; the rest is room for a pile being squeezed.
     constexpr std::uint32_t pairs_per_shape = 7, spare_pairs = 32;
-    capacity.bodies = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.bodies.size()));
+    capacity.bodies = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.bodies.size()) + scene.extra_bodies);
     capacity.shapes = std::max<std::uint32_t>(1, capacity.shapes);
     capacity.contacts = pairs_per_shape * moving_shapes + spare_pairs + scene.extra_contacts;
-    capacity.geometries = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(geometries.size()) + chain_geometries);
+    capacity.joints = static_cast<std::uint32_t>(scene.joints.size()) + scene.extra_joints;
+    capacity.geometries = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(geometries.size()) + chain_geometries + scene.extra_shapes);
     return capacity;
 }
 

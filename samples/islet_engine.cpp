@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine.hpp"
+#include "spawn.hpp"
 
 namespace islet::samples {
 namespace {
@@ -24,26 +25,14 @@ private:
     std::size_t size_;
 };
 
-/// Attaches shapes of whatever kind to a body.
-struct ShapeMaker {
-    World& world;
-    BodyId body;
-    const ShapeDef& def;
-
-    void operator()(const Chain& chain) const { world.create_chain(body, chain.points, chain.loop, def); }
-    template <class Geometry>
-    void operator()(const Geometry& geometry) const {
-        world.create_shape(body, geometry, def);
-    }
-};
-
 }  // namespace
 
 struct IsletEngine::Impl {
     std::unique_ptr<Block> block;
     World* world = nullptr;
     Capacity capacity;
-    std::vector<BodyId> bodies;  // by scene index
+    std::vector<BodyId> bodies;  // by scene index; so are the joints
+    std::vector<JointId> joints;
 };
 
 IsletEngine::IsletEngine() : impl_(std::make_unique<Impl>()) {}
@@ -60,13 +49,15 @@ void IsletEngine::load(const Scene& scene) {
     impl_->bodies.clear();
     impl_->bodies.reserve(scene.bodies.size());
     for (const SceneBody& body : scene.bodies) create_body(body);
+    forget_joints();
+    impl_->joints.clear();
+    for (const SceneJoint& joint : scene.joints) create_joint(joint);
 }
 
 std::size_t IsletEngine::create_body(const SceneBody& body) {
     World& w = world();
     w.clear_error();
-    const BodyId id = w.create_body(body.def);
-    for (const SceneShape& shape : body.shapes) std::visit(ShapeMaker{w, id, shape.def}, shape.geometry);
+    const BodyId id = spawn(w, body);
     if (w.last_error() != Error::none)
         throw std::runtime_error(std::string("cannot make a body of the scene: ") + describe(w.last_error()));
     impl_->bodies.push_back(id);
@@ -101,6 +92,7 @@ EngineCounts IsletEngine::counts() const {
     EngineCounts counts;
     counts.bodies = w.body_count();
     counts.shapes = w.shape_count();
+    counts.joints = w.joint_count();
     counts.contacts = w.contact_count();
     counts.awake_bodies = w.report().awake_bodies;
     counts.islands = w.report().islands;
@@ -124,7 +116,44 @@ void IsletEngine::set_velocity(std::size_t index, Vec2 linear, float angular) {
 
 void IsletEngine::apply_force(std::size_t index, Vec2 force) { world().apply_force_to_center(impl_->bodies[index], force); }
 
+void IsletEngine::apply_force_at(std::size_t index, Vec2 force, Vec2 point) { world().apply_force(impl_->bodies[index], force, point); }
+
+void IsletEngine::apply_torque(std::size_t index, float torque) { world().apply_torque(impl_->bodies[index], torque); }
+
 void IsletEngine::apply_impulse(std::size_t index, Vec2 impulse) { world().apply_linear_impulse_to_center(impl_->bodies[index], impulse); }
+
+void IsletEngine::make_joint(const SceneJoint& joint) {
+    World& w = world();
+    w.clear_error();
+    impl_->joints.push_back(spawn(w, joint, impl_->bodies, impl_->joints));
+    if (w.last_error() != Error::none)
+        throw std::runtime_error(std::string("cannot make a joint of the scene: ") + describe(w.last_error()));
+}
+
+void IsletEngine::change_joint(std::size_t index) {
+    const JointId id = impl_->joints[index];
+    const auto pass_on = [&w = world(), id](const auto& def) {
+        if constexpr (requires { def.motor; }) w.set_motor(id, def.motor);
+        if constexpr (requires { def.spring; }) w.set_spring(id, def.spring);
+        if constexpr (requires { def.limit; }) w.set_limit(id, def.limit);
+        if constexpr (requires { def.target; }) w.set_target(id, def.target);
+    };
+    std::visit(pass_on, joint(index).def);
+}
+
+void IsletEngine::destroy_joint(std::size_t index) { world().destroy_joint(impl_->joints[index]); }
+
+bool IsletEngine::joint_exists(std::size_t index) const { return index < impl_->joints.size() && world().is_valid(impl_->joints[index]); }
+
+float IsletEngine::joint_position(std::size_t index) const { return world().joint_position(impl_->joints[index]); }
+
+float IsletEngine::joint_speed(std::size_t index) const { return world().joint_speed(impl_->joints[index]); }
+
+float IsletEngine::motor_force(std::size_t index) const { return world().motor_force(impl_->joints[index]); }
+
+Vec2 IsletEngine::joint_force(std::size_t index) const { return world().joint_force(impl_->joints[index]); }
+
+float IsletEngine::joint_torque(std::size_t index) const { return world().joint_torque(impl_->joints[index]); }
 
 World& IsletEngine::world() { return *impl_->world; }
 

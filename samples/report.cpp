@@ -55,7 +55,11 @@ std::string table_of(const RunResult& r) {
     row("bodies", fmt::format("{} ({} awake in {} {}), {} shapes", r.counts.bodies, r.counts.awake_bodies, r.counts.islands,
                               r.counts.islands == 1 ? "island" : "islands", r.counts.shapes));
     row("contacts", fmt::format("{}, {} dropped", r.counts.contacts, r.dropped_contacts));
-    row("joints", fmt::format("{}, largest error {:.3g} m", r.counts.joints, r.max_joint_error));
+    if (r.counts.joints > 0 || r.worst_joint_error.linear > 0) {
+        row("joints",
+            fmt::format("{}, off by {:.3g} m and {:.3g} rad at most, in the whole run by {:.3g} m and {:.3g} rad", r.counts.joints,
+                        r.max_joint_error.linear, r.max_joint_error.angular, r.worst_joint_error.linear, r.worst_joint_error.angular));
+    }
     row("overlap", fmt::format("{:.3g} m at most", r.max_penetration));
     row("energy", fmt::format("{:.6g} J kinetic, {:.6g} J potential", r.kinetic_energy, r.potential_energy));
     row("time", fmt::format("{:.3f} ms a step, {:.3f} at most, {:.1f} in all", r.ms_per_step_mean, r.ms_per_step_max, r.ms_total));
@@ -84,7 +88,10 @@ std::string json_of(const RunResult& r) {
         {"ms_per_step_mean", r.ms_per_step_mean},
         {"ms_per_step_max", r.ms_per_step_max},
         {"max_penetration", number(r.max_penetration)},
-        {"max_joint_error", number(r.max_joint_error)},
+        {"max_joint_error", number(double(r.max_joint_error.linear))},
+        {"max_joint_angle_error", number(double(r.max_joint_error.angular))},
+        {"worst_joint_error", number(double(r.worst_joint_error.linear))},
+        {"worst_joint_angle_error", number(double(r.worst_joint_error.angular))},
         {"kinetic_energy", number(r.kinetic_energy)},
         {"potential_energy", number(r.potential_energy)},
         {"world_bytes", r.world_bytes},
@@ -106,15 +113,16 @@ std::string json_of(const RunResult& r) {
 }
 
 std::string csv_header() {
-    return "step,time,ms,bodies,awake_bodies,contacts,islands,dropped_contacts,kinetic_energy,potential_energy,max_penetration,hash\n";
+    return "step,time,ms,bodies,awake_bodies,contacts,islands,dropped_contacts,kinetic_energy,potential_energy,max_penetration,joints,max_"
+           "joint_error,max_joint_angle_error,hash\n";
 }
 
 std::string csv_line(const StepRecord& record, const Run& run) {
     const EngineCounts counts = run.engine.counts();
-    return fmt::format("{},{:.9g},{:.6f},{},{},{},{},{},{:.9g},{:.9g},{:.6g},{}\n", record.step, record.time, record.ms, counts.bodies,
-                       counts.awake_bodies, counts.contacts, counts.islands, run.engine.world().report().dropped_contacts,
+    return fmt::format("{},{:.9g},{:.6f},{},{},{},{},{},{:.9g},{:.9g},{:.6g},{},{:.6g},{:.6g},{}\n", record.step, record.time, record.ms,
+                       counts.bodies, counts.awake_bodies, counts.contacts, counts.islands, run.engine.world().report().dropped_contacts,
                        kinetic_energy(run.engine), potential_energy(run.engine, run.scene.world.gravity), run.engine.max_penetration(),
-                       record.hash ? hex(*record.hash) : "");
+                       counts.joints, record.joint_error.linear, record.joint_error.angular, record.hash ? hex(*record.hash) : "");
 }
 
 std::string catalogue_table() {

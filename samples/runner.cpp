@@ -37,6 +37,9 @@ RunResult Run::run(const std::function<void(const StepRecord&)>& observer) {
             record.hash = engine.world().hash();
             result.hashes.push_back({record.step, *record.hash});
         }
+        record.joint_error = result.max_joint_error = engine.max_joint_error();
+        result.worst_joint_error.linear = std::max(result.worst_joint_error.linear, result.max_joint_error.linear);
+        result.worst_joint_error.angular = std::max(result.worst_joint_error.angular, result.max_joint_error.angular);
         for (std::size_t i = 0; i < trails.size(); ++i) trails[i].push_back(engine.body(scene.traced[i]).position);
         if (observer) observer(record);
     }

@@ -23,9 +23,10 @@ struct RunOptions {
 
 /// What a step did, for the CSV file and the progress bar.
 struct StepRecord {
-    int step = 0;     // steps taken so far
-    double time = 0;  // s
-    double ms = 0;    // World::step alone
+    int step = 0;            // steps taken so far
+    double time = 0;         // s
+    double ms = 0;           // World::step alone
+    JointError joint_error;  // the largest of all joints
     std::optional<std::uint64_t> hash;
 };
 
@@ -42,7 +43,9 @@ struct RunResult {
     EngineCounts counts;
     std::uint64_t dropped_contacts = 0;  // summed over the steps: a pair that waits is counted each step
     double ms_total = 0, ms_per_step_mean = 0, ms_per_step_max = 0;
-    double max_penetration = 0, max_joint_error = 0;  // m, at the end
+    double max_penetration = 0;                       // m, at the end
+    JointError max_joint_error;                       // at the end
+    JointError worst_joint_error;                     // after any step
     double kinetic_energy = 0, potential_energy = 0;  // J, at the end
     std::size_t world_bytes = 0, snapshot_bytes = 0;
     std::uint64_t hash = 0;

@@ -31,6 +31,16 @@ struct SceneBody {
     std::vector<SceneShape> shapes;
 };
 
+/// Any of the joints of islet/joints.hpp. The ids in it are filled in by the engine that makes the joint.
+using JointDef = std::variant<RevoluteJointDef, PrismaticJointDef, DistanceJointDef, WeldJointDef, WheelJointDef, MotorJointDef,
+                              MouseJointDef, PulleyJointDef, GearJointDef>;
+
+/// A joint between two bodies, known by their indices. A mouse joint pulls body_b and has no body_a; of a gear they are the indices of two joints.
+struct SceneJoint {
+    std::size_t body_a = 0, body_b = 0;
+    JointDef def;
+};
+
 /// One line of a scene's check: what was measured, its value, and the bounds it must keep.
 struct CheckLine {
     std::string what;  // a sentence with its unit, e.g. "top of the pyramid sank (m)"
@@ -40,20 +50,22 @@ struct CheckLine {
     bool pass() const { return value >= low && value <= high; }
 };
 
-/// Everything an engine needs to run a scene. Bodies are known by their index in `bodies`, in every engine; bodies made later by a script
-/// get the next indices.
+/// Everything an engine needs to run a scene. Bodies are known by their index in `bodies` and joints by theirs in `joints`, in every engine;
+/// what a script makes later gets the next indices.
 struct Scene {
     std::string name;
     WorldDef world;
     float dt = 1.0f / 60.0f;  // s
     int steps = 300;          // how long the runner runs it, and what `check` expects
     std::vector<SceneBody> bodies;
-    std::uint32_t extra_contacts = 0;                            // contact capacity beyond the estimate of capacity_of
-    Aabb view = {{-10, -1}, {10, 11}};                           // m, what a picture shows
-    std::vector<std::size_t> traced;                             // bodies whose path a picture shows as a line
-    std::function<void(Engine&, int step)> before_step;          // scripts: push, set a velocity, create, destroy
-    std::function<void(const Engine&, int step)> after_step;     // observers: what the check needs to have seen
-    std::function<std::vector<CheckLine>(const Engine&)> check;  // after `steps` steps
+    std::vector<SceneJoint> joints;
+    std::uint32_t extra_contacts = 0;                                    // contact capacity beyond the estimate of capacity_of
+    std::uint32_t extra_bodies = 0, extra_shapes = 0, extra_joints = 0;  // room for what scripts make, as many as exist at once
+    Aabb view = {{-10, -1}, {10, 11}};                                   // m, what a picture shows
+    std::vector<std::size_t> traced;                                     // bodies whose path a picture shows as a line
+    std::function<void(Engine&, int step)> before_step;                  // scripts: push, set a velocity, create, destroy
+    std::function<void(const Engine&, int step)> after_step;             // observers: what the check needs to have seen
+    std::function<std::vector<CheckLine>(const Engine&)> check;          // after `steps` steps
 };
 
 /// An entry of the catalogue.

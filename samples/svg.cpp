@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "joint_measure.hpp"
 #include "svg_path.hpp"
 
 namespace islet::samples {
@@ -36,6 +37,7 @@ constexpr std::array<Style, 4> styles = {{
 constexpr const char* paper = "#fdfcf9";
 constexpr const char* grid_color = "#efece5";
 constexpr const char* contact_color = "#c4314b";
+constexpr const char* joint_color = "#2f7d6b";
 constexpr const char* trail_color = "#d98a3d";
 constexpr const char* ink = "#2c3440";
 constexpr const char* pale_ink = "#77808d";
@@ -115,19 +117,38 @@ std::string shapes(const Picture& picture, const Camera& camera, double size) {
     return text;
 }
 
+void add_line(PathWriter& path, const Camera& camera, const std::vector<Vec2>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const int x = camera.x(double(points[i].x)), y = camera.y(double(points[i].y));
+        if (i == 0)
+            path.move(x, y);
+        else
+            path.line(x, y);
+    }
+}
+
 std::string trails(const Picture& picture, const Camera& camera) {
     PathWriter path;
-    for (const Trail& trail : picture.trails) {
-        for (std::size_t i = 0; i < trail.size(); ++i) {
-            const int x = camera.x(double(trail[i].x)), y = camera.y(double(trail[i].y));
-            if (i == 0)
-                path.move(x, y);
-            else
-                path.line(x, y);
-        }
-    }
+    for (const Trail& trail : picture.trails) add_line(path, camera, trail);
     if (path.empty()) return {};
     return fmt::format("<path stroke=\"{}\" stroke-width=\"{}\" stroke-opacity=\".75\" d=\"{}\"/>\n", trail_color, units(1.6), path.text());
+}
+
+/// Thin lines, and a dot at each anchor: two dots beside each other are a joint that has come apart.
+std::string joints(const Picture& picture, const Camera& camera, double size) {
+    PathWriter lines, dots;
+    for (const DrawnJoint& joint : picture.joints) {
+        add_line(lines, camera, joint.line);
+        for (const Vec2 dot : joint.dots) {
+            dots.move(camera.x(double(dot.x)), camera.y(double(dot.y)));
+            dots.dot();
+        }
+    }
+    if (lines.empty()) return {};
+    return fmt::format(
+        "<path stroke=\"{0}\" stroke-opacity=\".7\" stroke-width=\"{1}\" d=\"{2}\"/>\n<path stroke=\"{0}\" stroke-width=\"{3}\" "
+        "d=\"{4}\"/>\n",
+        joint_color, units(std::clamp(0.03 * size, 0.35, 1.4)), lines.text(), units(std::clamp(0.12 * size, 1.0, 5.0)), dots.text());
 }
 
 std::string contacts(const Picture& picture, const Camera& camera, double size) {
@@ -190,6 +211,7 @@ std::string caption(const Picture& picture, const Camera& camera, bool contacts_
         text += fmt::format("<path transform=\"translate({} {})\" {}/>\n", right, middle, swatch);
         right -= units(22);
     };
+    if (!picture.joints.empty()) legend("joint", fmt::format("stroke=\"{}\" stroke-width=\"{}\" d=\"M0 0h0\"", joint_color, units(6)));
     if (contacts_drawn) legend("contact", fmt::format("stroke=\"{}\" stroke-width=\"{}\" d=\"M0 0h0\"", contact_color, units(6)));
     for (int look = static_cast<int>(styles.size()) - 1; look >= 0; --look) {
         const bool used = std::any_of(picture.shapes.begin(), picture.shapes.end(),
@@ -243,10 +265,16 @@ Picture picture_of(const Run& run) {
             if (contact.points[i].separation < touching) picture.contacts.push_back({contact.points[i].point, contact.normal});
         }
     }
+    for (std::size_t i = 0; i < run.engine.joint_slots(); ++i) {
+        if (!run.engine.joint_exists(i)) continue;
+        JointDrawing drawing = draw_joint(run.engine, i);
+        if (!drawing.line.empty()) picture.joints.push_back({std::move(drawing.line), std::move(drawing.dots)});
+    }
     const EngineCounts counts = run.engine.counts();
     picture.title = run.scene.name;
     picture.details = fmt::format("step {}  ·  {:.4g} s  ·  {} bodies  ·  {} contacts", world.step_count(),
                                   double(world.step_count()) * double(run.scene.dt), counts.bodies, counts.contacts);
+    if (counts.joints > 0) picture.details += fmt::format("  ·  {} joints", counts.joints);
     return picture;
 }
 
@@ -264,6 +292,7 @@ std::string draw_svg(const Picture& picture) {
     text += grid(picture, camera);
     text += trails(picture, camera);
     text += shapes(picture, camera, size);
+    text += joints(picture, camera, size);
     const std::string dots = contacts(picture, camera, size);
     text += dots;
     text += "</g>\n<g stroke-linecap=\"round\">\n";

@@ -24,12 +24,17 @@ struct DrawnContact {
     Vec2 normal;
 };
 
+struct DrawnJoint {
+    std::vector<Vec2> line, dots;
+};
+
 /// What a picture shows, whichever engine it came from.
 struct Picture {
     std::string title, details;  // the caption: bold, and beside it
     Aabb view;                   // m
     std::vector<DrawnShape> shapes;
     std::vector<DrawnContact> contacts;
+    std::vector<DrawnJoint> joints;
     std::vector<Trail> trails;
 };
 

@@ -41,6 +41,80 @@ std::size_t add_pyramid(Scene& scene, int rows, float half, float left, float bo
     return first;
 }
 
+namespace {
+
+/// The frame of a body that lies at a point of the world with its x axis at an angle there.
+JointFrame frame_at(const Scene& scene, std::size_t body, Vec2 point, float angle) {
+    const BodyDef& def = scene.bodies[body].def;
+    return {inv_transform_point({def.position, make_rot(def.angle)}, point), angle - def.angle};
+}
+
+JointBase base_at(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point_a, Vec2 point_b, float angle) {
+    JointBase base;
+    base.frame_a = frame_at(scene, body_a, point_a, angle);
+    base.frame_b = frame_at(scene, body_b, point_b, angle);
+    return base;
+}
+
+}  // namespace
+
+std::size_t add_joint(Scene& scene, std::size_t body_a, std::size_t body_b, JointDef def) {
+    scene.joints.push_back({body_a, body_b, std::move(def)});
+    return scene.joints.size() - 1;
+}
+
+std::size_t add_gear(Scene& scene, std::size_t joint1, std::size_t joint2, float ratio) {
+    GearJointDef def;
+    def.ratio = ratio;
+    return add_joint(scene, joint1, joint2, def);
+}
+
+RevoluteJointDef hinge_at(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point) {
+    RevoluteJointDef def;
+    def.base = base_at(scene, body_a, body_b, point, point, 0);
+    return def;
+}
+
+WeldJointDef weld_at(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point) {
+    WeldJointDef def;
+    def.base = base_at(scene, body_a, body_b, point, point, 0);
+    return def;
+}
+
+PrismaticJointDef slider_at(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point, Vec2 direction) {
+    PrismaticJointDef def;
+    def.base = base_at(scene, body_a, body_b, point, point, atan2(direction.y, direction.x));
+    return def;
+}
+
+WheelJointDef wheel_at(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point, Vec2 direction) {
+    WheelJointDef def;
+    def.base = base_at(scene, body_a, body_b, point, point, atan2(direction.y, direction.x));
+    return def;
+}
+
+DistanceJointDef rod_between(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point_a, Vec2 point_b) {
+    DistanceJointDef def;
+    def.base = base_at(scene, body_a, body_b, point_a, point_b, 0);
+    def.length = distance(point_a, point_b);
+    return def;
+}
+
+DistanceJointDef rope_between(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point_a, Vec2 point_b) {
+    DistanceJointDef def = rod_between(scene, body_a, body_b, point_a, point_b);
+    def.limit = {.enable = true, .lower = 0, .upper = def.length};
+    return def;
+}
+
+PulleyJointDef pulley_over(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point_a, Vec2 ground_a, Vec2 ground_b,
+                           Vec2 point_b) {
+    PulleyJointDef def;
+    def.base = base_at(scene, body_a, body_b, point_a, point_b, 0);
+    def.ground_a = ground_a;
+    def.ground_b = ground_b;
+    return def;
+}
+
 Polygon polygon_of(std::initializer_list<Vec2> points) { return make_polygon(compute_hull({points.begin(), points.size()})); }
 
 }  // namespace islet::samples

@@ -1,4 +1,4 @@
-// What several scenes build from: bodies with one shape, floors and pyramids.
+// What several scenes build from: bodies with one shape, floors, pyramids, and joints at points of the world.
 #pragma once
 
 #include <vector>
@@ -19,6 +19,25 @@ std::size_t add_floor(Scene& scene, float half_width, const ShapeDef& def = {});
 /// Boxes of half width `half` in rows of `rows`, rows - 1, ... 1, without gaps, row by row from the ground up. The lowest left box has its
 /// left side at x = left, and its bottom at y = bottom. Returns the index of the first one; the top box is the last one made.
 std::size_t add_pyramid(Scene& scene, int rows, float half, float left, float bottom, const ShapeDef& def = {});
+
+/// Adds a joint and returns its index.
+std::size_t add_joint(Scene& scene, std::size_t body_a, std::size_t body_b, JointDef def);
+/// A gear between two joints, by their indices.
+std::size_t add_gear(Scene& scene, std::size_t joint1, std::size_t joint2, float ratio);
+
+/// Definitions whose frames are where the bodies are now, so that a joint made of them starts without error and at coordinate 0: a hinge and a weld
+/// at a point of the world; a slider and a wheel's strut through a point along a direction (of any length), positive that way.
+RevoluteJointDef hinge_at(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point);
+WeldJointDef weld_at(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point);
+PrismaticJointDef slider_at(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point, Vec2 direction);
+WheelJointDef wheel_at(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point, Vec2 direction);
+/// A rod between two points of the world, as long as they are apart.
+DistanceJointDef rod_between(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point_a, Vec2 point_b);
+/// As a rod, but it may hang slack.
+DistanceJointDef rope_between(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point_a, Vec2 point_b);
+/// A rope from point_a over ground_a and ground_b to point_b, all in the world.
+PulleyJointDef pulley_over(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point_a, Vec2 ground_a, Vec2 ground_b,
+                           Vec2 point_b);
 
 /// Convex polygon through the points, which must be a hull already (checked: an empty polygon is refused by the engine).
 Polygon polygon_of(std::initializer_list<Vec2> points);

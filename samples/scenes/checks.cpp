@@ -126,11 +126,12 @@ CheckLine near_line(std::string what, double value, double expected, double tole
 
 CheckLine at_most(std::string what, double value, double high) { return {std::move(what), value, 0, high}; }
 
-std::vector<CheckLine> count_lines(const Engine& engine, std::size_t bodies, std::size_t shapes, std::size_t contacts) {
+std::vector<CheckLine> count_lines(const Engine& engine, std::size_t bodies, std::size_t shapes, std::size_t contacts, std::size_t joints) {
     const EngineCounts counts = engine.counts();
     return {
         near_line("bodies", double(counts.bodies), double(bodies), 0),
         near_line("shapes", double(counts.shapes), double(shapes), 0),
+        near_line("joints", double(counts.joints), double(joints), 0),
         near_line("contacts", double(counts.contacts), double(contacts), 0.15 * double(contacts)),
         at_most("bodies not finite", double(count_not_finite(engine)), 0),
     };

@@ -45,7 +45,8 @@ void momentum(const Engine& engine, double& x, double& y);
 CheckLine near_line(std::string what, double value, double expected, double tolerance);
 /// A line that passes from 0 to `high`.
 CheckLine at_most(std::string what, double value, double high);
-/// Bodies and shapes exactly, contacts (which depend on box margins) within 15 %, and no number that is not finite.
-std::vector<CheckLine> count_lines(const Engine& engine, std::size_t bodies, std::size_t shapes, std::size_t contacts);
+/// Bodies, shapes and joints exactly, contacts (which depend on box margins) within 15 %, and no number that is not finite.
+std::vector<CheckLine> count_lines(const Engine& engine, std::size_t bodies, std::size_t shapes, std::size_t contacts,
+                                   std::size_t joints = 0);
 
 }  // namespace islet::samples

@@ -31,5 +31,9 @@ Scene make_washer();
 Scene make_smash();
 Scene make_compounds();
 Scene make_junkyard();
+Scene make_joint_grid();
+Scene make_tumbler();
+Scene make_spinner();
+Scene make_rain();
 
 }  // namespace islet::samples

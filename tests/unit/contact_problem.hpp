@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/kernel.hpp"
+#include "constraint/contact.hpp"
 #include "support/random.hpp"
 
 namespace islet::detail {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "islet/geometry.hpp"
+#include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/math.hpp"
 #include "islet/types.hpp"

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "islet/joints.hpp"
 #include "islet/types.hpp"
 
 namespace islet {
@@ -21,8 +22,8 @@ inline constexpr std::uint32_t max_capacity = 1u << 22;
 
 namespace detail {
 
-inline constexpr std::size_t core_bytes = 448;  // room for Core inside World
-inline constexpr std::size_t host_bytes = 512;  // room for World at the start of the block
+inline constexpr std::size_t core_bytes = 512;  // room for Core inside World
+inline constexpr std::size_t host_bytes = 576;  // room for World at the start of the block
 
 // The widest lanes that the build can use decide how the constraint rows are padded in scratch.
 #if defined(ISLET_MAX_LANES)
@@ -39,7 +40,7 @@ inline constexpr std::uint32_t max_lanes = 1;
 inline constexpr std::size_t state_bytes = 256;
 inline constexpr std::size_t pose_bytes = 32;
 inline constexpr std::size_t motion_bytes = 32;
-inline constexpr std::size_t body_bytes = 88;
+inline constexpr std::size_t body_bytes = 96;
 inline constexpr std::size_t shape_bytes = 72;
 inline constexpr std::size_t box_bytes = 16;
 inline constexpr std::size_t geometry_bytes = 160;
@@ -49,10 +50,13 @@ inline constexpr std::size_t manifold_bytes = 96;
 inline constexpr std::size_t solver_body_bytes = 32;
 inline constexpr std::size_t solver_motion_bytes = 32;
 inline constexpr std::size_t row_bytes = 128;     // per contact, in a block of rows
-inline constexpr std::size_t batch_bytes = 148;
+inline constexpr std::size_t joint_bytes = 232;
+inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
+inline constexpr std::size_t joint_run_bytes = 24;
+inline constexpr std::size_t batch_bytes = 156;
 inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are found
 inline constexpr std::uint32_t color_count = 32;  // constraint colours: bits of a body's mask
-inline constexpr std::uint32_t batch_contacts = 2048;  // a batch of islands closes at this many contacts
+inline constexpr std::uint32_t batch_contacts = 2048;  // a batch of islands closes at this many contacts and joints
 
 constexpr std::uint32_t next_power_of_two(std::uint32_t n) {
     std::uint32_t p = 1;
@@ -65,7 +69,7 @@ constexpr std::size_t words_for(std::uint32_t bits) { return (std::size_t{bits} 
 constexpr std::uint32_t geometry_capacity(const Capacity& c) { return c.geometries != 0 ? c.geometries : c.shapes; }
 
 /// Batches that the islands of a world can make, at most.
-constexpr std::uint32_t batch_capacity(const Capacity& c) { return c.contacts / batch_contacts + 2; }
+constexpr std::uint32_t batch_capacity(const Capacity& c) { return (c.contacts + c.joints) / batch_contacts + 2; }
 
 /// Contact rows including the padding that fills up the last block of each colour of each batch.
 constexpr std::size_t row_capacity(const Capacity& c) {
@@ -73,12 +77,21 @@ constexpr std::size_t row_capacity(const Capacity& c) {
     return c.contacts + (colors < c.contacts ? colors : c.contacts) * (max_lanes - 1);
 }
 
+/// Runs of joints of one kernel and one colour in one batch, at most.
+constexpr std::size_t joint_run_capacity(const Capacity& c) {
+    const std::size_t runs = std::size_t{batch_capacity(c)} * (color_count + 1) * joint_type_count;
+    return runs < c.joints ? runs : c.joints;
+}
+
+/// Joint rows including the padding that fills up the last block of each run.
+constexpr std::size_t joint_row_capacity(const Capacity& c) { return c.joints + joint_run_capacity(c) * (max_lanes - 1); }
+
 /// Offsets from the start of the block, bytes.
 struct Layout {
-    std::size_t state, poses, motions, bodies, shapes, boxes, geometries, geometry_buckets, tree, contacts, manifolds, pairs;
-    std::size_t awake_bodies, awake_contacts, moved_shapes;
+    std::size_t state, poses, motions, bodies, shapes, boxes, geometries, geometry_buckets, tree, contacts, manifolds, pairs, joints;
+    std::size_t awake_bodies, awake_contacts, awake_joints, moved_shapes;
     std::size_t persistent_end;
-    std::size_t begin_events, end_events, moved_events, slept_events;
+    std::size_t begin_events, end_events, moved_events, slept_events, break_events;
     std::size_t scratch, end;
 };
 
@@ -92,9 +105,12 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     const std::size_t bodies = std::size_t{c.bodies} + 1;
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + 2048 * 4 + 20 * 64;
     const std::size_t collide = words_for(c.contacts) * 8 * 2 + words_for(c.bodies) * 8 + bodies * 4 + 4 * 64;
-    const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + 5 * 64;
-    const std::size_t planning = bodies * 4 * 4 + std::size_t{c.contacts} * 16 + std::size_t{batch_capacity(c)} * color_count * 4 + 6 * 64;
-    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + row_capacity(c) * row_bytes + 5 * 64;
+    const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
+                             joint_run_capacity(c) * joint_run_bytes + 7 * 64;
+    const std::size_t planning = bodies * 4 * 4 + (std::size_t{c.contacts} + c.joints) * 16 + std::size_t{batch_capacity(c)} * color_count * 4 +
+                                 std::size_t{batch_capacity(c)} * (color_count + 1) * joint_type_count * 4 + 8 * 64;
+    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + row_capacity(c) * row_bytes +
+                              joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 + 7 * 64;
     return max_of(plan + max_of(planning, solve), max_of(pairs, collide));
 }
 
@@ -118,14 +134,17 @@ constexpr Layout layout_of(const Capacity& c) {
     l.contacts = take(c.contacts * contact_bytes);
     l.manifolds = take(c.contacts * manifold_bytes);
     l.pairs = take(next_power_of_two(2 * c.contacts) * std::size_t{8});
+    l.joints = take(c.joints * joint_bytes);
     l.awake_bodies = take(words_for(c.bodies) * 8);
     l.awake_contacts = take(words_for(c.contacts) * 8);
+    l.awake_joints = take(words_for(c.joints) * 8);
     l.moved_shapes = take(words_for(c.shapes) * 8);
     l.persistent_end = at;
     l.begin_events = take(c.contacts * sizeof(TouchEvent));
     l.end_events = take(c.contacts * sizeof(TouchEvent));
     l.moved_events = take(c.bodies * sizeof(BodyId));
     l.slept_events = take(c.bodies * sizeof(BodyId));
+    l.break_events = take(c.joints * sizeof(JointBreakEvent));
     l.scratch = at;
     l.end = align_up(at + scratch_bytes(c));
     return l;

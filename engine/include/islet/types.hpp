@@ -61,6 +61,10 @@ enum class Error : std::uint8_t {
     block_misaligned,    ///< the memory given is not aligned to world_alignment
     bad_capacity,        ///< a capacity is zero where at least one is needed, or above max_capacity
     events_full,         ///< more contacts ended than there is room to report
+    joints_full,         ///< raise Capacity::joints
+    same_body,           ///< a joint needs two different bodies
+    no_dynamic_body,     ///< a joint needs at least one dynamic body
+    wrong_joint_type,    ///< joints of this type have no such property, or cannot be geared
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.
@@ -84,9 +88,11 @@ struct SolverDef {
     float contact_hertz = 30.0f;         ///< Hz, > 0. Stiffness of soft contacts; capped at an eighth of the substep rate.
     float contact_damping_ratio = 10.0f; ///< >= 0. Soft contacts are overdamped so that they do not bounce.
     float contact_push_speed = 3.0f;     ///< m/s, >= 0. Fastest that overlap is pushed apart.
-    float baumgarte = 0.2f;              ///< 0 to 1. Share of the overlap mended per step (classic schedule).
+    float joint_hertz = 60.0f;           ///< Hz, > 0. Stiffness with which joints mend their errors; capped at a quarter of the substep rate.
+    float joint_damping_ratio = 2.0f;    ///< >= 0
+    float baumgarte = 0.2f;              ///< 0 to 1. Share of overlaps and joint errors mended per step (classic schedule).
     float omega = 1.0f;                  ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
-    bool warm_start = true;              ///< Start each solve from the impulses of the last.
+    bool warm_start = true;              ///< Start each step from the impulses of the last.
 };
 
 /// What a new world is like.
@@ -162,6 +168,9 @@ struct StepReport {
     std::uint32_t colors = 0;            ///< constraint colours in use
     std::uint32_t overflow_contacts = 0; ///< contacts that found no colour and were solved one by one
     std::uint32_t batches = 0;
+    std::uint32_t joints = 0;            ///< all
+    std::uint32_t awake_joints = 0;      ///< those solved
+    std::uint32_t overflow_joints = 0;   ///< joints solved one by one: gears, and those that found no colour
 };
 
 /// One touching point of a contact, in world coordinates.

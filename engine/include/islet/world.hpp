@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/types.hpp"
 
@@ -63,11 +64,13 @@ public:
     std::span<const BodyId> moved_bodies() const;
     /// Bodies that fell asleep in the last step, ordered by slot.
     std::span<const BodyId> slept_bodies() const;
+    /// Joints that broke at the end of the last step, ordered by slot.
+    std::span<const JointBreakEvent> broken_joints() const;
 
     // -- bodies ----------------------------------------------------------------------------------------------------------------
 
     BodyId create_body(const BodyDef& def);
-    /// Destroys the body with its shapes and contacts; wakes what touched it.
+    /// Destroys the body with its shapes, contacts and joints; wakes what touched it or was joined to it.
     void destroy_body(BodyId body);
     bool is_valid(BodyId body) const;
     /// Number of live bodies.
@@ -175,6 +178,79 @@ public:
     std::uint32_t contact_count() const;
     /// Reads the contact in slot 0 <= slot < capacity().contacts. False if the slot is free or the shapes do not touch.
     bool contact_at(std::uint32_t slot, ContactInfo& out) const;
+
+    // -- joints ----------------------------------------------------------------------------------------------------------------
+    //
+    // Changing a joint wakes its bodies. Functions that a type of joint has no use for fail with wrong_joint_type.
+
+    JointId create_joint(const RevoluteJointDef& def);
+    JointId create_joint(const PrismaticJointDef& def);
+    JointId create_joint(const DistanceJointDef& def);
+    JointId create_joint(const WeldJointDef& def);
+    JointId create_joint(const WheelJointDef& def);
+    JointId create_joint(const MotorJointDef& def);
+    JointId create_joint(const MouseJointDef& def);
+    JointId create_joint(const PulleyJointDef& def);
+    JointId create_joint(const GearJointDef& def);
+    /// Destroys the joint, and the gears that use it.
+    void destroy_joint(JointId joint);
+    bool is_valid(JointId joint) const;
+    std::uint32_t joint_count() const;
+    /// Id of the joint in slot 0 <= slot < capacity().joints; null if the slot is free.
+    JointId joint_at(std::uint32_t slot) const;
+    /// Writes the ids of the body's joints, newest first, as far as they fit; returns how many there are.
+    std::uint32_t joints(BodyId body, std::span<JointId> out) const;
+
+    JointType joint_type(JointId joint) const;
+    /// Null for mouse joints.
+    BodyId body_a(JointId joint) const;
+    BodyId body_b(JointId joint) const;
+    JointFrame frame_a(JointId joint) const;
+    JointFrame frame_b(JointId joint) const;
+    /// Moves the joint on its bodies. Not for mouse, pulley and gear joints.
+    void set_frames(JointId joint, const JointFrame& frame_a, const JointFrame& frame_b);
+    /// The frames' points in the world; of a mouse joint the target and the point pulled to it.
+    Vec2 anchor_a(JointId joint) const;
+    Vec2 anchor_b(JointId joint) const;
+    bool collide_connected(JointId joint) const;
+    void set_collide_connected(JointId joint, bool collide);
+    /// As in JointBase; 0: never breaks.
+    void set_break(JointId joint, float force, float torque);
+    std::uint64_t user_data(JointId joint) const;
+    void set_user_data(JointId joint, std::uint64_t data);
+
+    /// The coordinate (joints.hpp): rad of a revolute joint, continuous past a full turn; m of the others that have one.
+    float joint_position(JointId joint) const;
+    /// Its rate, rad/s or m/s; of a wheel joint the strut's.
+    float joint_speed(JointId joint) const;
+    /// Revolute, prismatic, distance and wheel joints.
+    JointSpring spring(JointId joint) const;
+    void set_spring(JointId joint, const JointSpring& spring);
+    JointLimit limit(JointId joint) const;
+    void set_limit(JointId joint, const JointLimit& limit);
+    JointMotor motor(JointId joint) const;
+    void set_motor(JointId joint, const JointMotor& motor);
+    /// Revolute, prismatic and wheel joints. N m or N.
+    float joint_friction(JointId joint) const;
+    void set_joint_friction(JointId joint, float friction);
+    /// Force (N) or torque (N m) of the motor over the last substep.
+    float motor_force(JointId joint) const;
+    /// Of a distance joint, m.
+    float joint_length(JointId joint) const;
+    void set_joint_length(JointId joint, float length);
+    /// Of a motor joint.
+    void set_joint_velocity(JointId joint, Vec2 linear, float angular);
+    void set_joint_strength(JointId joint, float max_force, float max_torque);
+    /// Of a mouse joint, m in the world.
+    Vec2 target(JointId joint) const;
+    void set_target(JointId joint, Vec2 target);
+
+    /// What the joint did to body B over the last substep: force in N, torque about B's anchor in N m. A gets the opposite (a pulley's A is pulled
+    /// along its own rope).
+    Vec2 joint_force(JointId joint) const;
+    float joint_torque(JointId joint) const;
+    /// How far apart the joint has been pulled now.
+    JointError joint_error(JointId joint) const;
 
 private:
     friend struct detail::Core;

@@ -1,6 +1,7 @@
 #include "broadphase/contacts.hpp"
 
 #include "memory/colors.hpp"
+#include "memory/joint_graph.hpp"
 #include "math/scalar.hpp"
 
 namespace islet::detail {
@@ -57,7 +58,8 @@ bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2)
     if (s1.body == s2.body) return false;
     if (!core.is_dynamic(s1.body) && !core.is_dynamic(s2.body)) return false;
     if (!filters_agree(s1.filter, s2.filter)) return false;
-    return rank(core, shape_1) < 3 || rank(core, shape_2) < 3;
+    if (rank(core, shape_1) >= 3 && rank(core, shape_2) >= 3) return false;
+    return !joint_forbids(core, s1.body, s2.body);
 }
 
 bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {

@@ -27,7 +27,7 @@ inline std::uint32_t other_body(const Core& core, std::uint32_t contact, std::ui
     return side == 0 ? core.manifolds[contact].body_b : core.manifolds[contact].body_a;
 }
 
-/// True if the two shapes may have a contact: other bodies, one dynamic, geometry that collides, filters that agree.
+/// True if the two shapes may have a contact: other bodies, one dynamic, geometry that collides, filters that agree, no joint that forbids it.
 bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 
 /// Adds a contact, not yet touching. False if the pool is full.

@@ -1,8 +1,8 @@
 // Islands and batches: who is solved with whom.
 //
-// An island is a set of dynamic bodies linked by touching contacts; static and kinematic bodies link nothing. Islands are found anew in every
+// An island is a set of dynamic bodies linked by touching contacts and joints; static and kinematic bodies link nothing. Islands are found anew in every
 // step by union-find, so they link as soon as a contact touches and split as soon as one goes. Several islands make a batch, sized so that a batch's
-// bodies and rows fit a core's cache; within a batch, contacts are grouped by colour.
+// bodies and rows fit a core's cache; within a batch, contacts are grouped by colour, and joints by colour and kernel.
 //
 //   slots:   | 0: static | batch 0's bodies | batch 1's bodies | ...
 //   rows:    | batch 0: colour 0 (padded to whole blocks), colour 1, ... | batch 1: ... |        + one row a block for the overflow
@@ -10,6 +10,7 @@
 // Which island, batch or slot a body gets never changes a result: rows of one colour are independent, and so are islands.
 #pragma once
 
+#include "constraint/joint_rows.hpp"
 #include "memory/core.hpp"
 
 namespace islet::detail {
@@ -19,9 +20,19 @@ struct Batch {
     std::uint32_t first_slot = 0, end_slot = 0;
     std::uint32_t first_block[color_count + 1] = {};
     std::uint32_t first_overflow = 0, end_overflow = 0;
+    std::uint32_t first_run = 0, end_run = 0;  // of joints
 };
 
-static_assert(sizeof(Batch) == batch_bytes);
+/// Joints of one kernel and one colour, in whole blocks of `lanes` joints; those without a colour come first and are solved one by one.
+struct JointRun {
+    JointKernel kernel = JointKernel::point;
+    std::uint32_t color = no_color;
+    std::uint32_t first = 0;   // in Plan::joints
+    std::uint32_t blocks = 0;
+    std::uint64_t offset = 0;  // bytes: of its rows, given by the solve
+};
+
+static_assert(sizeof(Batch) == batch_bytes && sizeof(JointRun) == joint_run_bytes);
 
 /// The plan of one solve, in scratch.
 struct Plan {
@@ -35,6 +46,11 @@ struct Plan {
     std::uint32_t* contacts = nullptr;        // by row: blocks first, then overflow; null_index in the padding
     std::uint32_t block_count = 0;
     std::uint32_t overflow_count = 0;
+    std::uint32_t* joints = nullptr;          // run by run; null_index in the padding
+    JointRun* runs = nullptr;
+    std::uint32_t run_count = 0;
+    std::uint32_t joint_count = 0;
+    std::uint32_t overflow_joints = 0;
     std::uint32_t colors = 0;                 // in use
     std::uint32_t touching_count = 0;
 };

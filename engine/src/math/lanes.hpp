@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "islet/math.hpp"
+#include "math/scalar.hpp"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -27,6 +28,7 @@ struct Lane1 {
     ISLET_LANE static F splat(float a) { return a; }
     ISLET_LANE static F load(const float* p) { return *p; }
     ISLET_LANE static void store(float* p, F a) { *p = a; }
+    ISLET_LANE static F sqrt(F a) { return detail::sqrt(a); }
 
     /// Column i of the output is word i of the record at base + stride * index.
     template <std::uint32_t stride>
@@ -95,6 +97,13 @@ struct Lane4 {
     ISLET_LANE static F splat(float a) { return F{a, a, a, a}; }
     ISLET_LANE static F load(const float* p) { return load4(p); }
     ISLET_LANE static void store(float* p, F a) { store4(p, a); }
+    ISLET_LANE static F sqrt(F a) {
+#if defined(__SSE2__)
+        return _mm_sqrt_ps(a);
+#else
+        return F{detail::sqrt(a[0]), detail::sqrt(a[1]), detail::sqrt(a[2]), detail::sqrt(a[3])};
+#endif
+    }
 
     template <std::uint32_t stride>
     ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
@@ -132,6 +141,7 @@ struct Lane8 {
     ISLET_LANE static F splat(float a) { return _mm256_set1_ps(a); }
     ISLET_LANE static F load(const float* p) { return _mm256_loadu_ps(p); }
     ISLET_LANE static void store(float* p, F a) { _mm256_storeu_ps(p, a); }
+    ISLET_LANE static F sqrt(F a) { return _mm256_sqrt_ps(a); }
 
     template <std::uint32_t stride>
     ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {

@@ -11,11 +11,11 @@ namespace islet::detail {
 
 inline constexpr std::uint32_t dynamic_color_limit = 24;  // colours that two dynamic bodies may share
 
-inline void assign_color(Core& core, std::uint32_t contact) {
-    ContactManifold& m = core.manifolds[contact];
-    const bool dynamic_a = core.is_dynamic(m.body_a);
-    const bool dynamic_b = core.is_dynamic(m.body_b);
-    const std::uint32_t used = (dynamic_a ? core.bodies[m.body_a].colors : 0u) | (dynamic_b ? core.bodies[m.body_b].colors : 0u);
+/// Takes a colour that neither body has yet, or no_color. null_index stands for a body that cannot move.
+inline std::uint32_t take_color(Core& core, std::uint32_t body_a, std::uint32_t body_b) {
+    const bool dynamic_a = body_a != null_index && core.is_dynamic(body_a);
+    const bool dynamic_b = body_b != null_index && core.is_dynamic(body_b);
+    const std::uint32_t used = (dynamic_a ? core.bodies[body_a].colors : 0u) | (dynamic_b ? core.bodies[body_b].colors : 0u);
     std::uint32_t color = no_color;
     if (dynamic_a && dynamic_b) {
         const std::uint32_t free = ~used & ((1u << dynamic_color_limit) - 1u);
@@ -23,18 +23,26 @@ inline void assign_color(Core& core, std::uint32_t contact) {
     } else if (~used != 0) {
         color = 31u - static_cast<std::uint32_t>(__builtin_clz(~used));
     }
-    m.set_color(color);
+    if (color == no_color) return color;
+    if (dynamic_a) core.bodies[body_a].colors |= 1u << color;
+    if (dynamic_b) core.bodies[body_b].colors |= 1u << color;
+    return color;
+}
+
+inline void give_color(Core& core, std::uint32_t color, std::uint32_t body_a, std::uint32_t body_b) {
     if (color == no_color) return;
-    if (dynamic_a) core.bodies[m.body_a].colors |= 1u << color;
-    if (dynamic_b) core.bodies[m.body_b].colors |= 1u << color;
+    if (body_a != null_index && core.is_dynamic(body_a)) core.bodies[body_a].colors &= ~(1u << color);
+    if (body_b != null_index && core.is_dynamic(body_b)) core.bodies[body_b].colors &= ~(1u << color);
+}
+
+inline void assign_color(Core& core, std::uint32_t contact) {
+    ContactManifold& m = core.manifolds[contact];
+    m.set_color(take_color(core, m.body_a, m.body_b));
 }
 
 inline void release_color(Core& core, std::uint32_t contact) {
     ContactManifold& m = core.manifolds[contact];
-    const std::uint32_t color = m.color();
-    if (color == no_color) return;
-    if (core.is_dynamic(m.body_a)) core.bodies[m.body_a].colors &= ~(1u << color);
-    if (core.is_dynamic(m.body_b)) core.bodies[m.body_b].colors &= ~(1u << color);
+    give_color(core, m.color(), m.body_a, m.body_b);
     m.set_color(no_color);
 }
 

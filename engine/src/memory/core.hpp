@@ -30,15 +30,18 @@ struct Core {
     Contact* contacts = nullptr;
     ContactManifold* manifolds = nullptr;
     PairSet pairs;
+    Joint* joints = nullptr;
     BitSet awake_bodies;              // dynamic and kinematic bodies that move or may move
     BitSet awake_contacts;            // contacts of an awake body
+    BitSet awake_joints;              // joints of an awake body
     BitSet moved_shapes;              // shapes whose fat box changed since pairs were last found
 
     TouchEvent* begin_events = nullptr;
     TouchEvent* end_events = nullptr;
     BodyId* moved_events = nullptr;
     BodyId* slept_events = nullptr;
-    std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0;
+    JointBreakEvent* break_events = nullptr;
+    std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0, break_count = 0;
 
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;
@@ -53,6 +56,7 @@ struct Core {
 
     BodyId body_id(std::uint32_t i) const { return {i + 1, bodies[i].generation}; }
     ShapeId shape_id(std::uint32_t i) const { return {i + 1, shapes[i].generation}; }
+    JointId joint_id(std::uint32_t i) const { return {i + 1, joints[i].generation}; }
     bool is_awake(std::uint32_t body) const { return awake_bodies.test(body); }
     bool is_dynamic(std::uint32_t body) const { return bodies[body].type() == BodyType::dynamic; }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "islet/geometry.hpp"
+#include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/types.hpp"
 #include "memory/pool.hpp"
@@ -56,7 +57,9 @@ struct Body {
     std::uint32_t generation = 0;
     std::uint64_t user_data = 0;
     std::uint32_t next_free = null_index;
-    std::uint32_t pad = 0;
+    std::uint32_t joint_head = 0;    // joint key, as contact_head
+    std::uint32_t joint_count = 0;
+    float stretch = 0;               // kg m^2: h^2 times the geometric stiffness of the joints that pull at it (solver.cpp)
 
     BodyType type() const { return static_cast<BodyType>(flags & body_type_mask); }
 };
@@ -134,6 +137,53 @@ struct ContactManifold {
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
 };
 
+enum JointFlags : std::uint32_t {
+    joint_spring = 1u,
+    joint_limit = 2u,
+    joint_motor = 4u,
+    joint_collide = 8u,        // the two bodies' shapes collide with each other
+    joint_color_shift = 8,     // 8 bits: colour, or no_color
+};
+
+/// A joint. Which fields mean something depends on its type.
+struct Joint {
+    std::uint32_t type = 0;        // JointType
+    std::uint32_t flags = 0;       // JointFlags
+    std::uint32_t body_a = null_index, body_b = null_index;  // a mouse joint has no A
+    std::uint32_t next[2] = {0, 0}, prev[2] = {0, 0};        // joint keys (joint * 2 + side + 1), in the lists of the two bodies
+    std::uint32_t generation = 0;
+    std::uint32_t next_free = null_index;
+    std::uint32_t joint1 = null_index, joint2 = null_index;  // gear
+
+    Vec2 local_a, local_b;         // m from the bodies' origins; a mouse joint's A: the target, world
+    Rot frame_a, frame_b;
+    float break_force = 0, break_torque = 0;  // 0: never
+    float spring_hertz = 0, spring_damping_ratio = 0, target = 0;
+    float lower = 0, upper = 0;
+    float motor_speed = 0, motor_max = 0;     // of a motor joint: angular velocity, greatest force
+    float friction = 0;
+    float length = 0;              // distance: of the rod; pulley, gear: the constant
+    float ratio = 0;               // pulley, gear
+    float linear_hertz = 0, linear_damping_ratio = 0, angular_hertz = 0, angular_damping_ratio = 0;  // weld, motor, mouse
+    Vec2 velocity;                 // motor
+    float max_torque = 0;          // motor
+    Vec2 ground_a, ground_b;       // pulley
+
+    float coordinate = 0;          // rad, revolute: its angle after the last step, past full turns
+    std::uint32_t gear_count = 0;  // gears that use it
+
+    // Accumulated impulses of the last substep, which the next step starts from; constraint/ says what each joint keeps where.
+    Vec2 impulse;
+    float angular_impulse = 0;
+    float spring_impulse = 0, motor_impulse = 0, friction_impulse = 0, lower_impulse = 0, upper_impulse = 0;
+    Vec2 force_impulse;            // N s on B, for readers
+    float torque_impulse = 0;      // N m s on B about its anchor
+    std::uint64_t user_data = 0;
+
+    ISLET_INLINE std::uint32_t color() const { return flags >> joint_color_shift & 0xffu; }
+    void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << joint_color_shift)) | color << joint_color_shift; }
+};
+
 /// A node of a bounding-box tree; see broadphase/tree.hpp.
 struct TreeNode {
     Aabb box;
@@ -152,21 +202,22 @@ struct TreeState {
 
 /// Everything persistent that is not in an array.
 struct State {
-    PoolState body_pool, shape_pool, contact_pool, geometry_pool;  // 48
+    PoolState body_pool, shape_pool, contact_pool, geometry_pool, joint_pool;  // 60
     TreeState tree;                                                // 16
     Vec2 gravity;
     float restitution_threshold = 1;
     float max_speed = 400;                                         // 16
-    SolverDef solver;                                              // 44
+    SolverDef solver;                                              // 48
     std::uint32_t enable_sleep = 1;
     std::uint64_t steps = 0;
     std::uint32_t moved_count = 0;                                 // shapes whose fat box changed since pairs were last found
     float last_substep = 0;                                        // s; impulses kept for warm starting belong to a substep of this length
-    std::uint32_t pad[27] = {};
+    std::uint32_t pad[24] = {};
 };
 
 static_assert(sizeof(Pose) == pose_bytes && sizeof(Motion) == motion_bytes && sizeof(Body) == body_bytes);
 static_assert(sizeof(Shape) == shape_bytes && sizeof(Geometry) == geometry_bytes && sizeof(Aabb) == box_bytes);
 static_assert(sizeof(Contact) == contact_bytes && sizeof(ContactManifold) == manifold_bytes && sizeof(TreeNode) == tree_node_bytes);
+static_assert(sizeof(Joint) == joint_bytes);
 
 }  // namespace islet::detail

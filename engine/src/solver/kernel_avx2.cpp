@@ -1,5 +1,6 @@
 // The kernel for eight lanes: this file alone is compiled for AVX2 (never FMA, which would change the bits).
-#include "solver/kernel.hpp"
+#include "constraint/contact.hpp"
+#include "constraint/joint_runs.hpp"
 
 namespace islet::detail {
 
@@ -13,6 +14,9 @@ void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, 
 }
 void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count) {
     ContactKernel<Lane8>::store(manifolds, rows, count);
+}
+void solve_joints_8(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
+    solve_joints<Lane8>(kernel, bodies, rows, blocks, sweep);
 }
 #endif
 

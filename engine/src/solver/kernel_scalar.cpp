@@ -1,9 +1,12 @@
 // The kernel for one lane, and for four where the target's baseline has vectors (SSE2, NEON, wasm-simd128).
-#include "solver/kernel.hpp"
+#include "constraint/contact.hpp"
+#include "constraint/joint_runs.hpp"
 
 namespace islet::detail {
 
 template struct ContactKernel<Lane1>;
 template struct ContactKernel<Lane4>;
+template void solve_joints<Lane1>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 
 }  // namespace islet::detail

@@ -3,18 +3,22 @@
 #include "math/lanes.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
-#include "solver/kernel.hpp"
+#include "constraint/contact.hpp"
+#include "constraint/joint_runs.hpp"
 
 namespace islet::detail {
 
 extern template struct ContactKernel<Lane1>;
 extern template struct ContactKernel<Lane4>;
+extern template void solve_joints<Lane1>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+extern template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 #if defined(__x86_64__)
 // Eight lanes, from kernel_avx2.cpp; only the declarations can be seen here, where AVX2 is not assumed.
 void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count);
 void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers);
 void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, float threshold);
 void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count);
+void solve_joints_8(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep);
 
 struct Kernel8 {
     static constexpr std::uint32_t W = 8;
@@ -23,8 +27,18 @@ struct Kernel8 {
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& n) { solve_8(bodies, rows, count, n); }
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float t) { restitute_8(bodies, rows, count, t); }
     static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) { store_8(manifolds, rows, count); }
+    static void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
+        solve_joints_8(kernel, bodies, rows, blocks, sweep);
+    }
 };
 #endif
+
+template <class L>
+struct Kernel : ContactKernel<L> {
+    static void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
+        detail::solve_joints<L>(kernel, bodies, rows, blocks, sweep);
+    }
+};
 
 namespace {
 
@@ -36,21 +50,19 @@ struct Solve {
     SweepNumbers biased, ground, relaxed;  // `ground`: for the colours of static contacts, which are stiffer
     SolverBody* bodies;
     SolverMotion* motions;
+    JointSweep biased_joints, relaxed_joints;
+    std::byte* joint_rows;
     std::byte* blocks;                     // ContactRows of the core's lanes
     ContactRows<1>* overflow;
 };
 
-// A spring of `hertz` and a damping ratio, integrated implicitly over h, as scales on the mass and the accumulated impulse (Catto 2011).
 SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, float h) {
-    const float omega = 2.0f * pi * hertz;
-    const float a1 = 2.0f * damping_ratio + h * omega;
-    const float a2 = h * omega * a1;
-    const float a3 = 1.0f / (1.0f + a2);
+    const Softness soft = make_soft(hertz, damping_ratio, h);
     SweepNumbers n;
     n.inv_h = 1.0f / h;
-    n.bias_rate = omega / a1 * (a2 * a3);
-    n.mass_scale = a2 * a3;
-    n.impulse_scale = a3;
+    n.bias_rate = soft.rate * soft.mass_scale;
+    n.mass_scale = soft.mass_scale;
+    n.impulse_scale = soft.impulse_scale;
     n.push_speed = push_speed;
     return n;
 }
@@ -85,7 +97,23 @@ void choose_numbers(Solve& s, float dt) {
         s.biased.slop = 0.005f;
         s.ground = s.biased;
     }
+
+    s.relaxed_joints.h = n.h;
+    s.relaxed_joints.inv_h = n.inv_h;
+    s.relaxed_joints.omega = n.omega;
+    s.biased_joints = s.relaxed_joints;
+    s.biased_joints.biased = true;
+    if (def.schedule == Schedule::soft) {
+        s.biased_joints.soft = make_soft(min(def.joint_hertz, 0.25f * n.inv_h), def.joint_damping_ratio, n.h);
+    } else {
+        s.biased_joints.soft.rate = def.baumgarte * n.inv_h;
+    }
 }
+
+// A body pulled at both ends swings back about its centre like a string: a geometric stiffness S = sum of r . f over its joints. Where the substep is
+// too long for that swing, h^2 S > I, the body is given as much inertia as keeps it stable (from the implicit treatment in Tournier and others,
+// "Stable Constrained Dynamics", 2015). Elsewhere nothing changes. `stretch` is h^2 S as the last step left it.
+float stiffened(float inv_inertia, float stretch) { return stretch * inv_inertia > 1.0f ? 1.0f / stretch : inv_inertia; }
 
 void gather_bodies(Solve& s, const Batch& batch) {
     const Core& core = s.core;
@@ -104,7 +132,7 @@ void gather_bodies(Solve& s, const Batch& batch) {
         b.inv_mass = pose.inv_mass;
         b.dp = {0, 0};
         b.dq = 0;
-        b.inv_inertia = pose.inv_inertia;
+        b.inv_inertia = stiffened(pose.inv_inertia, body.stretch);
         m = SolverMotion{};
         if (pose.inv_mass > 0) {
             m.a = h * (body.gravity_scale * gravity + pose.inv_mass * motion.force);
@@ -112,6 +140,7 @@ void gather_bodies(Solve& s, const Batch& batch) {
             m.linear_factor = 1.0f / (1.0f + h * body.linear_damping);
             m.angular_factor = 1.0f / (1.0f + h * body.angular_damping);
         }
+        s.core.bodies[i].stretch = 0;  // the joints' forces of this step give the next one's
     }
 }
 
@@ -129,7 +158,6 @@ Vec2 limit_speed(Vec2 v, float max_speed) {
 void integrate_velocities(Solve& s, const Batch& batch, bool first) {
     const float max_speed = s.numbers.max_speed;
     const float max_turn = s.numbers.max_turn;
-    const bool warm = s.numbers.warm > 0;
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
         SolverMotion& m = s.motions[slot];
@@ -140,9 +168,6 @@ void integrate_velocities(Solve& s, const Batch& batch, bool first) {
             dw = b.dq;
             b.dp = {0, 0};
             b.dq = 0;
-        } else if (!warm) {
-            dv = {0, 0};
-            dw = 0;
         }
         Vec2 v = m.linear_factor * (b.v + m.a);
         float w = m.angular_factor * (b.w + m.alpha);
@@ -220,11 +245,20 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
     }
 }
 
-// Every colour of a batch, those of static contacts last.
+// Every colour of a batch, joints before contacts, those of static bodies last; what has no colour first.
 template <class K>
-void sweep(Solve& s, const Batch& batch, typename K::Rows* rows, const SweepNumbers& dynamic, const SweepNumbers& ground) {
+void sweep(Solve& s, const Batch& batch, typename K::Rows* rows, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
+    std::uint32_t run = batch.first_run;
+    for (; run < batch.end_run && s.plan.runs[run].color == no_color; ++run) {
+        const JointRun& r = s.plan.runs[run];
+        solve_joints<Lane1>(r.kernel, s.bodies, s.joint_rows + r.offset, r.blocks, joints);
+    }
     ContactKernel<Lane1>::solve(s.bodies, s.overflow + batch.first_overflow, batch.end_overflow - batch.first_overflow, dynamic);
     for (std::uint32_t c = 0; c < color_count; ++c) {
+        for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
+            const JointRun& r = s.plan.runs[run];
+            K::solve_joints(r.kernel, s.bodies, s.joint_rows + r.offset, r.blocks, joints);
+        }
         const std::uint32_t first = batch.first_block[c];
         const std::uint32_t end = batch.first_block[c + 1];
         if (first == end) continue;
@@ -250,13 +284,22 @@ void solve_batch(Solve& s, const Batch& batch) {
     for (std::uint32_t c = 0; c < color_count; ++c)
         K::prepare(in, rows + batch.first_block[c], batch.first_block[c + 1] - batch.first_block[c]);
     ContactKernel<Lane1>::prepare(in, overflow_rows, overflow);
+    const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers};
+    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
+        const JointRun& r = s.plan.runs[i];
+        if (r.color == no_color) {
+            prepare_joints<1>(r.kernel, s.joint_rows + r.offset, r.blocks, s.plan.joints + r.first, joints);
+        } else {
+            prepare_joints<K::W>(r.kernel, s.joint_rows + r.offset, r.blocks, s.plan.joints + r.first, joints);
+        }
+    }
 
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         integrate_velocities(s, batch, substep == 0);
-        for (std::uint32_t i = 0; i < def.iterations; ++i) sweep<K>(s, batch, rows, s.biased, s.ground);
+        for (std::uint32_t i = 0; i < def.iterations; ++i) sweep<K>(s, batch, rows, s.biased, s.ground, s.biased_joints);
         integrate_positions(s, batch);
         if (def.schedule == Schedule::classic) continue;
-        for (std::uint32_t i = 0; i < def.relax_iterations; ++i) sweep<K>(s, batch, rows, s.relaxed, s.relaxed);
+        for (std::uint32_t i = 0; i < def.relax_iterations; ++i) sweep<K>(s, batch, rows, s.relaxed, s.relaxed, s.relaxed_joints);
     }
 
     ContactKernel<Lane1>::restitute(s.bodies, overflow_rows, overflow, s.numbers.restitution_threshold);
@@ -267,12 +310,34 @@ void solve_batch(Solve& s, const Batch& batch) {
     K::store(s.core.manifolds, rows + first_block, blocks);
     ContactKernel<Lane1>::store(s.core.manifolds, overflow_rows, overflow);
     scatter_bodies(s, batch);
+    const JointOutput joints_out{s.core.joints, s.core.bodies, s.bodies, s.numbers.h};
+    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
+        const JointRun& r = s.plan.runs[i];
+        if (r.color == no_color) {
+            store_joints<1>(r.kernel, s.joint_rows + r.offset, r.blocks, joints_out);
+        } else {
+            store_joints<K::W>(r.kernel, s.joint_rows + r.offset, r.blocks, joints_out);
+        }
+    }
+}
+
+// Room for the rows of every run.
+template <std::uint32_t W>
+std::byte* place_joint_rows(const Plan& plan, Arena& arena) {
+    std::size_t bytes = 0;
+    for (std::uint32_t i = 0; i < plan.run_count; ++i) {
+        JointRun& r = plan.runs[i];
+        r.offset = bytes;
+        bytes += r.blocks * (r.color == no_color ? joint_block_bytes<1>(r.kernel) : joint_block_bytes<W>(r.kernel));
+        bytes = (bytes + 63) / 64 * 64;
+    }
+    return arena.take<std::byte>(bytes);
 }
 
 }  // namespace
 
 const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
-    Solve s{core, plan, {}, {}, {}, {}, nullptr, nullptr, nullptr, nullptr};
+    Solve s{core, plan, {}, {}, {}, {}, nullptr, nullptr, {}, {}, nullptr, nullptr, nullptr};
     choose_numbers(s, dt);
     s.bodies = arena.take<SolverBody>(plan.slot_count);
     s.motions = arena.take<SolverMotion>(plan.slot_count);
@@ -280,13 +345,18 @@ const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.motions[0] = SolverMotion{};
     s.blocks = arena.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
     s.overflow = arena.take<ContactRows<1>>(plan.overflow_count);
+    switch (core.lanes) {
+        case 8: s.joint_rows = place_joint_rows<8>(plan, arena); break;
+        case 4: s.joint_rows = place_joint_rows<4>(plan, arena); break;
+        default: s.joint_rows = place_joint_rows<1>(plan, arena); break;
+    }
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         switch (core.lanes) {
 #if defined(__x86_64__)
             case 8: solve_batch<Kernel8>(s, plan.batches[b]); break;
 #endif
-            case 4: solve_batch<ContactKernel<Lane4>>(s, plan.batches[b]); break;
-            default: solve_batch<ContactKernel<Lane1>>(s, plan.batches[b]); break;
+            case 4: solve_batch<Kernel<Lane4>>(s, plan.batches[b]); break;
+            default: solve_batch<Kernel<Lane1>>(s, plan.batches[b]); break;
         }
     }
     core.state->last_substep = s.numbers.h;

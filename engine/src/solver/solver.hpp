@@ -2,7 +2,7 @@
 #pragma once
 
 #include "island/batches.hpp"
-#include "solver/rows.hpp"
+#include "constraint/contact_rows.hpp"
 
 namespace islet::detail {
 

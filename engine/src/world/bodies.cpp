@@ -4,6 +4,7 @@
 #include "math/float_mode.hpp"
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
+#include "world/joints.hpp"
 #include "world/shapes.hpp"
 #include "world/sleep.hpp"
 
@@ -90,6 +91,7 @@ void World::destroy_body(BodyId id) {
     Core& c = core();
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
+    remove_joints(c, i);
     destroy_contacts(c, i);
     while (c.bodies[i].shape_head != null_index) remove_shape(c, c.bodies[i].shape_head);
     c.awake_bodies.clear(i);
@@ -239,8 +241,10 @@ void World::set_type(BodyId id, BodyType type) {
     if (i == null_index || !check(c, type <= BodyType::dynamic, Error::out_of_range)) return;
     Body& b = c.bodies[i];
     if (b.type() == type) return;
-    // Colours depend on the types, so contacts go before the type changes.
+    // Colours depend on the types, so contacts go before the type changes, and joints get new ones after it.
     destroy_contacts(c, i);
+    wake_island(c, i, c.arena());
+    release_joint_colors(c, i);
     unrest_shapes(c, i);
     c.awake_bodies.clear(i);
     b.flags = (b.flags & ~static_cast<std::uint32_t>(body_type_mask)) | static_cast<std::uint32_t>(type);
@@ -254,6 +258,7 @@ void World::set_type(BodyId id, BodyType type) {
     } else {
         c.awake_bodies.set(i);
     }
+    assign_joint_colors(c, i);
     update_mass(c, i);
     update_boxes(c, i, true);
     if (type == BodyType::static_body) rest_shapes(c, i);

@@ -11,6 +11,7 @@ inline Core& writable(const Core& core) { return const_cast<Core&>(core); }
 /// Slot of a live body, or null_index with the error recorded.
 std::uint32_t find_body(const Core& core, BodyId id);
 std::uint32_t find_shape(const Core& core, ShapeId id);
+std::uint32_t find_joint(const Core& core, JointId id);
 
 inline bool check(const Core& core, bool good, Error error) {
     if (!good) writable(core).fail(error);
@@ -22,11 +23,17 @@ inline bool check_finite(const Core& core, Vec2 a) { return check(core, is_finit
 inline bool check_range(const Core& core, float a, float lo, float hi) {
     return check_finite(core, a) && check(core, a >= lo && a <= hi, Error::out_of_range);
 }
-inline constexpr float no_limit = 3.4e38f;
+inline constexpr float no_limit = 3.402823466e38f;  // the largest float
 
 inline bool check_position(const Core& core, Vec2 p) {
     return check_range(core, p.x, -max_position, max_position) && check_range(core, p.y, -max_position, max_position);
 }
+
+bool check_not_negative(const Core& core, float a);
+bool check_frame(const Core& core, const JointFrame& frame);
+bool check_spring(const Core& core, const JointSpring& spring);
+bool check_limit(const Core& core, const JointLimit& limit);
+bool check_motor(const Core& core, const JointMotor& motor);
 
 bool check_solver(const SolverDef& def, Error& error);
 

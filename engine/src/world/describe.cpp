@@ -20,6 +20,10 @@ const char* describe(Error e) {
         case Error::block_misaligned: return "The memory given must be aligned to world_alignment bytes.";
         case Error::bad_capacity: return "A world needs room for at least one body, shape and contact, and for at most max_capacity of each.";
         case Error::events_full: return "More contacts ended than there is room to report: raise Capacity::contacts or destroy less between steps.";
+        case Error::joints_full: return "No room for another joint: raise Capacity::joints.";
+        case Error::same_body: return "A joint needs two different bodies.";
+        case Error::no_dynamic_body: return "A joint needs at least one dynamic body: the others do not move by joints.";
+        case Error::wrong_joint_type: return "Joints of this type have no such property; gears couple revolute and prismatic joints only.";
     }
     return "Unknown error.";
 }

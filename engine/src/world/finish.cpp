@@ -1,6 +1,7 @@
 #include "world/finish.hpp"
 
 #include "broadphase/contacts.hpp"
+#include "memory/joint_graph.hpp"
 #include "world/bounds.hpp"
 #include "world/sleep.hpp"
 
@@ -26,7 +27,7 @@ void move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt) {
 }
 
 void sleep_islands(Core& core, const Plan& plan, Arena& arena) {
-    // The shortest rest of any of its bodies decides for an island; touching an awake kinematic body keeps it awake.
+    // The shortest rest of any of its bodies decides for an island; touching an awake kinematic body, or being joined to one, keeps it awake.
     float* rest = arena.take<float>(plan.island_count);
     for (std::uint32_t i = 0; i < plan.island_count; ++i) rest[i] = 3.0e38f;
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
@@ -39,6 +40,11 @@ void sleep_islands(Core& core, const Plan& plan, Arena& arena) {
         for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
             const std::uint32_t other = plan.slot_of[other_body(core, contact, side)];
             if (other != 0 && (core.manifolds[contact].flags & contact_touching) != 0) rest[plan.island_of[other]] = 0;
+        });
+        for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t side) {
+            const std::uint32_t joined = other_joined(core, joint, side);
+            const std::uint32_t other = joined != null_index ? plan.slot_of[joined] : 0;
+            if (other != 0 && plan.island_of[other] != null_index) rest[plan.island_of[other]] = 0;
         });
     }
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {

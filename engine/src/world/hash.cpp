@@ -51,6 +51,7 @@ std::uint64_t World::hash() const {
     h.pool(s.shape_pool);
     h.pool(s.contact_pool);
     h.pool(s.geometry_pool);
+    h.pool(s.joint_pool);
     h.records(&s.tree, 1);
     h.number(s.gravity.x);
     h.number(s.gravity.y);
@@ -68,6 +69,8 @@ std::uint64_t World::hash() const {
     h.number(d.contact_hertz);
     h.number(d.contact_damping_ratio);
     h.number(d.contact_push_speed);
+    h.number(d.joint_hertz);
+    h.number(d.joint_damping_ratio);
     h.number(d.baumgarte);
     h.number(d.omega);
     h.word(d.warm_start ? 1 : 0);
@@ -85,6 +88,11 @@ std::uint64_t World::hash() const {
         b.user_data = 0;
         h.records(&b, 1);
     }
+    for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i) {
+        Joint j = c.joints[i];
+        j.user_data = 0;
+        h.records(&j, 1);
+    }
     h.records(c.boxes, s.shape_pool.high_water);
     h.records(c.geometries, s.geometry_pool.high_water);
     h.records(c.contacts, s.contact_pool.high_water);
@@ -92,6 +100,7 @@ std::uint64_t World::hash() const {
     h.records(c.tree, s.tree.high_water);
     h.bits(c.awake_bodies);
     h.bits(c.awake_contacts);
+    h.bits(c.awake_joints);
     h.bits(c.moved_shapes);
     return h.h;
 }

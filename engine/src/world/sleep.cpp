@@ -2,6 +2,7 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
+#include "memory/joint_graph.hpp"
 
 namespace islet::detail {
 
@@ -12,6 +13,7 @@ void wake_one(Core& core, std::uint32_t body) {
     core.motions[body].sleep_time = 0;
     unrest_shapes(core, body);
     for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) { core.awake_contacts.set(contact); });
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { core.awake_joints.set(joint); });
 }
 
 }  // namespace
@@ -40,15 +42,18 @@ void wake_island(Core& core, std::uint32_t body, Arena arena) {
     // Each body enters the queue once, when it wakes.
     std::uint32_t* queue = arena.take<std::uint32_t>(core.capacity.bodies);
     std::uint32_t end = 0;
+    const auto reach = [&](std::uint32_t other) {
+        if (other == null_index || !core.is_dynamic(other) || core.is_awake(other)) return;
+        wake_one(core, other);
+        queue[end++] = other;
+    };
     wake_one(core, body);
     queue[end++] = body;
     for (std::uint32_t at = 0; at < end; ++at) {
         for_each_contact(core, queue[at], [&](std::uint32_t contact, std::uint32_t side) {
-            const std::uint32_t other = other_body(core, contact, side);
-            if ((core.manifolds[contact].flags & contact_touching) == 0 || !core.is_dynamic(other) || core.is_awake(other)) return;
-            wake_one(core, other);
-            queue[end++] = other;
+            if ((core.manifolds[contact].flags & contact_touching) != 0) reach(other_body(core, contact, side));
         });
+        for_each_joint(core, queue[at], [&](std::uint32_t joint, std::uint32_t side) { reach(other_joined(core, joint, side)); });
     }
 }
 
@@ -67,6 +72,10 @@ void put_to_sleep(Core& core, std::uint32_t body) {
     rest_shapes(core, body);
     for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
         if (!core.is_awake(other_body(core, contact, side))) core.awake_contacts.clear(contact);
+    });
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t side) {
+        const std::uint32_t other = other_joined(core, joint, side);
+        if (other == null_index || !core.is_awake(other)) core.awake_joints.clear(joint);
     });
 }
 

@@ -5,6 +5,7 @@
 #include "solver/solver.hpp"
 #include "world/contact_update.hpp"
 #include "world/finish.hpp"
+#include "world/joints.hpp"
 
 namespace islet {
 
@@ -17,7 +18,7 @@ void clear_events(Core& core) {
     const std::uint32_t pending = core.end_count - core.end_reported;
     std::memmove(core.end_events, core.end_events + core.end_reported, std::size_t{pending} * sizeof(TouchEvent));
     core.end_count = pending;
-    core.begin_count = core.moved_count = core.slept_count = 0;
+    core.begin_count = core.moved_count = core.slept_count = core.break_count = 0;
     core.report.dropped_events = 0;
 }
 
@@ -33,6 +34,9 @@ void fill_report(Core& core, const Plan& plan) {
     for (std::uint32_t colors = plan.colors; colors != 0; colors &= colors - 1) ++r.colors;
     r.overflow_contacts = plan.overflow_count;
     r.batches = plan.batch_count;
+    r.awake_joints = plan.joint_count;
+    r.overflow_joints = plan.overflow_joints;
+    r.joints = core.state->joint_pool.count;
     core.end_reported = core.end_count;
     ++core.state->steps;
 }
@@ -52,6 +56,7 @@ void World::step(float dt) {
     const Plan plan = make_plan(c, arena);
     const SolverBody* bodies = detail::solve(c, plan, arena, dt);
     finish_bodies(c, plan, bodies, arena, dt);
+    break_joints(c);
     fill_report(c, plan);
 }
 

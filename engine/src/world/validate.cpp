@@ -2,6 +2,7 @@
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
 #include "world/bounds.hpp"
+#include "memory/joint_graph.hpp"
 #include "world/checks.hpp"
 
 namespace islet {
@@ -66,6 +67,23 @@ const char* validate_body(const Core& c, std::uint32_t i) {
         key = c.contacts[contact].next[side];
     }
     if (contacts != b.contact_count) return "a body miscounts its contacts";
+
+    std::uint32_t joints = 0;
+    prev_key = 0;
+    for (std::uint32_t key = b.joint_head; key != 0; ++joints) {
+        const std::uint32_t joint = joint_of_key(key);
+        const std::uint32_t side = joint_side_of_key(key);
+        if (!pool_live(c.state->joint_pool, c.joints, joint) || joints > b.joint_count) return "a body's list of joints is broken";
+        const Joint& j = c.joints[joint];
+        if ((side == 0 ? j.body_a : j.body_b) != i || j.prev[side] != prev_key) return "a joint is in the wrong list";
+        if (j.color() != no_color && b.type() == BodyType::dynamic) {
+            if ((colors >> j.color() & 1u) != 0) return "two constraints of a body share a colour";
+            colors |= 1u << j.color();
+        }
+        prev_key = key;
+        key = j.next[side];
+    }
+    if (joints != b.joint_count) return "a body miscounts its joints";
     if (colors != b.colors) return "a body's colours are not those of its constraints";
     return nullptr;
 }
@@ -84,6 +102,28 @@ const char* validate_contact(const Core& c, std::uint32_t i) {
     return nullptr;
 }
 
+const char* validate_joint(const Core& c, std::uint32_t i) {
+    const Joint& j = c.joints[i];
+    const auto live = [&](std::uint32_t body) { return pool_live(c.state->body_pool, c.bodies, body); };
+    const auto type = static_cast<JointType>(j.type);
+    if (!live(j.body_b) || (type == JointType::mouse ? j.body_a != null_index : !live(j.body_a))) return "a joint's body is gone";
+    const bool awake_a = j.body_a != null_index && c.is_awake(j.body_a), awake_b = c.is_awake(j.body_b);
+    if (c.awake_joints.test(i) != (awake_a || awake_b)) return "a joint is awake though its bodies sleep, or the reverse";
+    if (j.body_a != null_index && c.is_dynamic(j.body_a) && c.is_dynamic(j.body_b) && awake_a != awake_b) return "an island is half asleep";
+    if (type == JointType::gear) {
+        for (const std::uint32_t joint : {j.joint1, j.joint2}) {
+            if (!pool_live(c.state->joint_pool, c.joints, joint)) return "a gear's joint is gone";
+            const Joint& geared = c.joints[joint];
+            if (geared.gear_count == 0) return "a joint does not know its gear";
+        }
+    }
+    const float numbers[] = {j.impulse.x, j.impulse.y, j.angular_impulse, j.spring_impulse, j.motor_impulse, j.friction_impulse, j.lower_impulse,
+                             j.upper_impulse, j.coordinate};
+    for (const float a : numbers)
+        if (!is_finite(a)) return "a joint's impulse is not finite";
+    return nullptr;
+}
+
 }  // namespace
 
 const char* World::validate() const {
@@ -92,6 +132,7 @@ const char* World::validate() const {
     const char* bad = validate_pool(s.body_pool, c.bodies, c.capacity.bodies);
     if (bad == nullptr) bad = validate_pool(s.shape_pool, c.shapes, c.capacity.shapes);
     if (bad == nullptr) bad = validate_pool(s.contact_pool, c.contacts, c.capacity.contacts);
+    if (bad == nullptr) bad = validate_pool(s.joint_pool, c.joints, c.capacity.joints);
     if (bad == nullptr) bad = tree_validate({&c.state->tree, c.tree});
     if (bad == nullptr && c.moved_shapes.count() != s.moved_count) bad = "the shapes that moved are miscounted";
     for (std::uint32_t i = 0; bad == nullptr && i < s.body_pool.high_water; ++i)
@@ -101,6 +142,13 @@ const char* World::validate() const {
     if (bad == nullptr && references != s.shape_pool.count) bad = "geometries are not referenced once per shape";
     for (std::uint32_t i = 0; bad == nullptr && i < s.contact_pool.high_water; ++i)
         if (pool_live(s.contact_pool, c.contacts, i)) bad = validate_contact(c, i);
+    std::uint32_t awake_joints = 0;
+    for (std::uint32_t i = 0; bad == nullptr && i < s.joint_pool.high_water; ++i) {
+        if (!pool_live(s.joint_pool, c.joints, i)) continue;
+        bad = validate_joint(c, i);
+        awake_joints += c.awake_joints.test(i) ? 1 : 0;
+    }
+    if (bad == nullptr && awake_joints != c.awake_joints.count()) bad = "a destroyed joint is awake";
     std::uint32_t pairs = 0;
     for (std::uint32_t i = 0; bad == nullptr && i <= c.pairs.mask; ++i) pairs += c.pairs.keys[i] != 0 ? 1 : 0;
     if (bad == nullptr && pairs != s.contact_pool.count) bad = "the pair set does not hold one key per contact";

@@ -64,13 +64,16 @@ void point_into(Core& core, std::byte* block) {
     core.contacts = place<Contact>(block, l.contacts);
     core.manifolds = place<ContactManifold>(block, l.manifolds);
     core.pairs = {place<std::uint64_t>(block, l.pairs), next_power_of_two(2 * c.contacts) - 1};
+    core.joints = place<Joint>(block, l.joints);
     core.awake_bodies = bits(l.awake_bodies, c.bodies);
     core.awake_contacts = bits(l.awake_contacts, c.contacts);
+    core.awake_joints = bits(l.awake_joints, c.joints);
     core.moved_shapes = bits(l.moved_shapes, c.shapes);
     core.begin_events = place<TouchEvent>(block, l.begin_events);
     core.end_events = place<TouchEvent>(block, l.end_events);
     core.moved_events = place<BodyId>(block, l.moved_events);
     core.slept_events = place<BodyId>(block, l.slept_events);
+    core.break_events = place<JointBreakEvent>(block, l.break_events);
     core.scratch = block + l.scratch;
     core.scratch_end = block + l.end;
 }
@@ -120,10 +123,11 @@ World& create_default(std::span<std::byte> block, const Capacity& capacity, Erro
 
 bool check_solver(const SolverDef& d, Error& error) {
     const bool finite = is_finite(d.contact_hertz) && is_finite(d.contact_damping_ratio) && is_finite(d.contact_push_speed) &&
-                        is_finite(d.baumgarte) && is_finite(d.omega);
+                        is_finite(d.joint_hertz) && is_finite(d.joint_damping_ratio) && is_finite(d.baumgarte) && is_finite(d.omega);
     const bool sane = (d.schedule == Schedule::soft || d.schedule == Schedule::classic) && d.substeps >= 1 && d.substeps <= 64 &&
                       d.iterations >= 1 && d.iterations <= 256 && d.relax_iterations <= 256 && d.contact_hertz > 0 &&
-                      d.contact_damping_ratio >= 0 && d.contact_push_speed >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 &&
+                      d.contact_damping_ratio >= 0 && d.contact_push_speed >= 0 && d.joint_hertz > 0 &&
+                      d.joint_damping_ratio >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 &&
                       d.omega < 2;
     error = !finite ? Error::not_finite : !sane ? Error::out_of_range : Error::none;
     return error == Error::none;
@@ -163,6 +167,7 @@ std::span<const TouchEvent> World::begin_touch_events() const { return {core().b
 std::span<const TouchEvent> World::end_touch_events() const { return {core().end_events, core().end_count}; }
 std::span<const BodyId> World::moved_bodies() const { return {core().moved_events, core().moved_count}; }
 std::span<const BodyId> World::slept_bodies() const { return {core().slept_events, core().slept_count}; }
+std::span<const JointBreakEvent> World::broken_joints() const { return {core().break_events, core().break_count}; }
 
 std::uint32_t World::contact_count() const { return core().state->contact_pool.count; }
 

@@ -3,7 +3,10 @@
 #include <array>
 #include <vector>
 
-namespace islet::compare {
+#include "box2d_joints.hpp"
+#include "box2d_nearest.hpp"
+
+namespace islet::engines {
 
 using samples::Chain;
 using samples::Scene;
@@ -97,8 +100,13 @@ std::string box2d_lacks(const Scene& scene) {
             if (std::string what = shape_lacks(shape); !what.empty()) return "Box2D 2.4 has no " + what;
         }
     }
+    for (const samples::SceneJoint& joint : scene.joints) {
+        if (std::string what = joint_lacks(joint); !what.empty()) return "Box2D 2.4 has no " + what;
+    }
     return {};
 }
+
+std::string box2d_lacks_even_nearest(const Scene& scene) { return box2d_lacks(box2d_nearest(scene)); }
 
 std::unique_ptr<b2Shape> make_box2d_shape(const SceneGeometry& geometry, Skin skin) { return std::visit(Maker{skin}, geometry); }
 
@@ -119,4 +127,4 @@ b2MassData box2d_mass(const SceneBody& body) {
     return total;
 }
 
-}  // namespace islet::compare
+}  // namespace islet::engines

@@ -12,7 +12,7 @@
 
 #include "math/lanes.hpp"
 #include "math/scalar.hpp"
-#include "solver/rows.hpp"
+#include "constraint/contact_rows.hpp"
 
 namespace islet::detail {
 

@@ -6,9 +6,11 @@
 
 #include <box2d/box2d.h>
 
+#include "box2d_joints.hpp"
+#include "box2d_nearest.hpp"
 #include "box2d_shapes.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 using samples::BodyState;
 using samples::EngineCounts;
@@ -61,7 +63,9 @@ struct Box2dEngine::Impl {
     }
 };
 
-Box2dEngine::Box2dEngine(const Box2dOptions& options) : impl_(std::make_unique<Impl>()) { impl_->options = options; }
+Box2dEngine::Box2dEngine(const Box2dOptions& options) : joints_(std::make_unique<Box2dJoints>()), impl_(std::make_unique<Impl>()) {
+    impl_->options = options;
+}
 Box2dEngine::~Box2dEngine() = default;
 
 // The package's version: 2.4.1 still calls itself 2.4.0 in b2_version.
@@ -76,10 +80,18 @@ void Box2dEngine::load(const Scene& scene) {
     m.world->SetAutoClearForces(false);  // a force acts over the whole step, all substeps of it
     m.restitution_threshold = scene.world.restitution_threshold;
     for (const SceneBody& body : scene.bodies) create_body(body);
+    forget_joints();
+    joints_->load(*m.world);
+    for (const samples::SceneJoint& joint : scene.joints) create_joint(joint);
 }
 
-std::size_t Box2dEngine::create_body(const SceneBody& body) {
+void Box2dEngine::make_joint(const samples::SceneJoint& joint) {
+    joints_->make(impl_->bodies, impl_->options.nearest ? box2d_nearest(joint) : joint);
+}
+
+std::size_t Box2dEngine::create_body(const SceneBody& wanted) {
     Impl& m = *impl_;
+    const SceneBody body = m.options.nearest ? box2d_nearest(wanted) : wanted;
     b2BodyDef def;
     def.type = to_b2(body.def.type);
     def.position = to_b2(body.def.position);
@@ -104,6 +116,7 @@ std::size_t Box2dEngine::create_body(const SceneBody& body) {
 }
 
 void Box2dEngine::destroy_body(std::size_t index) {
+    joints_->destroy_gears_of(*impl_->bodies.at(index));
     impl_->world->DestroyBody(impl_->bodies.at(index));
     impl_->bodies[index] = nullptr;
 }
@@ -113,6 +126,8 @@ void Box2dEngine::step(float dt) {
     const float h = dt / static_cast<float>(o.substeps);
     for (int i = 0; i < o.substeps; ++i) impl_->world->Step(h, o.velocity_iterations, o.position_iterations);
     impl_->world->ClearForces();
+    substep_ = h;
+    joints_->break_overloaded(h);
 }
 
 BodyState Box2dEngine::body(std::size_t index) const {
@@ -145,6 +160,7 @@ EngineCounts Box2dEngine::counts() const {
             counts.shapes += static_cast<std::size_t>(f->GetShape()->GetChildCount());
         }
     }
+    counts.joints = joints_->count();
     counts.contacts = static_cast<std::size_t>(impl_->world->GetContactCount());
     return counts;
 }
@@ -165,8 +181,14 @@ void Box2dEngine::set_velocity(std::size_t index, Vec2 linear, float angular) {
 
 void Box2dEngine::apply_force(std::size_t index, Vec2 force) { impl_->bodies.at(index)->ApplyForceToCenter(to_b2(force), true); }
 
+void Box2dEngine::apply_force_at(std::size_t index, Vec2 force, Vec2 point) {
+    impl_->bodies.at(index)->ApplyForce(to_b2(force), to_b2(point), true);
+}
+
+void Box2dEngine::apply_torque(std::size_t index, float torque) { impl_->bodies.at(index)->ApplyTorque(torque, true); }
+
 void Box2dEngine::apply_impulse(std::size_t index, Vec2 impulse) {
     impl_->bodies.at(index)->ApplyLinearImpulseToCenter(to_b2(impulse), true);
 }
 
-}  // namespace islet::compare
+}  // namespace islet::engines

@@ -1,33 +1,12 @@
-// What the solver works on: bodies and contact rows, gathered into contiguous scratch for one solve.
+// The rows of contacts, in blocks of as many as there are lanes.
 #pragma once
 
 #include <cstdint>
 
+#include "constraint/solver_body.hpp"
 #include "memory/records.hpp"
 
 namespace islet::detail {
-
-/// A body during a solve: eight words, loaded in lanes. Slot 0 stands for all static bodies.
-struct SolverBody {
-    Vec2 v;                 // m/s
-    float w = 0;            // rad/s
-    float inv_mass = 0;
-    Vec2 dp;                // m moved since the step began. Before the first substep: the velocity that warm starting adds
-    float dq = 0;           // rad turned since the step began
-    float inv_inertia = 0;
-};
-
-/// What a substep's integration needs besides.
-struct SolverMotion {
-    Vec2 v_free;            // m/s, velocity after the last integration, before warm start and sweeps
-    float w_free = 0;       // rad/s
-    float angular_factor = 1;  // damping over a substep: v <- factor (v + a)
-    Vec2 a;                 // m/s gained in a substep from gravity and forces
-    float alpha = 0;        // rad/s gained in a substep from torque
-    float linear_factor = 1;
-};
-
-static_assert(sizeof(SolverBody) == solver_body_bytes && sizeof(SolverMotion) == solver_motion_bytes);
 
 /// The rows of W contacts of one colour: for each of up to two points one row along the normal n and one along the tangent t = right_perp(n).
 ///
@@ -56,17 +35,6 @@ struct alignas(W * 4) ContactRows {
 };
 
 static_assert(sizeof(ContactRows<1>) == row_bytes && sizeof(ContactRows<4>) == 4 * row_bytes && sizeof(ContactRows<8>) == 8 * row_bytes);
-
-/// Constants of one solve.
-struct StepNumbers {
-    float dt = 0;           // s
-    float h = 0;            // s, substep
-    float inv_h = 0;
-    float omega = 1;
-    float warm = 1;         // share of the last step's impulses to start from; 0: none
-    float restitution_threshold = 0;
-    float max_speed = 0, max_turn = 0;
-};
 
 /// How one sweep treats penetration: velocity bias = max(bias_rate (s + slop), -push_speed), where s < 0 is the separation; for soft
 /// contacts bias_rate already includes mass_scale.

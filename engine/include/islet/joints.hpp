@@ -1,0 +1,183 @@
+// Joints: ids, definitions, and what can be read back of them.
+//
+// A joint ties body B to body A. Each body carries a frame of the joint: a point and a direction that move with it. What a joint allows is one
+// coordinate, an angle or a length, which a spring, a limit, a motor and dry friction may act on:
+//
+//   joint      coordinate                                     locked
+//   revolute   angle of frame B in frame A, rad               point of B on point of A
+//   prismatic  way of B along A's x axis, m                   across the axis, angle
+//   wheel      way of B along A's x axis, m (spring, limit);  across the axis
+//              angle of B, rad (motor, friction)
+//   distance   distance of the two points, m                  the distance itself, unless a spring or a limit is enabled
+//   weld       none                                           point and angle, both softly if asked
+//   motor      none                                           nothing: drives velocity or pose within a force and a torque
+//   mouse      none                                           nothing: pulls a point of B to a target within a force
+//   pulley     none                                           length of A's side + ratio * length of B's side
+//   gear       none                                           coordinate of joint 1 + ratio * coordinate of joint 2
+//
+// Angles are continuous: they count on past a full turn.
+#pragma once
+
+#include <cstdint>
+
+#include "islet/types.hpp"
+
+namespace islet {
+
+/// Handle of a joint; as BodyId.
+struct JointId {
+    std::uint32_t index1 = 0;
+    std::uint32_t generation = 0;
+    friend bool operator==(const JointId&, const JointId&) = default;
+    explicit constexpr operator bool() const { return index1 != 0; }
+};
+
+enum class JointType : std::uint8_t { revolute, prismatic, distance, weld, wheel, motor, mouse, pulley, gear };
+inline constexpr std::uint32_t joint_type_count = 9;
+
+/// A joint's place on a body, relative to the body's origin.
+struct JointFrame {
+    Vec2 position = {};  ///< m, within max_position
+    float angle = 0;     ///< rad. The x axis of frame A is the axis of prismatic and wheel joints.
+};
+
+/// A spring that pulls the joint's coordinate to a target. Its stiffness follows from the masses it moves, so it behaves the same for heavy and
+/// light bodies: hertz is the frequency it would swing with if it were the only constraint (Catto, "Soft Constraints", GDC 2011).
+struct JointSpring {
+    bool enable = false;
+    float hertz = 0;          ///< Hz, >= 0; 0 is no spring
+    float damping_ratio = 0;  ///< >= 0; 1 is critical
+    float target = 0;         ///< rad or m; of distance joints the rest length is the target and this is not read
+};
+
+/// Bounds of the joint's coordinate, rad or m: lower <= upper.
+struct JointLimit {
+    bool enable = false;
+    float lower = 0;
+    float upper = 0;
+};
+
+/// Drives the coordinate's rate to `speed` with at most `max_force`.
+struct JointMotor {
+    bool enable = false;
+    float speed = 0;      ///< rad/s or m/s
+    float max_force = 0;  ///< N m or N, >= 0
+};
+
+/// What all joints have. The bodies must be two different ones, one of them dynamic.
+struct JointBase {
+    BodyId body_a = {};
+    BodyId body_b = {};
+    JointFrame frame_a = {};
+    JointFrame frame_b = {};
+    bool collide_connected = false;  ///< true: the two bodies' shapes collide with each other
+    float break_force = 0;           ///< N, >= 0. The joint breaks when its force exceeds this at the end of a step; 0: never.
+    float break_torque = 0;          ///< N m, >= 0; as above
+    std::uint64_t user_data = 0;
+};
+
+/// A hinge.
+struct RevoluteJointDef {
+    JointBase base = {};
+    JointSpring spring = {};
+    JointLimit limit = {};
+    JointMotor motor = {};
+    float friction = 0;  ///< N m, >= 0: dry friction that resists turning
+};
+
+/// A slider.
+struct PrismaticJointDef {
+    JointBase base = {};
+    JointSpring spring = {};
+    JointLimit limit = {};
+    JointMotor motor = {};
+    float friction = 0;  ///< N, >= 0: dry friction that resists sliding
+};
+
+/// A rod. With a limit a rope (lower 0) or a telescope, with a spring a spring. A motor drives its length.
+struct DistanceJointDef {
+    JointBase base = {};
+    float length = 1;  ///< m, >= 0.005: of the rod, or at which the spring rests
+    JointSpring spring = {};
+    JointLimit limit = {};  ///< m, lower >= 0
+    JointMotor motor = {};
+};
+
+/// Glue. Soft where a frequency is given.
+struct WeldJointDef {
+    JointBase base = {};
+    float linear_hertz = 0;  ///< Hz, >= 0; 0 is rigid
+    float linear_damping_ratio = 1;
+    float angular_hertz = 0;  ///< Hz, >= 0; 0 is rigid
+    float angular_damping_ratio = 1;
+};
+
+/// A wheel (B) on a sprung strut along A's x axis.
+struct WheelJointDef {
+    JointBase base = {};
+    JointSpring spring = {.enable = true, .hertz = 4, .damping_ratio = 0.7f};  ///< of the strut
+    JointLimit limit = {};                                                    ///< of the strut
+    JointMotor motor = {};                                                    ///< turns the wheel
+    float friction = 0;                                                       ///< N m, >= 0: resists the wheel's turning
+};
+
+/// Drives B relative to A: to a velocity, or, where a frequency is given, to the pose in which frame B lies on frame A. With velocity 0 it is the
+/// friction of a body sliding on A, seen from above.
+struct MotorJointDef {
+    JointBase base = {};
+    Vec2 linear_velocity = {};  ///< m/s in frame A, of B's point relative to A's
+    float angular_velocity = 0; ///< rad/s
+    float max_force = 0;        ///< N, >= 0
+    float max_torque = 0;       ///< N m, >= 0
+    float linear_hertz = 0;     ///< Hz, >= 0; 0 drives the velocity, more the position
+    float linear_damping_ratio = 1;
+    float angular_hertz = 0;    ///< Hz, >= 0; as above, for the angle
+    float angular_damping_ratio = 1;
+};
+
+/// Pulls the point of `body` that is at `target` when the joint is made to wherever the target is moved.
+struct MouseJointDef {
+    BodyId body = {};
+    Vec2 target = {};  ///< m, world
+    float hertz = 5;   ///< Hz, > 0
+    float damping_ratio = 0.7f;
+    float max_force = 0;  ///< N, >= 0
+    std::uint64_t user_data = 0;
+};
+
+/// A rope from A's point over two fixed points to B's point: length A + ratio * length B stays what it is when the joint is made.
+struct PulleyJointDef {
+    JointBase base = {};
+    Vec2 ground_a = {};  ///< m, world; must be at least 0.005 m from the bodies' points
+    Vec2 ground_b = {};
+    float ratio = 1;     ///< > 0
+};
+
+/// Couples the coordinates of two revolute or prismatic joints: c1 + ratio * c2 stays what it is when the gear is made. Two hinges whose bodies
+/// turn against each other have the ratio radius 2 / radius 1; a prismatic and a revolute joint make a rack and pinion. The gear is destroyed
+/// with either joint.
+struct GearJointDef {
+    JointId joint1 = {};
+    JointId joint2 = {};
+    float ratio = 1;  ///< not 0
+    float break_torque = 0;  ///< N m (N for a prismatic joint 1), >= 0; 0: never breaks
+    std::uint64_t user_data = 0;
+};
+
+/// How far a joint is from what it locks.
+struct JointError {
+    float linear = 0;   ///< m, >= 0; of a gear between prismatic joints too
+    float angular = 0;  ///< rad, >= 0
+};
+
+/// A joint broke at the end of the last step and is gone.
+struct JointBreakEvent {
+    JointId joint = {};  ///< stale
+    BodyId body_a = {};
+    BodyId body_b = {};
+    Vec2 force = {};     ///< N, on B, that it broke at
+    float torque = 0;    ///< N m
+    std::uint64_t user_data = 0;
+};
+
+}  // namespace islet

@@ -1,0 +1,135 @@
+// What acts on the one coordinate a joint leaves free: a spring, a motor, dry friction, and two limits, each a row of its own.
+//
+// All share one Jacobian J and K = J M^-1 J^T; with x the coordinate and Cdot = dx/dt:
+//     spring    soft row to `target`
+//     motor     Cdot = speed,  |lambda| <= h max_force
+//     friction  Cdot = 0,      |lambda| <= h friction
+//     lower     C = x - lower >= 0,  lambda >= 0
+//     upper     C = upper - x >= 0,  lambda >= 0, pulls the other way
+// Units: rad, N m s and so on for an angle; m, N s for a length. Limits are speculative: they may be reached within the substep, not passed
+// (Catto, "Solver2D", 2024).
+#pragma once
+
+#include "constraint/joint_rows.hpp"
+
+namespace islet::detail {
+
+/// Which rows a block has in any of its lanes.
+enum CoordinateParts : std::uint32_t { part_spring = 1u, part_motor = 2u, part_friction = 4u, part_limit = 8u };
+
+template <std::uint32_t W>
+struct CoordinateRows {
+    float spring_rate[W], spring_mass_scale[W], spring_impulse_scale[W], target[W];
+    float speed[W], max_motor[W];  // max_motor, max_friction: N s, N m s over a substep
+    float max_friction[W];
+    float lower[W], upper[W];
+    float spring[W], motor[W], friction[W], low[W], high[W];  // accumulated impulses
+};
+
+inline constexpr float no_bound = 1.0e12f;  // m or rad
+
+inline std::uint32_t coordinate_parts(const Joint& j) {
+    return ((j.flags & joint_spring) != 0 ? part_spring : 0u) | ((j.flags & joint_motor) != 0 ? part_motor : 0u) |
+           (j.friction > 0 ? part_friction : 0u) | ((j.flags & joint_limit) != 0 ? part_limit : 0u);
+}
+
+/// The sum of the impulses, which warm starting applies.
+template <std::uint32_t W>
+float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n) {
+    const std::uint32_t parts = coordinate_parts(j);
+    const bool spring = (parts & part_spring) != 0, motor = (parts & part_motor) != 0, limit = (parts & part_limit) != 0;
+    const Softness soft = spring ? make_soft(j.spring_hertz, j.spring_damping_ratio, n.h) : Softness{0, 0, 1};
+    r.spring_rate[lane] = soft.rate;
+    r.spring_mass_scale[lane] = soft.mass_scale;
+    r.spring_impulse_scale[lane] = soft.impulse_scale;
+    r.target[lane] = j.target;
+    r.speed[lane] = j.motor_speed;
+    r.max_motor[lane] = motor ? n.h * j.motor_max : 0;
+    r.max_friction[lane] = n.h * j.friction;
+    r.lower[lane] = limit ? j.lower : -no_bound;
+    r.upper[lane] = limit ? j.upper : no_bound;
+    r.spring[lane] = spring ? n.warm * j.spring_impulse : 0;
+    r.motor[lane] = motor ? n.warm * j.motor_impulse : 0;
+    r.friction[lane] = j.friction > 0 ? n.warm * j.friction_impulse : 0;
+    r.low[lane] = limit ? n.warm * j.lower_impulse : 0;
+    r.high[lane] = limit ? n.warm * j.upper_impulse : 0;
+    return r.spring[lane] + r.motor[lane] + r.friction[lane] + r.low[lane] - r.high[lane];
+}
+
+template <std::uint32_t W>
+void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane, Joint& j) {
+    j.spring_impulse = r.spring[lane];
+    j.motor_impulse = r.motor[lane];
+    j.friction_impulse = r.friction[lane];
+    j.lower_impulse = r.low[lane];
+    j.upper_impulse = r.high[lane];
+}
+
+/// The sum of the impulses so far.
+inline float coordinate_impulse(const Joint& j) {
+    return j.spring_impulse + j.motor_impulse + j.friction_impulse + j.lower_impulse - j.upper_impulse;
+}
+template <class L>
+ISLET_LANE typename L::F coordinate_impulse(const CoordinateRows<L::width>& r) {
+    return L::load(r.spring) + L::load(r.motor) + L::load(r.friction) + L::load(r.low) - L::load(r.high);
+}
+
+/// Solves the spring and the limits. x is the coordinate, k its K, speed its rate, bend its q; returns the impulse to apply.
+template <class L>
+ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, std::uint32_t parts, typename L::F x, typename L::F k,
+                                                 typename L::F speed, typename L::F bend, const JointSweep& n) {
+    using F = typename L::F;
+    const F zero = L::splat(0.0f);
+    const F m = L::splat(n.omega) * inverse_or_zero<L>(k);
+    F sum = zero;
+    if ((parts & part_spring) != 0) {
+        const F old = L::load(r.spring);
+        const F delta = -(m * L::load(r.spring_mass_scale) * (speed + L::load(r.spring_rate) * (x - L::load(r.target)))) -
+                        L::load(r.spring_impulse_scale) * old;
+        L::store(r.spring, old + delta);
+        sum = sum + delta;
+        speed = speed + k * delta;
+    }
+    if ((parts & part_limit) != 0) {
+        const F inv_h = L::splat(n.inv_h);
+        const F rate = L::splat(n.soft.rate), mass_scale = L::splat(n.soft.mass_scale), impulse_scale = L::splat(n.omega * n.soft.impulse_scale);
+        const F ahead = curve<L>(bend, n);
+        const auto side = [&](float* impulse, F c, F rate_of_c) {
+            const F old = L::load(impulse);
+            const auto apart = c > zero;
+            const F bias = select(apart, c * inv_h, rate * c);
+            const F scale = select(apart, L::splat(1.0f), mass_scale);
+            const F delta = -(m * scale * (rate_of_c + bias)) - select(apart, zero, impulse_scale) * old;
+            const F lambda = max(old + delta, zero);
+            L::store(impulse, lambda);
+            return lambda - old;
+        };
+        const F low = side(r.low, x - L::load(r.lower), speed + ahead);
+        sum = sum + low;
+        speed = speed + k * low;
+        const F high = side(r.high, L::load(r.upper) - x, -(speed + ahead));
+        sum = sum - high;
+    }
+    return sum;
+}
+
+/// Solves the motor and the friction.
+template <class L>
+ISLET_LANE typename L::F solve_motor_and_friction(CoordinateRows<L::width>& r, std::uint32_t parts, typename L::F k, typename L::F speed,
+                                                  const JointSweep& n) {
+    using F = typename L::F;
+    const F m = L::splat(n.omega) * inverse_or_zero<L>(k);
+    F sum = L::splat(0.0f);
+    const auto row = [&](float* impulse, F target, F bound) {
+        const F old = L::load(impulse);
+        const F lambda = clamp_lanes<L>(old - m * (speed - target), -bound, bound);
+        L::store(impulse, lambda);
+        sum = sum + (lambda - old);
+        speed = speed + k * (lambda - old);
+    };
+    if ((parts & part_friction) != 0) row(r.friction, L::splat(0.0f), L::load(r.max_friction));
+    if ((parts & part_motor) != 0) row(r.motor, L::load(r.speed), L::load(r.max_motor));
+    return sum;
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,123 @@
+// Vectors of lanes, and the two bodies of a joint as lanes: what the joints' kernels are written in.
+#pragma once
+
+#include "constraint/solver_body.hpp"
+#include "math/lanes.hpp"
+#include "math/scalar.hpp"
+
+namespace islet::detail {
+
+template <class F>
+struct LaneVec {
+    F x, y;
+};
+
+template <class F>
+ISLET_LANE LaneVec<F> operator+(LaneVec<F> a, LaneVec<F> b) {
+    return {a.x + b.x, a.y + b.y};
+}
+template <class F>
+ISLET_LANE LaneVec<F> operator-(LaneVec<F> a, LaneVec<F> b) {
+    return {a.x - b.x, a.y - b.y};
+}
+template <class F>
+ISLET_LANE LaneVec<F> operator*(F s, LaneVec<F> a) {
+    return {s * a.x, s * a.y};
+}
+template <class F>
+ISLET_LANE F dot(LaneVec<F> a, LaneVec<F> b) {
+    return a.x * b.x + a.y * b.y;
+}
+template <class F>
+ISLET_LANE F cross(LaneVec<F> a, LaneVec<F> b) {
+    return a.x * b.y - a.y * b.x;
+}
+/// w x r
+template <class F>
+ISLET_LANE LaneVec<F> cross(F w, LaneVec<F> r) {
+    return {-w * r.y, w * r.x};
+}
+template <class F>
+ISLET_LANE LaneVec<F> left_perp(LaneVec<F> a) {
+    return {-a.y, a.x};
+}
+
+/// 1 / k, or 0 where k is not above 0.
+template <class L>
+ISLET_LANE typename L::F inverse_or_zero(typename L::F k) {
+    const typename L::F zero = L::splat(0.0f);
+    return select(k > zero, L::splat(1.0f) / k, zero);
+}
+
+template <class L>
+ISLET_LANE typename L::F clamp_lanes(typename L::F a, typename L::F lo, typename L::F hi) {
+    return min(max(a, lo), hi);
+}
+
+/// v turned by the angle d, |d| <= pi/2: by the series of sine and cosine, whose error is below 2e-4 there and 1e-9 up to 0.2 rad.
+template <class L>
+ISLET_LANE LaneVec<typename L::F> turn(typename L::F d, LaneVec<typename L::F> v) {
+    using F = typename L::F;
+    const F z = d * d;
+    const F s = d * (L::splat(1.0f) - z * (L::splat(1.0f / 6) - z * (L::splat(1.0f / 120) - z * L::splat(1.0f / 5040))));
+    const F c = L::splat(1.0f) - z * (L::splat(0.5f) - z * (L::splat(1.0f / 24) - z * L::splat(1.0f / 720)));
+    return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+/// The two bodies of a block of joints.
+template <class L>
+struct JointBodies {
+    using F = typename L::F;
+    LaneVec<F> va, vb;    // m/s
+    F wa, wb;          // rad/s
+    F ma, mb, ia, ib;  // inverse masses and inertias
+    LaneVec<F> dp;        // m that B's centre has gone since the step began, less A's
+    F dqa, dqb;        // rad turned since the step began
+    LaneVec<F> p;      // N s: what the joint has applied so far, p and tb to B, -p and -ta to A
+    F ta, tb;          // N m s
+
+    ISLET_LANE void gather(const SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) {
+        constexpr std::uint32_t words = sizeof(SolverBody) / 4;
+        F a[8], b[8];
+        L::template gather8<words>(reinterpret_cast<const float*>(bodies), body_a, a);
+        L::template gather8<words>(reinterpret_cast<const float*>(bodies), body_b, b);
+        va = {a[0], a[1]};
+        vb = {b[0], b[1]};
+        wa = a[2];
+        wb = b[2];
+        ma = a[3];
+        mb = b[3];
+        dp = {b[4] - a[4], b[5] - a[5]};
+        dqa = a[6];
+        dqb = b[6];
+        ia = a[7];
+        ib = b[7];
+    }
+    ISLET_LANE void scatter(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
+        constexpr std::uint32_t words = sizeof(SolverBody) / 4;
+        const F out_a[4] = {va.x, va.y, wa, ma};
+        const F out_b[4] = {vb.x, vb.y, wb, mb};
+        L::template scatter4<words>(reinterpret_cast<float*>(bodies), body_a, out_a);
+        L::template scatter4<words>(reinterpret_cast<float*>(bodies), body_b, out_b);
+    }
+    /// An impulse on B and its opposite on A, and an angular impulse on each: B turned by its own, A against its own.
+    ISLET_LANE void push(LaneVec<F> impulse, F angular_a, F angular_b) {
+        va = va - ma * impulse;
+        vb = vb + mb * impulse;
+        p = p + impulse;
+        push_angular(angular_a, angular_b);
+    }
+    ISLET_LANE void push_angular(F angular_a, F angular_b) {
+        wa = wa - ia * angular_a;
+        wb = wb + ib * angular_b;
+        ta = ta + angular_a;
+        tb = tb + angular_b;
+    }
+    ISLET_LANE void push_angular(F t) { push_angular(t, t); }
+    /// Velocity of the point at rb on B, less that of the point at ra on A.
+    ISLET_LANE LaneVec<F> point_velocity(LaneVec<F> ra, LaneVec<F> rb) const { return vb - va + cross(wb, rb) - cross(wa, ra); }
+    /// How the two points' velocities turn: the part of their relative acceleration that velocities alone decide.
+    ISLET_LANE LaneVec<F> point_curvature(LaneVec<F> ra, LaneVec<F> rb) const { return (wa * wa) * ra - (wb * wb) * rb; }
+};
+
+}  // namespace islet::detail

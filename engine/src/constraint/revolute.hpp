@@ -1,0 +1,96 @@
+// Revolute joint, a hinge: a point of B stays on a point of A.
+//
+//     C    = (xb + rb) - (xa + ra)                   m, two rows solved as a block
+//     Cdot = vb + wb x rb - va - wa x ra             m/s
+//     K    = point_mass in joint_rows.hpp            1/kg
+// The coordinate left free is the angle of frame B in frame A, continuous past a full turn:
+//     x    = qb - qa,  J = (-1, 1) on (wa, wb),  K = ia + ib
+// Spring, limits, motor and friction act on it (coordinate.hpp). Source: Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005.
+#pragma once
+
+#include "constraint/coordinate.hpp"
+
+namespace islet::detail {
+
+/// A hinge on which nothing acts. The impulse is what is applied.
+template <std::uint32_t W>
+struct alignas(W * 4) PointRows {
+    JointEnds<W> ends;
+    Applied<W> applied;
+};
+
+template <std::uint32_t W>
+struct alignas(W * 4) HingeRows {
+    JointEnds<W> ends;
+    Applied<W> applied;
+    float angle[W];  // rad, when the step began
+    CoordinateRows<W> free;
+    std::uint32_t parts;
+    std::uint8_t pad[W * 4 - 4];
+};
+
+inline JointKernel revolute_kernel(const Joint& j) { return coordinate_parts(j) == 0 ? JointKernel::point : JointKernel::hinge; }
+
+template <std::uint32_t W>
+void prepare(PointRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
+    const Joint& j = in.joints[joint];
+    const JointPose p = pose_of(j, in.poses, in.bodies_in);
+    set_ends(r.ends, lane, joint, in, p);
+    const Vec2 impulse = in.numbers.warm * j.impulse;
+    warm_start(r.applied, r.ends, lane, in, impulse, cross(p.ra, impulse), cross(p.rb, impulse));
+}
+
+template <std::uint32_t W>
+void prepare(HingeRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
+    const Joint& j = in.joints[joint];
+    const JointPose p = pose_of(j, in.poses, in.bodies_in);
+    set_ends(r.ends, lane, joint, in, p);
+    r.angle[lane] = unwrap(angle_of(p), j.coordinate);
+    r.parts |= coordinate_parts(j);
+    const float turning = set_coordinate(r.free, lane, j, in.numbers);
+    const Vec2 impulse = in.numbers.warm * j.impulse;
+    warm_start(r.applied, r.ends, lane, in, impulse, cross(p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
+}
+
+template <class L>
+ISLET_LANE void solve(SolverBody* bodies, PointRows<L::width>& r, const JointSweep& n) {
+    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
+    const JointArms<L> arms(r.ends, s);
+    aim_arms<L>(s, n, cross(arms.ra, s.p), cross(arms.rb, s.p));
+    solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
+    scatter<L>(bodies, r.ends, r.applied, s);
+}
+
+template <class L>
+ISLET_LANE void solve(SolverBody* bodies, HingeRows<L::width>& r, const JointSweep& n) {
+    using F = typename L::F;
+    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
+    const JointArms<L> arms(r.ends, s);
+    const F turning = coordinate_impulse<L>(r.free);
+    aim_arms<L>(s, n, cross(arms.ra, s.p) + turning, cross(arms.rb, s.p) + turning);
+
+    const F k = s.ia + s.ib;
+    const F x = L::load(r.angle) + s.dqb - s.dqa;
+    s.push_angular(solve_motor_and_friction<L>(r.free, r.parts, k, s.wb - s.wa, n));
+    s.push_angular(solve_spring_and_limits<L>(r.free, r.parts, x, k, s.wb - s.wa, L::splat(0.0f), n));
+    solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
+    scatter<L>(bodies, r.ends, r.applied, s);
+}
+
+template <std::uint32_t W>
+void store(const PointRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+    store_applied(r.applied, r.ends, lane, j, out);
+    j.impulse = j.force_impulse;
+    j.torque_impulse = 0;
+}
+
+template <std::uint32_t W>
+void store(const HingeRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+    store_applied(r.applied, r.ends, lane, j, out);
+    j.impulse = j.force_impulse;
+    get_coordinate(r.free, lane, j);
+    j.torque_impulse = coordinate_impulse(j);
+    j.coordinate = r.angle[lane] + out.solved[r.ends.body_b[lane]].dq - out.solved[r.ends.body_a[lane]].dq;
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,94 @@
+// Destroying and breaking joints, and what a body's change of type does to its own.
+#include "broadphase/contacts.hpp"
+#include "broadphase/pairs.hpp"
+#include "math/scalar.hpp"
+#include "memory/colors.hpp"
+#include "memory/joint_graph.hpp"
+#include "world/joints.hpp"
+#include "world/sleep.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+void untie(Core& core, std::uint32_t i) {
+    Joint& j = core.joints[i];
+    if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
+    wake_island(core, j.body_b, core.arena());
+    give_color(core, j.color(), j.body_a, j.body_b);
+    unlink_joint(core, i, 0, j.body_a);
+    unlink_joint(core, i, 1, j.body_b);
+    core.awake_joints.clear(i);
+    if ((j.flags & joint_collide) == 0 && j.body_a != null_index) {
+        // Shapes that overlap already have not moved: without this nobody would look for their contacts.
+        for (std::uint32_t s = core.bodies[j.body_b].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s);
+    }
+    const std::uint32_t generation = j.generation;
+    j = Joint{};
+    j.generation = generation;
+    pool_give(core.state->joint_pool, core.joints, i);
+}
+
+// A gear hangs on a body of each of its joints.
+void remove_gears(Core& core, std::uint32_t joint) {
+    for (const std::uint32_t body : {core.joints[joint].body_a, core.joints[joint].body_b}) {
+        if (body == null_index || core.joints[joint].gear_count == 0) continue;
+        for (std::uint32_t key = core.bodies[body].joint_head; key != 0;) {
+            const std::uint32_t i = joint_of_key(key);
+            const Joint& gear = core.joints[i];
+            key = gear.next[joint_side_of_key(key)];
+            if (static_cast<JointType>(gear.type) == JointType::gear && (gear.joint1 == joint || gear.joint2 == joint)) remove_joint(core, i);
+        }
+    }
+}
+
+}  // namespace
+
+void remove_joint(Core& core, std::uint32_t i) {
+    Joint& j = core.joints[i];
+    if (static_cast<JointType>(j.type) == JointType::gear) {
+        --core.joints[j.joint1].gear_count;
+        --core.joints[j.joint2].gear_count;
+    } else if (j.gear_count != 0) {
+        remove_gears(core, i);
+    }
+    untie(core, i);
+}
+
+void remove_joints(Core& core, std::uint32_t body) {
+    // Removing one may take a gear on the same body with it, so the list is read anew each time.
+    while (core.bodies[body].joint_head != 0) remove_joint(core, joint_of_key(core.bodies[body].joint_head));
+}
+
+void release_joint_colors(Core& core, std::uint32_t body) {
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) {
+        Joint& j = core.joints[joint];
+        give_color(core, j.color(), j.body_a, j.body_b);
+        j.set_color(no_color);
+    });
+}
+
+void assign_joint_colors(Core& core, std::uint32_t body) {
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) {
+        Joint& j = core.joints[joint];
+        if (static_cast<JointType>(j.type) != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
+        core.awake_joints.assign(joint, (j.body_a != null_index && core.is_awake(j.body_a)) || core.is_awake(j.body_b));
+    });
+}
+
+void break_joints(Core& core) {
+    const float inv_h = core.state->last_substep > 0 ? 1.0f / core.state->last_substep : 0;
+    core.awake_joints.for_each([&](std::uint32_t i) {
+        const Joint& j = core.joints[i];
+        if ((j.generation & 1u) == 0 || (j.break_force == 0 && j.break_torque == 0)) return;
+        const Vec2 force = inv_h * j.force_impulse;
+        const float torque = inv_h * j.torque_impulse;
+        const bool broken = (j.break_force > 0 && length(force) > j.break_force) || (j.break_torque > 0 && abs(torque) > j.break_torque);
+        if (!broken) return;
+        core.break_events[core.break_count++] = {
+            core.joint_id(i), j.body_a != null_index ? core.body_id(j.body_a) : BodyId{}, core.body_id(j.body_b), force, torque, j.user_data};
+        remove_joint(core, i);
+    });
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,277 @@
+// The public functions on joints, making apart (joint_make.cpp).
+#include "world/joints.hpp"
+
+#include "constraint/gear.hpp"
+#include "constraint/distance.hpp"
+#include "math/float_mode.hpp"
+#include "memory/joint_graph.hpp"
+#include "broadphase/pairs.hpp"
+#include "collide/manifold.hpp"
+#include "world/checks.hpp"
+#include "world/sleep.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace detail {
+
+std::uint32_t find_joint(const Core& core, JointId id) {
+    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
+    const std::uint32_t i = id.index1 - 1;
+    const bool live = pool_live(core.state->joint_pool, core.joints, i) && core.joints[i].generation == id.generation;
+    return check(core, live, Error::stale_id) ? i : null_index;
+}
+
+float joint_coordinate(const Core& core, const Joint& j) { return coordinate_of(j, pose_of(j, core.poses, core.bodies)); }
+
+}  // namespace detail
+
+namespace {
+
+JointType type_of(const Joint& j) { return static_cast<JointType>(j.type); }
+
+constexpr std::uint32_t bit(JointType type) { return 1u << static_cast<std::uint32_t>(type); }
+constexpr std::uint32_t with_coordinate = bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::distance) | bit(JointType::wheel);
+constexpr std::uint32_t with_friction = bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::wheel);
+constexpr std::uint32_t with_frames = with_coordinate | bit(JointType::weld) | bit(JointType::motor);
+
+/// Slot of a live joint of one of the types, or null_index with the error recorded.
+std::uint32_t find_joint(const Core& core, JointId id, std::uint32_t types) {
+    const std::uint32_t i = detail::find_joint(core, id);
+    if (i == null_index) return i;
+    return check(core, (types & bit(type_of(core.joints[i]))) != 0, Error::wrong_joint_type) ? i : null_index;
+}
+
+void wake_bodies(Core& core, const Joint& j) {
+    if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
+    wake_island(core, j.body_b, core.arena());
+}
+
+Vec2 world_point(const Core& core, std::uint32_t body, Vec2 local) {
+    return core.poses[body].center + rotate(core.poses[body].q, local - core.bodies[body].local_center);
+}
+
+Vec2 point_velocity(const Core& core, std::uint32_t body, Vec2 arm) { return core.motions[body].v + cross(core.motions[body].w, arm); }
+
+float force_of(const Core& core, float impulse) { return core.state->last_substep > 0 ? impulse / core.state->last_substep : 0; }
+
+}  // namespace
+
+void World::destroy_joint(JointId id) {
+    const std::uint32_t i = detail::find_joint(core(), id);
+    if (i != null_index) remove_joint(core(), i);
+}
+
+bool World::is_valid(JointId id) const {
+    const Core& c = core();
+    return id.index1 != 0 && pool_live(c.state->joint_pool, c.joints, id.index1 - 1) && c.joints[id.index1 - 1].generation == id.generation;
+}
+
+std::uint32_t World::joint_count() const { return core().state->joint_pool.count; }
+
+JointId World::joint_at(std::uint32_t slot) const {
+    const Core& c = core();
+    return pool_live(c.state->joint_pool, c.joints, slot) ? c.joint_id(slot) : JointId{};
+}
+
+std::uint32_t World::joints(BodyId id, std::span<JointId> out) const {
+    const Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index) return 0;
+    std::uint32_t n = 0;
+    for_each_joint(c, i, [&](std::uint32_t joint, std::uint32_t) {
+        if (n < out.size()) out[n] = c.joint_id(joint);
+        ++n;
+    });
+    return n;
+}
+
+// Reading: value if the id is good and the joint of one of the types, else the value's zero.
+#define ISLET_READ_JOINT(types, value)                      \
+    const Core& c = core();                                 \
+    const std::uint32_t i = find_joint(c, id, types);       \
+    if (i == null_index) return {};                         \
+    const Joint& j = c.joints[i];                           \
+    return value
+
+JointType World::joint_type(JointId id) const { ISLET_READ_JOINT(~0u, type_of(j)); }
+BodyId World::body_a(JointId id) const { ISLET_READ_JOINT(~0u, j.body_a != null_index ? c.body_id(j.body_a) : BodyId{}); }
+BodyId World::body_b(JointId id) const { ISLET_READ_JOINT(~0u, c.body_id(j.body_b)); }
+JointFrame World::frame_a(JointId id) const { ISLET_READ_JOINT(~0u, (JointFrame{j.local_a, islet::angle_of(j.frame_a)})); }
+JointFrame World::frame_b(JointId id) const { ISLET_READ_JOINT(~0u, (JointFrame{j.local_b, islet::angle_of(j.frame_b)})); }
+Vec2 World::anchor_a(JointId id) const { ISLET_READ_JOINT(~0u, j.body_a != null_index ? world_point(c, j.body_a, j.local_a) : j.local_a); }
+Vec2 World::anchor_b(JointId id) const { ISLET_READ_JOINT(~0u, world_point(c, j.body_b, j.local_b)); }
+bool World::collide_connected(JointId id) const { ISLET_READ_JOINT(~0u, (j.flags & joint_collide) != 0); }
+std::uint64_t World::user_data(JointId id) const { ISLET_READ_JOINT(~0u, j.user_data); }
+JointSpring World::spring(JointId id) const {
+    ISLET_READ_JOINT(with_coordinate, (JointSpring{(j.flags & joint_spring) != 0, j.spring_hertz, j.spring_damping_ratio, j.target}));
+}
+JointLimit World::limit(JointId id) const { ISLET_READ_JOINT(with_coordinate, (JointLimit{(j.flags & joint_limit) != 0, j.lower, j.upper})); }
+JointMotor World::motor(JointId id) const { ISLET_READ_JOINT(with_coordinate, (JointMotor{(j.flags & joint_motor) != 0, j.motor_speed, j.motor_max})); }
+float World::joint_friction(JointId id) const { ISLET_READ_JOINT(with_friction, j.friction); }
+float World::motor_force(JointId id) const { ISLET_READ_JOINT(with_coordinate, force_of(c, j.motor_impulse)); }
+float World::joint_length(JointId id) const { ISLET_READ_JOINT(bit(JointType::distance), j.length); }
+Vec2 World::target(JointId id) const { ISLET_READ_JOINT(bit(JointType::mouse), j.local_a); }
+float World::joint_position(JointId id) const { ISLET_READ_JOINT(with_coordinate, joint_coordinate(c, j)); }
+Vec2 World::joint_force(JointId id) const { ISLET_READ_JOINT(~0u, (Vec2{force_of(c, j.force_impulse.x), force_of(c, j.force_impulse.y)})); }
+float World::joint_torque(JointId id) const { ISLET_READ_JOINT(~0u, force_of(c, j.torque_impulse)); }
+
+#undef ISLET_READ_JOINT
+
+float World::joint_speed(JointId id) const {
+    const Core& c = core();
+    const std::uint32_t i = find_joint(c, id, with_coordinate);
+    if (i == null_index) return 0;
+    const Joint& j = c.joints[i];
+    const float wa = c.motions[j.body_a].w;
+    if (type_of(j) == JointType::revolute) return c.motions[j.body_b].w - wa;
+    const JointPose p = pose_of(j, c.poses, c.bodies);
+    const Vec2 d_dot = point_velocity(c, j.body_b, p.rb) - point_velocity(c, j.body_a, p.ra);
+    if (type_of(j) == JointType::distance) return dot(normalize(gap_of(p)), d_dot);
+    const Vec2 u = {p.qa.c, p.qa.s};
+    return dot(u, d_dot) + wa * dot(left_perp(u), gap_of(p));
+}
+
+JointError World::joint_error(JointId id) const {
+    const Core& c = core();
+    const std::uint32_t i = detail::find_joint(c, id);
+    if (i == null_index) return {};
+    const Joint& j = c.joints[i];
+    if (type_of(j) == JointType::gear) {
+        const float error = abs(joint_coordinate(c, c.joints[j.joint1]) + j.ratio * joint_coordinate(c, c.joints[j.joint2]) - j.length);
+        const bool linear = type_of(c.joints[j.joint1]) == JointType::prismatic;
+        return linear ? JointError{error, 0} : JointError{0, error};
+    }
+    const JointPose p = pose_of(j, c.poses, c.bodies);
+    const Vec2 d = gap_of(p);
+    const auto beyond_limit = [&](float x) {
+        return (j.flags & joint_limit) != 0 ? max(0.0f, max(j.lower - x, x - j.upper)) : 0.0f;
+    };
+    const float across = abs(dot(left_perp({p.qa.c, p.qa.s}), d));
+    switch (type_of(j)) {
+        case JointType::revolute: return {length(d), beyond_limit(joint_coordinate(c, j))};
+        case JointType::prismatic: return {max(across, beyond_limit(joint_coordinate(c, j))), abs(angle_of(p))};
+        case JointType::wheel: return {max(across, beyond_limit(joint_coordinate(c, j))), 0};
+        case JointType::distance: return {is_rod(j) ? abs(length(d) - j.length) : beyond_limit(length(d)), 0};
+        case JointType::weld: return {j.linear_hertz > 0 ? 0 : length(d), j.angular_hertz > 0 ? 0 : abs(angle_of(p))};
+        case JointType::pulley: {
+            const float a = length(c.poses[j.body_a].center + p.ra - j.ground_a);
+            const float b = length(c.poses[j.body_b].center + p.rb - j.ground_b);
+            return {abs(a + j.ratio * b - j.length), 0};
+        }
+        case JointType::motor:
+        case JointType::mouse:
+        case JointType::gear: break;
+    }
+    return {};
+}
+
+void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& frame_b) {
+    Core& c = core();
+    const DefaultFloatMode mode;
+    const std::uint32_t i = find_joint(c, id, with_frames);
+    if (i == null_index || !check_frame(c, frame_a) || !check_frame(c, frame_b)) return;
+    Joint& j = c.joints[i];
+    j.local_a = frame_a.position;
+    j.local_b = frame_b.position;
+    j.frame_a = make_rot(frame_a.angle);
+    j.frame_b = make_rot(frame_b.angle);
+    wake_bodies(c, j);
+}
+
+void World::set_collide_connected(JointId id, bool collide) {
+    Core& c = core();
+    const std::uint32_t i = detail::find_joint(c, id);
+    if (i == null_index) return;
+    Joint& j = c.joints[i];
+    if (((j.flags & joint_collide) != 0) == collide || j.body_a == null_index || type_of(j) == JointType::gear) return;
+    j.flags = collide ? j.flags | joint_collide : j.flags & ~static_cast<std::uint32_t>(joint_collide);
+    wake_bodies(c, j);
+    if (!collide) return end_forbidden_contacts(c, j);
+    for (std::uint32_t s = c.bodies[j.body_b].shape_head; s != null_index; s = c.shapes[s].next) mark_moved(c, s);
+}
+
+void World::set_break(JointId id, float force, float torque) {
+    Core& c = core();
+    const std::uint32_t i = detail::find_joint(c, id);
+    if (i == null_index || !check_not_negative(c, force) || !check_not_negative(c, torque)) return;
+    c.joints[i].break_force = force;
+    c.joints[i].break_torque = torque;
+}
+
+void World::set_user_data(JointId id, std::uint64_t data) {
+    Core& c = core();
+    const std::uint32_t i = detail::find_joint(c, id);
+    if (i != null_index) c.joints[i].user_data = data;
+}
+
+void World::set_spring(JointId id, const JointSpring& spring) {
+    Core& c = core();
+    const std::uint32_t i = find_joint(c, id, with_coordinate);
+    if (i == null_index || !check_spring(c, spring)) return;
+    set_spring_of(c.joints[i], spring);
+    wake_bodies(c, c.joints[i]);
+}
+
+void World::set_limit(JointId id, const JointLimit& limit) {
+    Core& c = core();
+    const std::uint32_t i = find_joint(c, id, with_coordinate);
+    if (i == null_index || !check_limit(c, limit)) return;
+    if (!check(c, type_of(c.joints[i]) != JointType::distance || !limit.enable || limit.lower >= 0, Error::out_of_range)) return;
+    set_limit_of(c.joints[i], limit);
+    wake_bodies(c, c.joints[i]);
+}
+
+void World::set_motor(JointId id, const JointMotor& motor) {
+    Core& c = core();
+    const std::uint32_t i = find_joint(c, id, with_coordinate);
+    if (i == null_index || !check_motor(c, motor)) return;
+    set_motor_of(c.joints[i], motor);
+    wake_bodies(c, c.joints[i]);
+}
+
+void World::set_joint_friction(JointId id, float friction) {
+    Core& c = core();
+    const std::uint32_t i = find_joint(c, id, with_friction);
+    if (i == null_index || !check_not_negative(c, friction)) return;
+    c.joints[i].friction = friction;
+    if (friction == 0) c.joints[i].friction_impulse = 0;
+    wake_bodies(c, c.joints[i]);
+}
+
+void World::set_joint_length(JointId id, float length) {
+    Core& c = core();
+    const std::uint32_t i = find_joint(c, id, bit(JointType::distance));
+    if (i == null_index || !check_range(c, length, linear_slop, max_position)) return;
+    c.joints[i].length = length;
+    wake_bodies(c, c.joints[i]);
+}
+
+void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
+    Core& c = core();
+    const std::uint32_t i = find_joint(c, id, bit(JointType::motor));
+    if (i == null_index || !check_finite(c, linear) || !check_finite(c, angular)) return;
+    c.joints[i].velocity = linear;
+    c.joints[i].motor_speed = angular;
+    wake_bodies(c, c.joints[i]);
+}
+
+void World::set_joint_strength(JointId id, float max_force, float max_torque) {
+    Core& c = core();
+    const std::uint32_t i = find_joint(c, id, bit(JointType::motor));
+    if (i == null_index || !check_not_negative(c, max_force) || !check_not_negative(c, max_torque)) return;
+    c.joints[i].motor_max = max_force;
+    c.joints[i].max_torque = max_torque;
+    wake_bodies(c, c.joints[i]);
+}
+
+void World::set_target(JointId id, Vec2 target) {
+    Core& c = core();
+    const std::uint32_t i = find_joint(c, id, bit(JointType::mouse));
+    if (i == null_index || !check_position(c, target)) return;
+    c.joints[i].local_a = target;
+    wake_bodies(c, c.joints[i]);
+}
+
+}  // namespace islet

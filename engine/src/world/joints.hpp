@@ -1,0 +1,32 @@
+// Joints as the user meets them: making, destroying and breaking them.
+#pragma once
+
+#include "memory/core.hpp"
+
+namespace islet::detail {
+
+/// Destroys the joint and the gears that use it, and wakes the bodies. Their shapes may meet again from the next step on.
+void remove_joint(Core& core, std::uint32_t joint);
+
+/// Destroys all joints of a body.
+void remove_joints(Core& core, std::uint32_t body);
+
+/// Colours depend on the bodies' types: these take those of a body's joints away, and give new ones, around a change of type.
+void release_joint_colors(Core& core, std::uint32_t body);
+void assign_joint_colors(Core& core, std::uint32_t body);
+
+/// Destroys the joints whose force or torque exceeded what they bear, and reports them.
+void break_joints(Core& core);
+
+/// Each takes a checked definition over into the record.
+void set_spring_of(Joint& j, const JointSpring& spring);
+void set_limit_of(Joint& j, const JointLimit& limit);
+void set_motor_of(Joint& j, const JointMotor& motor);
+
+/// Destroys the contacts that the joint forbids.
+void end_forbidden_contacts(Core& core, const Joint& j);
+
+/// The coordinate of a joint that has one, now.
+float joint_coordinate(const Core& core, const Joint& j);
+
+}  // namespace islet::detail
