@@ -168,23 +168,25 @@ void Recorder::read_contacts(FrameNumbers& numbers) {
     }
 }
 
+JointPoint Recorder::quantised(const RecordedJoint::Point& point) const {
+    if (!point.body) return {0, point.is_anchor, scale_.x(double(point.place.x)), scale_.y(double(point.place.y))};
+    const Vec2 local = inv_transform_point(run_.engine.world().transform(point.body), point.place);
+    return {known_[point.body.index1 - 1].id + 1, point.is_anchor, scale_.quanta(double(local.x)), scale_.quanta(double(local.y))};
+}
+
 void Recorder::read_joints(FrameNumbers& numbers) {
     const World& world = run_.engine.world();
-    Table<JointLine> before;
-    std::swap(before, frame_.joints);
-    frame_.joints.resize(before.size());
+    Table<JointLine>& joints = frame_.joints;
+    joints.clear();
+    JointLine line;
     for (const RecordedJoint& joint : collect_joints(world)) {
-        JointLine line;
-        for (const RecordedJoint::Point& point : joint.line) {
-            const bool is_fixed = !point.body;
-            const Vec2 local = is_fixed ? point.place : inv_transform_point(world.transform(point.body), point.place);
-            line.push_back({is_fixed ? 0 : known_[point.body.index1 - 1].id + 1, point.is_anchor,
-                            is_fixed ? scale_.x(double(local.x)) : scale_.quanta(double(local.x)),
-                            is_fixed ? scale_.y(double(local.y)) : scale_.quanta(double(local.y))});
-        }
+        line.clear();
+        for (const RecordedJoint::Point& point : joint.line) line.push_back(quantised(point));
         // What is fixed to a body comes back from the world with its last digits shaken: only a real move is written.
-        if (before.has(joint.slot) && nearly_same(before.entries[joint.slot], line)) line = before.entries[joint.slot];
-        frame_.joints.put(joint.slot, line);
+        if (joint.slot < joints.size() && nearly_same(joints.entries[joint.slot], line))
+            joints.live[joint.slot] = 1;
+        else
+            joints.put(joint.slot, line);
         ++numbers.joints;
         numbers.max_joint_error = std::max(numbers.max_joint_error, joint.linear_error);
     }

@@ -75,6 +75,7 @@ private:
     void read_bodies();
     void read_contacts(FrameNumbers& numbers);
     void read_joints(FrameNumbers& numbers);
+    JointPoint quantised(const RecordedJoint::Point& point) const;
     std::uint32_t id_of(std::uint32_t slot, BodyId body);
     std::uint32_t model_of(const std::vector<ShapeId>& shapes);
     void thin();

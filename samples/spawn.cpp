@@ -44,6 +44,7 @@ struct JointMaker {
 
 BodyId spawn(World& world, const SceneBody& body) {
     const BodyId id = world.create_body(body.def);
+    if (!id) return id;  // the error stays the one that says why
     for (const SceneShape& shape : body.shapes) std::visit(ShapeMaker{world, id, shape.def}, shape.geometry);
     return id;
 }

@@ -4,7 +4,7 @@ import { roundLength } from "./camera.js";
 const types = ["static", "kinematic", "dynamic"];
 const tints = 3;
 const bodiesPerPath = 200; // longer paths take longer to fill than many short ones
-const smallestWithContacts = 4; // pixels; on smaller bodies contacts would hide what they lie on
+const smallestWithMarks = 4; // pixels; on smaller bodies contacts and joints would hide what they lie on
 const tau = 2 * Math.PI;
 
 const clamp = (n, low, high) => Math.min(Math.max(n, low), high);
@@ -65,8 +65,8 @@ export class Painter {
         const size = this.#typicalSize(state) * camera.scale;
         this.#trails(frame);
         this.#bodies(state, size);
-        if (shown.joints) this.#joints(state, size);
-        if (shown.contacts && size >= smallestWithContacts) this.#contacts(state, size);
+        if (shown.joints && size >= smallestWithMarks) this.#joints(state, size);
+        if (shown.contacts && size >= smallestWithMarks) this.#contacts(state, size);
     }
 
     #grid() {

@@ -115,6 +115,11 @@ PulleyJointDef pulley_over(const Scene& scene, std::size_t body_a, std::size_t b
     return def;
 }
 
+void make_stiff(Scene& scene) {
+    scene.world.solver.substeps = 8;
+    scene.world.solver.joint_hertz = 120;
+}
+
 Polygon polygon_of(std::initializer_list<Vec2> points) { return make_polygon(compute_hull({points.begin(), points.size()})); }
 
 }  // namespace islet::samples

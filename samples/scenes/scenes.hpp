@@ -40,6 +40,16 @@ Scene make_scissor_lift();
 Scene make_car();
 Scene make_ragdoll();
 Scene make_mouse_drag();
+// soft
+Scene make_cloth_scene();
+Scene make_flag();
+Scene make_blob();
+Scene make_soft_stack();
+Scene make_cable_bridge();
+
+// robots
+Scene make_gripper_scene();
+Scene make_walker();
 
 // benchmark
 Scene make_large_pyramid();

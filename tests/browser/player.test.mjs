@@ -182,6 +182,13 @@ test("contacts can be hidden, and there is no switch for joints that do not exis
     });
 });
 
+test("joints can be hidden", async () => {
+    await withPage("tumbler", desktop, async (page) => {
+        assert.ok(await changes(page, () => page.click("#joints")));
+        assert.ok(await changes(page, () => page.keyboard.press("j")));
+    }, "--steps", "5");
+});
+
 test("the wheel zooms about the pointer, dragging pans, a double click shows all again", async () => {
     await withPage("hello", desktop, async (page) => {
         const start = await awakePixels(page);

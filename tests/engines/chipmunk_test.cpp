@@ -11,7 +11,7 @@ namespace {
 using namespace islet;
 using namespace islet::samples;
 
-constexpr double g = 10, h = 1.0f / 60;  // m/s^2, s: a scene's defaults
+constexpr double g = 10, h = double(1.0f / 60);  // m/s^2, s: a scene's defaults
 constexpr double rounding = 1e-5;        // results are read as floats
 
 SceneBody body_of(BodyType type, Vec2 position, SceneGeometry geometry, const ShapeDef& material = {}) {

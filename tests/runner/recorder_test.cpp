@@ -1,6 +1,6 @@
 // What a recording of a run holds: every body and contact within the stated distance, whatever scripts do, within the budget.
+#include <algorithm>
 #include <cmath>
-#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -139,6 +139,35 @@ TEST(Recorder, ABodyThatTakesAnothersSlotIsAnotherBody) {
     EXPECT_EQ(model[0].points.size(), 1u);
     EXPECT_FLOAT_EQ(model[0].radius, 0.25f);
     EXPECT_EQ(recorder.numbers().back().bodies, 2u);
+}
+
+TEST(Recorder, JointsStayWithTheirBodies) {
+    SceneRun run = run_of("rain", 40);
+    Recorder recorder(run);
+    std::vector<std::vector<RecordedJoint>> wanted;
+    record(run, recorder, [&] { wanted.push_back(collect_joints(run.engine.world())); });
+    const Scale& scale = recorder.scale();
+    RecordingReader reader(recorder.bytes());
+    for (const std::vector<RecordedJoint>& joints : wanted) {
+        ASSERT_TRUE(reader.next());
+        const Frame& frame = reader.frame();
+        EXPECT_EQ(std::count(frame.joints.live.begin(), frame.joints.live.end(), 1), std::ptrdiff_t(joints.size()));
+        for (const RecordedJoint& joint : joints) {
+            ASSERT_TRUE(frame.joints.has(joint.slot));
+            const JointLine& line = frame.joints.entries[joint.slot];
+            ASSERT_EQ(line.size(), joint.line.size());
+            for (std::size_t i = 0; i < line.size(); ++i) {
+                const Place body = frame.bodies.entries[line[i].frame - 1];
+                const double angle = body.angle * 2 * double(pi) / body_turn;
+                const double x = body.x + std::cos(angle) * line[i].x - std::sin(angle) * line[i].y;
+                const double y = body.y + std::sin(angle) * line[i].x + std::cos(angle) * line[i].y;
+                // Half a quantum each for body and point, two for the point's freedom to shake, and what a small turn moves.
+                ASSERT_NEAR(x, (double(joint.line[i].place.x) - scale.origin_x) / scale.quantum, 4);
+                ASSERT_NEAR(y, (double(joint.line[i].place.y) - scale.origin_y) / scale.quantum, 4);
+            }
+        }
+    }
+    EXPECT_GT(wanted.back().size(), 100u);
 }
 
 TEST(Recorder, BodiesOfTheSameShapesShareAModel) {

@@ -128,8 +128,10 @@ struct ChipmunkEngine::Impl {
 
     ~Impl() { clear(); }
 
-    /// The space goes first: taking bodies out of it one by one looks through all contacts for each.
+    /// The space goes first: taking bodies out of it one by one looks through all contacts for each. Before that, what sleeps is woken: the
+    /// space frees the contacts of sleepers by waking them, and would forget some.
     void clear() {
+        for (Body& body : bodies) cpBodyActivate(body.body);
         if (space != nullptr) cpSpaceFree(space);
         space = nullptr;
         for (Body& body : bodies) free_body(body);

@@ -1,0 +1,42 @@
+// A soft body: a ring of links that cannot stretch, filled with gas.
+//
+//   SoftBodyDef def = {.position = {0, 3}};
+//   Spawned ball = spawn(world, make_soft_body(def));
+//   for (;;) {
+//       apply_pressure(world, ball, def);  // before every step: a body's forces act for one step
+//       world.step(1.0f / 60);
+//   }
+//
+// The gas is of constant temperature, with a vacuum around it: pressure times area stays what it is. The skin is as long as it is, so the area is
+// largest, and the pressure lowest, when the body is round: that is `pressure`. What lies on a body of pressure p rests on a patch of width
+// weight / p.
+#pragma once
+
+#include <span>
+
+#include "prefab.hpp"
+
+namespace islet::samples {
+
+struct SoftBodyDef {
+    Vec2 position = {};          ///< m, of its middle
+    float radius = 0.5f;         ///< m, to the middle of its skin
+    std::size_t links = 20;
+    float thickness = 0.08f;     ///< m, of the skin: less than the length of a link
+    float density = 5;           ///< kg/m^2, of the skin
+    float pressure = 60;         ///< N/m, when it is round
+    float damping = 0.5f;        ///< 1/s: calms the waves that run around the skin
+    float friction = 0.6f;
+};
+
+/// Bodies: the links, counter-clockwise. Joint i hinges link i to the next one.
+Prefab make_soft_body(const SoftBodyDef& def);
+/// Pushes the skin outwards, over the next step, with the pressure that the gas has at its present area.
+void apply_pressure(World& world, const Spawned& soft, const SoftBodyDef& def);
+void apply_pressure(Engine& engine, const Placed& soft, const SoftBodyDef& def);
+/// The area inside the ring of hinges, m^2; when it is round, and now.
+float round_area(const SoftBodyDef& def);
+float area_of(const World& world, const Spawned& soft, const SoftBodyDef& def);
+float area_of(const Engine& engine, const Placed& soft, const SoftBodyDef& def);
+
+}  // namespace islet::samples

@@ -1,0 +1,29 @@
+// What ropes, chains and bridges have in common: equal links, hinged end to end, that span from one point to another.
+#pragma once
+
+#include <functional>
+
+#include "prefab.hpp"
+
+namespace islet::samples {
+
+struct SpanDef {
+    Vec2 from = {}, to = {};       ///< m
+    float slack = 1;               ///< >= 1: the line's length over the distance of its ends
+    std::size_t links = 1;
+    bool hold_from = false;        ///< a static body holds this end
+    bool hold_to = false;          ///< and this one
+    bool rope_limit = false;       ///< one more joint keeps the ends within 1.01 times the line's length, however heavy the load
+    RevoluteJointDef hinge = {};   ///< friction, spring and breaking force of every hinge; the rest is filled in
+    BodyDef link = {};             ///< damping and the like; the rest is filled in
+};
+
+/// Half of a link's length, m.
+float half_link(const SpanDef& def);
+
+/// A link lies along its x axis, from (-half, 0) to (half, 0). Bodies: the links from `from` to `to`, then what holds the ends. Joint i hinges
+/// link i to link i + 1; then come the ends' hinges and the limit. Where there is slack, the links start on an arc to the right of the
+/// way: below it if `from` is on the left.
+Prefab make_span(const SpanDef& def, const std::function<std::vector<SceneShape>(float half, std::size_t index)>& shapes_of_link);
+
+}  // namespace islet::samples
