@@ -1,4 +1,6 @@
-// The headless runner: lists the scenes, runs one, prints what happened, and says by its exit status whether the scene's check passed.
+// The headless runner: lists the scenes, runs one, prints what happened, and says by its exit status whether the scene's check passed. Or it
+// times scenes, in Islet and in other engines.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -9,6 +11,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "bench.hpp"
+#include "html.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "runner.hpp"
@@ -21,8 +25,14 @@ using namespace islet::samples;
 enum ExitStatus { ok = 0, check_failed = 1, wrong_usage = 2 };
 
 struct RunCommand {
-    std::string scene, csv_path, svg_path;
+    std::string scene, csv_path, svg_path, html_path;
     RunOptions options;
+    bool json = false;
+};
+
+struct BenchCommand {
+    std::vector<std::string> scenes, engines;
+    BenchOptions options;
     bool json = false;
 };
 
@@ -53,24 +63,76 @@ bool close_output(std::ofstream& file) {
 int run_scene(const RunCommand& command) {
     const SceneInfo* info = find_scene(command.scene);
     if (info == nullptr) return unknown_scene(command.scene);
-    std::ofstream csv, svg;
+    std::ofstream csv, svg, html;
     if (!open_output(csv, command.csv_path)) return wrong(fmt::format("cannot write '{}'", command.csv_path));
     if (!open_output(svg, command.svg_path)) return wrong(fmt::format("cannot write '{}'", command.svg_path));
+    if (!open_output(html, command.html_path)) return wrong(fmt::format("cannot write '{}'", command.html_path));
 
     Run run(info->make(), command.options);
+    std::optional<Recorder> recorder;
+    if (html.is_open()) recorder.emplace(run);
     ProgressBar bar(run.scene.steps);
     if (csv.is_open()) csv << csv_header();
     const RunResult result = run.run([&](const StepRecord& record) {
         if (csv.is_open()) csv << csv_line(record, run);
+        if (recorder) recorder->observe(record);
         bar.update(record.step);
     });
     bar.clear();
 
     if (svg.is_open()) svg << draw_svg(picture_of(run));
+    if (recorder) {
+        html << player_page(run, result, *recorder);
+        if (recorder->stride() > 1)
+            fmt::print(stderr, "islet: to keep the page small, '{}' shows one step of every {}{}\n", command.html_path, recorder->stride(),
+                       recorder->has_contacts() ? "" : ", without contacts");
+    }
     if (!close_output(csv)) return wrong(fmt::format("cannot write all of '{}'", command.csv_path));
     if (!close_output(svg)) return wrong(fmt::format("cannot write all of '{}'", command.svg_path));
+    if (!close_output(html)) return wrong(fmt::format("cannot write all of '{}'", command.html_path));
     fmt::print("{}", command.json ? json_of(result) : table_of(result));
     return result.passed() ? ok : check_failed;
+}
+
+int unknown_engine(const std::string& name) {
+    std::vector<std::string> names;
+    for (const islet::engines::EngineInfo& info : islet::engines::registry()) names.emplace_back(info.name);
+    return wrong(fmt::format("there is no engine '{}' in this build; there are: {}", name, fmt::join(names, ", ")));
+}
+
+/// Appends what is not there yet.
+template <class Item>
+void add_once(std::vector<const Item*>& list, const Item& item) {
+    if (std::find(list.begin(), list.end(), &item) == list.end()) list.push_back(&item);
+}
+
+int run_bench(const BenchCommand& command) {
+    BenchOptions options = command.options;
+    for (const std::string& name : command.scenes) {
+        const SceneInfo* info = find_scene(name);
+        if (info == nullptr) return unknown_scene(name);
+        add_once(options.scenes, *info);
+    }
+    for (const std::string& name : command.engines) {
+        const islet::engines::EngineInfo* info = islet::engines::find_engine(name);
+        if (info == nullptr) return unknown_engine(name);
+        add_once(options.engines, *info);
+    }
+    for (const SceneInfo& info : catalogue()) {
+        if (command.scenes.empty() && std::string(info.group) == "benchmark") options.scenes.push_back(&info);
+    }
+    for (const islet::engines::EngineInfo& info : islet::engines::registry()) {
+        if (command.engines.empty()) options.engines.push_back(&info);
+    }
+
+    std::optional<ProgressBar> bar;
+    const std::vector<BenchResult> results = bench(options, [&bar](int done, int total) {
+        if (!bar) bar.emplace(total);
+        bar->update(done);
+    });
+    if (bar) bar->clear();
+    fmt::print("{}", command.json ? json_of(results) : table_of(results));
+    return ok;
 }
 
 /// A range lets NaN through, since NaN is neither below nor above anything.
@@ -84,8 +146,11 @@ struct CommandLine {
     CLI::App app{"Islet: runs the scenes of the 2D physics engine without a screen"};
     CLI::App* list = app.add_subcommand("list", "every scene, grouped, with one line each");
     CLI::App* run = app.add_subcommand("run", "runs a scene and prints what happened; exit status 1 if its check failed");
+    CLI::App* bench =
+        app.add_subcommand("bench", "times scenes in several engines, taken in turns: medians, and how many times Islet's time");
     bool list_json = false;
     RunCommand command;
+    BenchCommand bench_command;
 
     CommandLine() {
         app.require_subcommand(1);
@@ -101,7 +166,17 @@ struct CommandLine {
         run->add_option("--hash-every", o.hash_every, "print the state's hash every so many steps")->check(CLI::Range(1, 100'000'000));
         run->add_option("--csv", command.csv_path, "write a line of numbers per step to this file");
         run->add_option("--svg", command.svg_path, "draw the last state to this file");
+        run->add_option("--html", command.html_path, "write a page that plays the run back to this file");
         run->add_flag("--json", command.json, "print one JSON object");
+
+        // The bounds keep the number of all steps below 2^31.
+        BenchOptions& b = bench_command.options;
+        bench->add_option("scene", bench_command.scenes, "names of scenes; the group benchmark if none is given");
+        bench->add_option("--engine", bench_command.engines, "an engine to time, once or more; all there are if not given");
+        bench->add_option("--workers", b.workers, "threads for Islet to step with")->check(CLI::Range(1, 256));
+        bench->add_option("--repeat", b.repeat, "runs of each engine, of which the medians are taken")->check(CLI::Range(1, 100));
+        bench->add_option("--steps", b.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(1, 100'000));
+        bench->add_flag("--json", bench_command.json, "print a JSON list; its profile is null, as Islet takes no clock yet");
     }
 };
 
@@ -110,11 +185,11 @@ int execute(CommandLine& line) {
         fmt::print("{}", line.list_json ? catalogue_json() : catalogue_table());
         return ok;
     }
-    if (line.command.options.workers > 1) {
-        fmt::print(stderr, "islet: this build steps with one worker\n");
-        line.command.options.workers = 1;
+    for (std::uint32_t* workers : {&line.command.options.workers, &line.bench_command.options.workers}) {
+        if (*workers > 1) fmt::print(stderr, "islet: this build steps with one worker\n");
+        *workers = 1;
     }
-    return run_scene(line.command);
+    return line.bench->parsed() ? run_bench(line.bench_command) : run_scene(line.command);
 }
 
 }  // namespace

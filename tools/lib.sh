@@ -42,6 +42,7 @@ need_build_tools() {
 need_test_tools() {
     need libgtest-dev header_exists gtest/gtest.h
     need libbox2d-dev header_exists box2d/box2d.h
+    need libchipmunk-dev header_exists chipmunk/chipmunk.h
 }
 
 # Installs everything that need found missing.

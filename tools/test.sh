@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang, with sanitizers and unoptimised, and the scripts checked: what CI runs
+#   tools/test.sh --all        the same once more with clang, with sanitizers and unoptimised, pages played in a browser, and the scripts
+#                              checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
-# Installs a compiler, CMake, Box2D and GoogleTest (and for the options: clang, gcovr, shellcheck) with apt if they are missing.
+# Installs a compiler, CMake, Box2D, Chipmunk and GoogleTest with apt if they are missing (and for the options: clang, gcovr, shellcheck, Node.js,
+# npm, Chromium; npm fetches what drives it).
 set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"
@@ -17,7 +19,7 @@ for argument in "$@"; do
     --all) all=true ;;
     --coverage) coverage=true ;;
     -h | --help)
-        sed -n '2,6s/^# \{0,1\}//p' "$0"
+        sed -n '2,8s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
     *) die "$0: unknown option $argument; there are --all and --coverage" ;;
@@ -29,6 +31,9 @@ need_test_tools
 if $all; then
     need clang command_exists clang++
     need shellcheck command_exists shellcheck
+    need nodejs command_exists node
+    need npm command_exists npm
+    need chromium command_exists chromium
 fi
 if $coverage; then need gcovr command_exists gcovr; fi
 install_missing
@@ -41,7 +46,8 @@ run_tests() {
     local preset=$1 log=$root/build/$1/tests.log status=0
     shift
     say "$preset: building"
-    configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS=ON -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON
+    configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS=ON -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON \
+        -DISLET_BROWSER_TESTS="$([ "$preset" = release ] && $all && echo ON || echo OFF)"
     build "$preset"
     say "$preset: testing"
     # A failed test must not end the script here: the other builds are tested too.
@@ -69,11 +75,20 @@ check_scripts() {
     results+=("scripts: $([ "$status" -eq 0 ] && echo clean || echo 'shellcheck complains') (${#scripts[@]} files)")
 }
 
+# What drives the browser, in the versions that package-lock.json names; fetched once.
+fetch_browser_driver() {
+    local folder=$root/tests/browser
+    [ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ] && return
+    say "fetching the browser's driver"
+    (cd "$folder" && npm ci --no-audit --no-fund) >&2
+}
+
 if $coverage; then
     find "$root/build/coverage" -name '*.gcda' -delete 2>/dev/null || true
     run_tests coverage
     measure_coverage
 fi
+if $all; then fetch_browser_driver; fi
 if $all || ! $coverage; then run_tests release; fi
 if $all; then
     check_scripts

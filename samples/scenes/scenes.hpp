@@ -12,6 +12,8 @@ Scene make_bounce();
 Scene make_friction_ramp();
 Scene make_rolling();
 Scene make_newtons_cradle();
+Scene make_pendulum();
+Scene make_double_pendulum();
 Scene make_far_from_origin();
 
 // stacks
@@ -24,6 +26,20 @@ Scene make_mass_ratio();
 Scene make_confined();
 Scene make_cairn();
 
+// joints
+Scene make_rope();
+Scene make_chain_ball();
+Scene make_bridge();
+Scene make_breakable_bridge();
+Scene make_door();
+Scene make_seesaw();
+Scene make_elevator();
+Scene make_pulley();
+Scene make_gears();
+Scene make_scissor_lift();
+Scene make_car();
+Scene make_ragdoll();
+Scene make_mouse_drag();
 // soft
 Scene make_cloth_scene();
 Scene make_flag();

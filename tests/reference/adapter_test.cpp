@@ -8,6 +8,7 @@ namespace {
 
 using namespace islet;
 using namespace islet::compare;
+using namespace islet::engines;
 using samples::BodyState;
 using samples::IsletEngine;
 using samples::Scene;

@@ -7,6 +7,8 @@
 
 namespace islet::compare {
 
+using namespace engines;
+
 Comparison compare_scene(const samples::SceneInfo& info, const Tolerance& tolerance, int steps, std::string* svg) {
     samples::IsletEngine islet;
     Box2dEngine reference({.substeps = reference_substeps});

@@ -10,6 +10,8 @@
 
 namespace islet::compare {
 
+using namespace engines;
+
 namespace {
 
 double median(std::vector<double> values) {
@@ -32,7 +34,7 @@ Timing time_both(const samples::SceneInfo& info, int steps) {
     Timing timing;
     timing.scene = info.name;
     timing.steps = steps > 0 ? steps : scene.steps;
-    timing.lacks = box2d_lacks(scene);
+    timing.lacks = box2d_lacks_even_nearest(scene);
     timing.reference = Box2dEngine().name();
     if (!timing.lacks.empty()) return timing;
 
@@ -40,7 +42,7 @@ Timing time_both(const samples::SceneInfo& info, int steps) {
     for (int run = 0; run < timed_runs; ++run) {
         samples::IsletEngine islet;
         timing.islet_ms.push_back(run_ms(islet, info, timing.steps));
-        Box2dEngine reference({.skin = Skin::outside, .continuous = false});
+        Box2dEngine reference({.skin = Skin::outside, .continuous = false, .nearest = true});
         timing.reference_ms.push_back(run_ms(reference, info, timing.steps));
         ratios.push_back(timing.reference_ms.back() / timing.islet_ms.back());
     }

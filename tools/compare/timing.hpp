@@ -20,7 +20,8 @@ struct Timing {
 inline constexpr int timed_runs = 3;
 
 /// Times World::step against b2World::Step, scripts included and loading not. Box2D makes one step of dt with 8 velocity and 3 position
-/// iterations, with shapes as its users make them and without continuous collision, which Islet has not (README.md says why that is kinder).
+/// iterations, with shapes as its users make them, the nearest it has for capsules, rounded
+/// polygons and hinge springs (box2d_nearest.hpp), and without continuous collision, which Islet has not (README.md says why that is kinder).
 /// steps 0: as many as the scene has.
 Timing time_both(const samples::SceneInfo& info, int steps);
 

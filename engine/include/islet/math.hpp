@@ -113,8 +113,8 @@ float angle_of(Rot q);
 float atan2(float y, float x);
 /// q scaled back to unit length; the identity if q is degenerate.
 Rot normalize(Rot q);
-/// q turned further by a small angle d (radians) and normalised: the integration of an angular velocity over a step. The turn is short by
-/// d^5 / 45, and never beyond half a turn; a non-finite d turns nothing.
+/// q turned further by an angle d (radians) and normalised: the integration of an angular velocity over a step. Within 1e-7 rad for |d| <= 0.5 and
+/// 1e-3 rad for |d| <= pi/2; larger turns are cut to pi/2, and a NaN turns nothing.
 Rot integrate(Rot q, float delta_radians);
 
 }  // namespace islet

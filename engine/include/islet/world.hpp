@@ -245,6 +245,10 @@ public:
     Vec2 target(JointId joint) const;
     void set_target(JointId joint, Vec2 target);
 
+    /// The fixed points of a pulley, m in the world.
+    Vec2 ground_a(JointId joint) const;
+    Vec2 ground_b(JointId joint) const;
+
     /// What the joint did to body B over the last substep: force in N, torque about B's anchor in N m. A gets the opposite (a pulley's A is pulled
     /// along its own rope).
     Vec2 joint_force(JointId joint) const;

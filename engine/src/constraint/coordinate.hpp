@@ -1,7 +1,7 @@
 // What acts on the one coordinate a joint leaves free: a spring, a motor, dry friction, and two limits, each a row of its own.
 //
 // All share one Jacobian J and K = J M^-1 J^T; with x the coordinate and Cdot = dx/dt:
-//     spring    soft row to `target`
+//     spring    soft row to `target`, in sweeps with bias
 //     motor     Cdot = speed,  |lambda| <= h max_force
 //     friction  Cdot = 0,      |lambda| <= h friction
 //     lower     C = x - lower >= 0,  lambda >= 0
@@ -38,7 +38,7 @@ template <std::uint32_t W>
 float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n) {
     const std::uint32_t parts = coordinate_parts(j);
     const bool spring = (parts & part_spring) != 0, motor = (parts & part_motor) != 0, limit = (parts & part_limit) != 0;
-    const Softness soft = spring ? make_soft(j.spring_hertz, j.spring_damping_ratio, n.h) : Softness{0, 0, 1};
+    const Softness soft = spring ? make_spring(j.spring_hertz, j.spring_damping_ratio, n.h) : Softness{0, 0, 1};
     r.spring_rate[lane] = soft.rate;
     r.spring_mass_scale[lane] = soft.mass_scale;
     r.spring_impulse_scale[lane] = soft.impulse_scale;
@@ -82,7 +82,7 @@ ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, st
     const F zero = L::splat(0.0f);
     const F m = L::splat(n.omega) * inverse_or_zero<L>(k);
     F sum = zero;
-    if ((parts & part_spring) != 0) {
+    if ((parts & part_spring) != 0 && n.biased) {
         const F old = L::load(r.spring);
         const F delta = -(m * L::load(r.spring_mass_scale) * (speed + L::load(r.spring_rate) * (x - L::load(r.target)))) -
                         L::load(r.spring_impulse_scale) * old;

@@ -26,4 +26,19 @@ inline Softness make_soft(float hertz, float damping_ratio, float h) {
     return {omega / a1, a2 * a3, a3};
 }
 
+/// A spring that swings at its frequency and decays by its damping ratio. Fully implicit stiffness would add hw / 2 to the damping ratio: 1.3 % of
+/// critical at 1 Hz and 240 substeps a second, 6.5 % at 5 Hz. Stiffness is therefore explicit as long as the substep follows the swing, and turns
+/// implicit from hw = 0.5 on (19 Hz at 240 substeps); the damper is always implicit. a1 = 2 z + k instead of 2 z + hw, with k = hw min(1, (2 hw)^2);
+/// a2 rate = h omega^2 as before, so a spring at rest gives way by exactly force / stiffness. For sweeps with bias only, where the force is taken at
+/// the start of the substep: symplectic Euler. It adds k / 2 to the damping ratio: 0.4 % of critical at 5 Hz.
+inline Softness make_spring(float hertz, float damping_ratio, float h) {
+    const float omega = 2.0f * pi * hertz;
+    const float turn = h * omega;
+    const float a1 = 2.0f * damping_ratio + turn * min(1.0f, 4.0f * turn * turn);
+    if (!(a1 > 0)) return {0, 0, 0};
+    const float a2 = turn * a1;
+    const float a3 = 1.0f / (1.0f + a2);
+    return {omega / a1, a2 * a3, a3};
+}
+
 }  // namespace islet::detail

@@ -30,12 +30,14 @@ Rot normalize(Rot q) {
     return {q.c * inv_length, q.s * inv_length};
 }
 
-/// The step is (1 - d^2/3, d), whose angle is atan(d / (1 - d^2/3)) = d - d^5/45 + ...: the usual (1, d) is off by d^3/3 already. Larger
-/// steps fall short of d, but never go beyond half a turn.
+/// Sine and cosine by their series up to d^7, which lengths are then taken out of. Larger steps than pi/2, which no body makes, are cut.
 Rot integrate(Rot q, float delta_radians) {
-    const float d = delta_radians;
-    if (!(abs(d) < 1e6f)) return normalize(q);  // NaN, or a square that could overflow
-    return normalize(q * Rot{1.0f - d * d * (1.0f / 3.0f), d});
+    if (delta_radians != delta_radians) return normalize(q);
+    const float d = clamp(delta_radians, -0.5f * pi, 0.5f * pi);
+    const float z = d * d;
+    const float c = 1.0f - z * (0.5f - z * (1.0f / 24 - z * (1.0f / 720)));
+    const float s = d * (1.0f - z * (1.0f / 6 - z * (1.0f / 120 - z * (1.0f / 5040))));
+    return normalize(q * Rot{c, s});
 }
 
 }  // namespace islet

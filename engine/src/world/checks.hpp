@@ -23,7 +23,7 @@ inline bool check_finite(const Core& core, Vec2 a) { return check(core, is_finit
 inline bool check_range(const Core& core, float a, float lo, float hi) {
     return check_finite(core, a) && check(core, a >= lo && a <= hi, Error::out_of_range);
 }
-inline constexpr float no_limit = 3.4e38f;
+inline constexpr float no_limit = 3.402823466e38f;  // the largest float
 
 inline bool check_position(const Core& core, Vec2 p) {
     return check_range(core, p.x, -max_position, max_position) && check_range(core, p.y, -max_position, max_position);

@@ -113,6 +113,8 @@ float World::joint_friction(JointId id) const { ISLET_READ_JOINT(with_friction, 
 float World::motor_force(JointId id) const { ISLET_READ_JOINT(with_coordinate, force_of(c, j.motor_impulse)); }
 float World::joint_length(JointId id) const { ISLET_READ_JOINT(bit(JointType::distance), j.length); }
 Vec2 World::target(JointId id) const { ISLET_READ_JOINT(bit(JointType::mouse), j.local_a); }
+Vec2 World::ground_a(JointId id) const { ISLET_READ_JOINT(bit(JointType::pulley), j.ground_a); }
+Vec2 World::ground_b(JointId id) const { ISLET_READ_JOINT(bit(JointType::pulley), j.ground_b); }
 float World::joint_position(JointId id) const { ISLET_READ_JOINT(with_coordinate, joint_coordinate(c, j)); }
 Vec2 World::joint_force(JointId id) const { ISLET_READ_JOINT(~0u, (Vec2{force_of(c, j.force_impulse.x), force_of(c, j.force_impulse.y)})); }
 float World::joint_torque(JointId id) const { ISLET_READ_JOINT(~0u, force_of(c, j.torque_impulse)); }

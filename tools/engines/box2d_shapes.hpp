@@ -7,7 +7,7 @@
 
 #include "box2d_engine.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 /// The shape, or null if Box2D has none like it (capsules, rounded polygons).
 std::unique_ptr<b2Shape> make_box2d_shape(const samples::SceneGeometry& geometry, Skin skin);
@@ -15,4 +15,4 @@ std::unique_ptr<b2Shape> make_box2d_shape(const samples::SceneGeometry& geometry
 /// Mass, centre and inertia about the body's origin, as Box2D computes them from shapes of the scene's sizes.
 b2MassData box2d_mass(const samples::SceneBody& body);
 
-}  // namespace islet::compare
+}  // namespace islet::engines

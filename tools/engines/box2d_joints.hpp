@@ -8,7 +8,7 @@
 
 #include "engine.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 /// Empty, or the first thing that Box2D 2.4 lacks to make the joint.
 std::string joint_lacks(const samples::SceneJoint& joint);
@@ -47,4 +47,4 @@ private:
     std::vector<Entry> joints_;
 };
 
-}  // namespace islet::compare
+}  // namespace islet::engines

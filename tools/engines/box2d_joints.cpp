@@ -6,7 +6,7 @@
 
 #include "box2d_engine.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 using samples::SceneJoint;
 
@@ -365,7 +365,10 @@ float Box2dJoints::motor_force(std::size_t index, float h) const {
 }
 
 Vec2 Box2dJoints::force(std::size_t index, float h) const {
-    const b2Vec2 force = joints_.at(index).joint->GetReactionForce(1 / h);
+    b2Joint* joint = joints_.at(index).joint;
+    b2Vec2 force = joint->GetReactionForce(1 / h);
+    // Of a pulley Box2D tells the pull on A's side, along the rope away from the pulley.
+    if (joint->GetType() == e_pulleyJoint) force = -static_cast<b2PulleyJoint*>(joint)->GetRatio() * force;
     return {force.x, force.y};
 }
 
@@ -384,4 +387,4 @@ float Box2dEngine::motor_force(std::size_t index) const { return joints_->motor_
 Vec2 Box2dEngine::joint_force(std::size_t index) const { return joints_->force(index, substep_); }
 float Box2dEngine::joint_torque(std::size_t index) const { return joints_->torque(index, substep_); }
 
-}  // namespace islet::compare
+}  // namespace islet::engines

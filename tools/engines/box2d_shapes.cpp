@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "box2d_joints.hpp"
+#include "box2d_nearest.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 using samples::Chain;
 using samples::Scene;
@@ -105,6 +106,8 @@ std::string box2d_lacks(const Scene& scene) {
     return {};
 }
 
+std::string box2d_lacks_even_nearest(const Scene& scene) { return box2d_lacks(box2d_nearest(scene)); }
+
 std::unique_ptr<b2Shape> make_box2d_shape(const SceneGeometry& geometry, Skin skin) { return std::visit(Maker{skin}, geometry); }
 
 b2MassData box2d_mass(const SceneBody& body) {
@@ -124,4 +127,4 @@ b2MassData box2d_mass(const SceneBody& body) {
     return total;
 }
 
-}  // namespace islet::compare
+}  // namespace islet::engines

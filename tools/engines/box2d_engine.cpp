@@ -7,9 +7,10 @@
 #include <box2d/box2d.h>
 
 #include "box2d_joints.hpp"
+#include "box2d_nearest.hpp"
 #include "box2d_shapes.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 using samples::BodyState;
 using samples::EngineCounts;
@@ -84,10 +85,13 @@ void Box2dEngine::load(const Scene& scene) {
     for (const samples::SceneJoint& joint : scene.joints) create_joint(joint);
 }
 
-void Box2dEngine::make_joint(const samples::SceneJoint& joint) { joints_->make(impl_->bodies, joint); }
+void Box2dEngine::make_joint(const samples::SceneJoint& joint) {
+    joints_->make(impl_->bodies, impl_->options.nearest ? box2d_nearest(joint) : joint);
+}
 
-std::size_t Box2dEngine::create_body(const SceneBody& body) {
+std::size_t Box2dEngine::create_body(const SceneBody& wanted) {
     Impl& m = *impl_;
+    const SceneBody body = m.options.nearest ? box2d_nearest(wanted) : wanted;
     b2BodyDef def;
     def.type = to_b2(body.def.type);
     def.position = to_b2(body.def.position);
@@ -187,4 +191,4 @@ void Box2dEngine::apply_impulse(std::size_t index, Vec2 impulse) {
     impl_->bodies.at(index)->ApplyLinearImpulseToCenter(to_b2(impulse), true);
 }
 
-}  // namespace islet::compare
+}  // namespace islet::engines

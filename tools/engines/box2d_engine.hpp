@@ -6,7 +6,7 @@
 
 #include "engine.hpp"
 
-namespace islet::compare {
+namespace islet::engines {
 
 /// Box2D 2.4 wraps polygons and segments in a skin of 1 cm, which is what touches: a unit box is 1.02 m to its neighbours.
 enum class Skin {
@@ -20,10 +20,13 @@ struct Box2dOptions {
     int velocity_iterations = 8;  ///< per call
     int position_iterations = 3;  ///< per call
     bool continuous = true;       ///< stop fast bodies at static ones between steps
+    bool nearest = false;         ///< build the nearest thing Box2D has of what it has not (box2d_nearest.hpp)
 };
 
 /// Empty if Box2D 2.4 has every feature the scene uses; else a sentence that names the first one missing.
 std::string box2d_lacks(const samples::Scene& scene);
+/// The same when it may build the nearest thing it has.
+std::string box2d_lacks_even_nearest(const samples::Scene& scene);
 
 class Box2dJoints;
 
@@ -66,4 +69,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace islet::compare
+}  // namespace islet::engines

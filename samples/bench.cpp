@@ -1,0 +1,123 @@
+#include "bench.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace islet::samples {
+namespace {
+
+using engines::EngineInfo;
+
+/// An engine's part in a scene.
+struct Contender {
+    const EngineInfo* engine = nullptr;
+    BenchResult result;
+    std::vector<BenchRun> runs;
+};
+
+/// The scene's contenders, also those that cannot build it.
+std::vector<Contender> contenders(const SceneInfo& info, const BenchOptions& options) {
+    const Scene scene = info.make();
+    std::vector<Contender> list;
+    for (const EngineInfo* engine : options.engines) {
+        Contender contender;
+        contender.engine = engine;
+        contender.result.engine = engine->name;
+        contender.result.scene = info.name;
+        contender.result.lacks = engine->lacks(scene);
+        contender.result.steps = options.steps.value_or(scene.steps);
+        contender.result.workers = std::string(engine->name) == "islet" ? options.workers : 1;
+        list.push_back(std::move(contender));
+    }
+    return list;
+}
+
+/// A scene of its own for each run: scripts keep state.
+BenchRun run_once(const EngineInfo& engine_info, const SceneInfo& info, int steps, const std::function<void()>& stepped) {
+    const Scene scene = info.make();
+    const std::unique_ptr<Engine> engine = engine_info.make();
+    engine->load(scene);
+    BenchRun run;
+    run.step_ms.reserve(static_cast<std::size_t>(steps));
+    for (int i = 0; i < steps; ++i) {
+        run.step_ms.push_back(engine->advance(scene, i, scene.dt));
+        stepped();
+    }
+    const EngineCounts counts = engine->counts();
+    run.bodies = counts.bodies;
+    run.contacts = counts.contacts;
+    return run;
+}
+
+/// Each repeat begins with another engine, so that none always runs first.
+void take_turns(std::vector<Contender>& list, const SceneInfo& info, int repeat, const std::function<void()>& stepped) {
+    for (int turn = 0; turn < repeat; ++turn) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            Contender& contender = list[(i + static_cast<std::size_t>(turn)) % list.size()];
+            if (contender.result.lacks.empty())
+                contender.runs.push_back(run_once(*contender.engine, info, contender.result.steps, stepped));
+        }
+    }
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+double percentile(std::vector<double> values, double percent) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const auto rank = static_cast<std::size_t>(std::ceil(percent / 100 * double(values.size())));
+    return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
+}
+
+double total_ms(const BenchRun& run) { return std::accumulate(run.step_ms.begin(), run.step_ms.end(), 0.0); }
+
+void summarise(const std::vector<BenchRun>& runs, const std::vector<BenchRun>& reference, BenchResult& result) {
+    if (runs.empty()) return;
+    std::vector<double> total, p50, p99, ratios;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        total.push_back(total_ms(runs[i]));
+        p50.push_back(median(runs[i].step_ms));
+        p99.push_back(percentile(runs[i].step_ms, 99));
+        // Two runs of one turn are close in time: what disturbed one is likely to have disturbed the other.
+        if (i < reference.size() && total_ms(reference[i]) > 0) ratios.push_back(total.back() / total_ms(reference[i]));
+    }
+    result.ms_total = median(total);
+    result.ms_per_step_p50 = median(p50);
+    result.ms_per_step_p99 = median(p99);
+    if (!ratios.empty()) result.ratio = median(ratios);
+    result.bodies = runs.back().bodies;
+    result.contacts = runs.back().contacts;
+}
+
+std::vector<BenchResult> bench(const BenchOptions& options, const std::function<void(int, int)>& observer) {
+    std::vector<std::vector<Contender>> scenes;
+    int total = 0, done = 0;
+    for (const SceneInfo* info : options.scenes) {
+        scenes.push_back(contenders(*info, options));
+        for (const Contender& c : scenes.back()) total += c.result.lacks.empty() ? options.repeat * c.result.steps : 0;
+    }
+
+    std::vector<BenchResult> results;
+    for (std::size_t s = 0; s < scenes.size(); ++s) {
+        take_turns(scenes[s], *options.scenes[s], options.repeat, [&] { observer(++done, total); });
+        std::vector<BenchRun> reference;
+        for (const Contender& c : scenes[s]) {
+            if (c.result.engine == "islet") reference = c.runs;
+        }
+        for (Contender& c : scenes[s]) {
+            summarise(c.runs, reference, c.result);
+            results.push_back(std::move(c.result));
+        }
+    }
+    return results;
+}
+
+}  // namespace islet::samples

@@ -1,0 +1,56 @@
+// Times scenes in one engine after another, in turns within one process, so that a noisy machine disturbs all alike.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "registry.hpp"
+#include "scene.hpp"
+
+namespace islet::samples {
+
+struct BenchOptions {
+    std::vector<const SceneInfo*> scenes;
+    std::vector<const engines::EngineInfo*> engines;
+    std::optional<int> steps;   // the scene's own if not given
+    int repeat = 3;             // runs of each engine, at least 1
+    std::uint32_t workers = 1;  // of Islet; the other engines have one thread
+};
+
+/// One run of one scene in one engine, from a fresh world.
+struct BenchRun {
+    std::vector<double> step_ms;  // the engine's own step alone, scripts left out
+    std::size_t bodies = 0;       // after the last step
+    std::size_t contacts = 0;     // after the last step, as the engine counts them
+};
+
+/// What the runs of an engine come to.
+struct BenchResult {
+    std::string engine, scene;
+    std::string lacks;  // why the engine cannot build the scene: a sentence, and nothing below holds; else empty
+    std::uint32_t workers = 1;
+    int steps = 0;
+    std::size_t bodies = 0, contacts = 0;
+    double ms_total = 0, ms_per_step_p50 = 0, ms_per_step_p99 = 0;  // each the median over the runs
+    std::optional<double> ratio;  // median over the turns of its time by Islet's; none if Islet was not timed
+};
+
+/// The middle value, or the mean of the two middle ones; 0 of none.
+double median(std::vector<double> values);
+/// The smallest value that at least `percent` % of the values do not exceed (nearest rank); 0 of none.
+double percentile(std::vector<double> values, double percent);
+double total_ms(const BenchRun& run);
+/// Fills in the numbers: medians over `runs`, and against `reference`, which has as many runs in the same turns, or is empty.
+void summarise(const std::vector<BenchRun>& runs, const std::vector<BenchRun>& reference, BenchResult& result);
+
+/// Scene by scene, each with its engines in the order asked for. `observer` hears after each step how many were taken of how many.
+std::vector<BenchResult> bench(const BenchOptions& options, const std::function<void(int done, int total)>& observer);
+
+std::string table_of(const std::vector<BenchResult>& results);
+std::string json_of(const std::vector<BenchResult>& results);
+
+}  // namespace islet::samples

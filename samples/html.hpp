@@ -1,0 +1,16 @@
+// A run as one HTML page that plays it back: no other file and no network needed.
+#pragma once
+
+#include <string>
+
+#include "recorder.hpp"
+
+namespace islet::samples {
+
+/// The page: the player (samples/player/) around the recording.
+std::string player_page(const Run& run, const RunResult& result, const Recorder& recorder);
+
+/// Binary data as text, as in RFC 4648.
+std::string base64(const std::string& bytes);
+
+}  // namespace islet::samples

@@ -1,0 +1,183 @@
+// Reads the frames of a recording, whose bytes samples/recording.hpp describes. Frames are told as changes, so going back means starting
+// over from an earlier frame: a copy of the state is kept every so many frames, as they are first passed.
+
+const framesPerCopy = 50;
+
+/// Rows of whole numbers by id. A row's change counts only if it was made in the frame before.
+class Table {
+    constructor(turn) {
+        this.turn = turn;
+        this.size = 0;
+        this.x = this.y = this.angle = this.dx = this.dy = this.turned = this.changedIn = new Int32Array(0);
+        this.live = new Uint8Array(0);
+    }
+
+    grow(size) {
+        this.size = Math.max(this.size, size);
+        if (size <= this.live.length) return;
+        const room = Math.max(64, 2 * size);
+        for (const name of ["x", "y", "angle", "dx", "dy", "turned", "changedIn", "live"]) {
+            const old = this[name];
+            this[name] = new old.constructor(room);
+            this[name].set(old);
+        }
+    }
+
+    copy() {
+        const copy = Object.assign(new Table(this.turn), this);
+        for (const name of ["x", "y", "angle", "dx", "dy", "turned", "changedIn", "live"]) copy[name] = this[name].slice(0, this.size);
+        return copy;
+    }
+}
+
+class State {
+    constructor(bodyTurn, contactTurn) {
+        this.position = 0; // in the bytes
+        this.bodies = new Table(bodyTurn);
+        this.types = []; // by body
+        this.models = []; // by body
+        this.awake = []; // by body
+        this.contacts = new Table(contactTurn);
+        this.joints = new Map(); // by id; points of a line, whose body is -1 where they are fixed in the world
+    }
+
+    copy() {
+        const copy = Object.assign(new State(), this);
+        copy.bodies = this.bodies.copy();
+        copy.types = this.types.slice();
+        copy.models = this.models.slice();
+        copy.awake = this.awake.slice();
+        copy.contacts = this.contacts.copy();
+        copy.joints = new Map(this.joints);
+        return copy;
+    }
+}
+
+export class Recording {
+    /// `run` is the page's description of the run.
+    constructor(bytes, run) {
+        this.bytes = bytes;
+        this.frames = run.frames;
+        this.state = new State(run.bodyTurn, run.contactTurn);
+        this.frame = -1; // that `state` is of; -1 before the first
+        this.copies = [this.state.copy()]; // entry i is of frame i * framesPerCopy - 1
+    }
+
+    /// The state at a frame; good until the next call.
+    at(frame) {
+        if (frame < this.frame || frame >= this.frame + framesPerCopy) {
+            const copy = Math.min(Math.floor((frame + 1) / framesPerCopy), this.copies.length - 1);
+            const start = copy * framesPerCopy - 1;
+            if (frame < this.frame || start > this.frame) {
+                this.state = this.copies[copy].copy();
+                this.frame = start;
+            }
+        }
+        while (this.frame < frame) {
+            this.frame += 1;
+            this.#advance();
+            if ((this.frame + 1) % framesPerCopy === 0 && this.copies.length === (this.frame + 1) / framesPerCopy) {
+                this.copies.push(this.state.copy());
+            }
+        }
+        return this.state;
+    }
+
+    #advance() {
+        const { state } = this;
+        this.#table(state.bodies, (id) => {
+            state.types[id] = this.#number();
+            state.models[id] = this.#number();
+            state.awake[id] = 1;
+        });
+        this.#set((id) => (state.awake[id] ^= 1));
+        this.#table(state.contacts, () => {});
+        this.#set((id) => state.joints.delete(id));
+        for (const id of this.#ids()) {
+            const points = [];
+            for (let count = this.#number(); count > 0; --count) {
+                const frame = this.#number();
+                points.push({ body: (frame >> 1) - 1, isDot: (frame & 1) === 1, x: this.#signed(), y: this.#signed() });
+            }
+            state.joints.set(id, points);
+        }
+    }
+
+    #table(table, readMore) {
+        this.#set((id) => (table.live[id] = 0));
+        let x = 0, y = 0, angle = 0;
+        for (const id of this.#ids()) {
+            table.grow(id + 1);
+            this.#row();
+            table.x[id] = x += this.x;
+            table.y[id] = y += this.y;
+            table.angle[id] = angle = (angle + this.angle) & (table.turn - 1);
+            table.live[id] = 1;
+            table.changedIn[id] = -1;
+            readMore(id);
+        }
+        const { frame } = this;
+        for (const id of this.#ids()) {
+            const goesOn = table.changedIn[id] === frame - 1;
+            this.#row();
+            const dx = this.x + (goesOn ? table.dx[id] : 0);
+            const dy = this.y + (goesOn ? table.dy[id] : 0);
+            const turned = this.angle + (goesOn ? table.turned[id] : 0);
+            table.x[id] += table.dx[id] = dx;
+            table.y[id] += table.dy[id] = dy;
+            table.turned[id] = turned;
+            table.angle[id] = (table.angle[id] + turned) & (table.turn - 1);
+            table.changedIn[id] = frame;
+        }
+    }
+
+    /// Reads a row into x, y and angle.
+    #row() {
+        const first = this.bytes[this.state.position++];
+        if (first === 255) {
+            this.x = this.#signed();
+            this.y = this.#signed();
+            this.angle = this.#signed();
+        } else {
+            this.x = Math.trunc(first / 27) - 4;
+            this.y = (Math.trunc(first / 3) % 9) - 4;
+            this.angle = (first % 3) - 1;
+        }
+    }
+
+    #ids() {
+        const ids = [];
+        this.#set((id) => ids.push(id));
+        return ids;
+    }
+
+    #set(visit) {
+        let id = 0;
+        for (let runs = this.#number(); runs > 0; --runs) {
+            id += this.#number();
+            for (let length = this.#number(); length > 0; --length) visit(id++);
+        }
+    }
+
+    #signed() {
+        const n = this.#number();
+        return (n >>> 1) ^ -(n & 1);
+    }
+
+    #number() {
+        let n = 0;
+        for (let shift = 0; ; shift += 7) {
+            const byte = this.bytes[this.state.position++];
+            n |= (byte & 0x7f) << shift;
+            if (!(byte & 0x80)) return n >>> 0;
+        }
+    }
+}
+
+/// Bytes from the text of an element of the page.
+export function bytesOf(id) {
+    const text = atob(document.getElementById(id).textContent.trim());
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+    return bytes;
+}

@@ -1,0 +1,98 @@
+// Records a run, step by step, for the player: see recording.hpp for the bytes, html.hpp for the page around them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "recorded_joints.hpp"
+#include "recording.hpp"
+#include "runner.hpp"
+
+namespace islet::samples {
+
+/// How metres become whole quanta. A body is drawn within half a quantum, on either axis, of where it was, and turned within half a
+/// 65536th of a turn; a contact is within half of contact_quanta.
+struct Scale {
+    double quantum = 1;  // m, a power of two: at most a 65536th of what the picture shows, if that is no smaller than 2^-20 m
+    double origin_x = 0, origin_y = 0;  // m
+
+    explicit Scale(const Aabb& view);
+    std::int32_t x(double metres) const { return quanta(metres - origin_x); }
+    std::int32_t y(double metres) const { return quanta(metres - origin_y); }
+    std::int32_t quanta(double metres) const;
+};
+
+/// Contacts are placed more coarsely than bodies, in steps of this many quanta.
+inline constexpr int contact_quanta = 8;
+
+/// What a step did, in numbers.
+struct FrameNumbers {
+    int step = 0;
+    double kinetic_energy = 0, potential_energy = 0;  // J
+    double max_penetration = 0, max_joint_error = 0;  // m
+    double ms = 0;                                    // of World::step
+    std::size_t bodies = 0, awake_bodies = 0, joints = 0, contacts = 0, touching = 0, islands = 0;
+};
+
+/// A shape as the player draws it: points in the body's frame, rounded by the radius. One point is a circle, two are a capsule; a negative
+/// radius means lines from point to point with nothing inside.
+struct Outline {
+    float radius = 0;  // m
+    std::vector<Vec2> points;
+};
+using Model = std::vector<Outline>;
+
+class Recorder {
+public:
+    /// Bytes that a recording may grow to: as text in the page they take a third more.
+    static constexpr std::size_t usual_budget = 14'000'000;
+
+    /// Records the state that the run starts from. The run must outlive the recorder.
+    explicit Recorder(const Run& run, std::size_t budget = usual_budget);
+    /// Records the state after a step. When the recording gets larger than the budget it is thinned, and what comes is recorded as thinly:
+    /// first every other step is dropped, then the contacts, then every other step again, as often as needed. The last step is always kept.
+    void observe(const StepRecord& record);
+
+    const std::string& bytes() const { return writer_.bytes(); }
+    const std::vector<FrameNumbers>& numbers() const { return numbers_; }
+    const std::vector<Model>& models() const { return models_; }
+    const Scale& scale() const { return scale_; }
+    /// Every so many steps are recorded.
+    int stride() const { return stride_; }
+    bool has_contacts() const { return has_contacts_; }
+
+private:
+    /// What is known of the body in a slot, to see when it has become another.
+    struct Known {
+        BodyId body;
+        BodyType type = BodyType::static_body;
+        std::vector<ShapeId> shapes;
+        std::uint32_t id = 0;  // in the recording
+    };
+
+    void record(const StepRecord& record);
+    void read_bodies();
+    void read_contacts(FrameNumbers& numbers);
+    void read_joints(FrameNumbers& numbers);
+    JointPoint quantised(const RecordedJoint::Point& point) const;
+    std::uint32_t id_of(std::uint32_t slot, BodyId body);
+    std::uint32_t model_of(const std::vector<ShapeId>& shapes);
+    void thin();
+    bool keeps(int step) const;
+
+    const Run& run_;
+    const std::size_t budget_;
+    const Scale scale_;
+    int stride_ = 1;
+    bool has_contacts_ = true;
+    Frame frame_;
+    RecordingWriter writer_;
+    std::vector<FrameNumbers> numbers_;
+    std::vector<Known> known_;  // by slot
+    std::vector<ShapeId> shapes_;
+    std::vector<Model> models_;
+    std::map<std::string, std::uint32_t> model_index_;  // by the models' bytes
+};
+
+}  // namespace islet::samples

@@ -1,0 +1,295 @@
+// Plays pages of `islet run --html` in a real browser, from files and without a network.
+// Environment: ISLET, the runner; CHROMIUM, the browser.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const folder = mkdtempSync(join(tmpdir(), "islet-player-"));
+const desktop = { viewport: { width: 1280, height: 760 } };
+const phone = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+let browser;
+
+before(async () => {
+    // A container's root has no sandbox, and often little shared memory.
+    const args = process.getuid?.() === 0 ? ["--no-sandbox", "--disable-dev-shm-usage"] : ["--disable-dev-shm-usage"];
+    browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args });
+});
+after(async () => {
+    await browser?.close();
+    rmSync(folder, { recursive: true });
+});
+
+function makePage(scene, ...options) {
+    const file = join(folder, `${[scene, ...options].join("")}.html`);
+    execFileSync(process.env.ISLET, ["run", scene, "--html", file, ...options]);
+    return file;
+}
+
+/// Opens a page of the scene, hands it to `use`, and fails on anything that the page complains of or asks the network for.
+async function withPage(scene, options, use, ...arguments_) {
+    const context = await browser.newContext(options);
+    await context.setOffline(true);
+    const page = await context.newPage();
+    const complaints = [];
+    page.on("pageerror", (error) => complaints.push(error.stack));
+    page.on("console", (message) => complaints.push(message.text()));
+    page.on("request", (request) => /^(file|data):/.test(request.url()) || complaints.push(`asked for ${request.url()}`));
+    await page.goto(pathToFileURL(makePage(scene, ...arguments_)).href);
+    await page.waitForFunction(() => document.documentElement.dataset.frame === "0");
+    await use(page);
+    assert.deepEqual(complaints, []);
+    await context.close();
+}
+
+const frameOf = (page) => page.evaluate(() => Number(document.documentElement.dataset.frame));
+const pictureOf = (page) => page.evaluate(() => document.getElementById("world").toDataURL());
+/// Waits until what was asked for is on the canvas.
+async function settle(page) {
+    for (let i = 0; i < 3; ++i) await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
+}
+const textOf = (page, id) => page.locator(`#${id}`).textContent();
+
+/// Middle of the pixels in the colour of awake bodies, in CSS pixels, and how many there are.
+function awakePixels(page) {
+    return page.evaluate(() => {
+        // Read from a copy, or the browser would remark on the player's canvas.
+        const canvas = document.getElementById("world");
+        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+        copy.drawImage(canvas, 0, 0);
+        const ratio = window.devicePixelRatio;
+        const { data, width } = copy.getImageData(0, 0, canvas.width, canvas.height);
+        const style = getComputedStyle(document.documentElement);
+        const wanted = [1, 2, 3].map((i) => parseInt(style.getPropertyValue(`--awake-${i}`).trim().slice(1), 16));
+        let count = 0, x = 0, y = 0;
+        for (let i = 0; i < data.length; i += 4) {
+            if (!wanted.includes((data[i] << 16) | (data[i + 1] << 8) | data[i + 2])) continue;
+            count += 1;
+            x += ((i / 4) % width) / ratio;
+            y += Math.floor(i / 4 / width) / ratio;
+        }
+        return { count, x: x / count, y: y / count };
+    });
+}
+
+async function changes(page, action) {
+    const old = await pictureOf(page);
+    await action();
+    await settle(page);
+    return (await pictureOf(page)) !== old;
+}
+
+test("shows the bodies, and they fall", async () => {
+    await withPage("hello", desktop, async (page) => {
+        const start = await awakePixels(page);
+        assert.ok(start.count > 500, `${start.count} pixels of the falling box`);
+        for (let i = 0; i < 30; ++i) await page.keyboard.press("ArrowRight");
+        await settle(page);
+        const later = await awakePixels(page);
+        assert.ok(later.y > start.y + 20, `from ${start.y} to ${later.y}`);
+        assert.ok(Math.abs(later.x - start.x) < 5);
+        assert.equal(await textOf(page, "step"), "30");
+        assert.equal(await textOf(page, "time"), "0.50");
+    });
+});
+
+test("plays at its speed, pauses, and starts over at the end", async () => {
+    await withPage("card_house", desktop, async (page) => {
+        const before_ = await pictureOf(page);
+        const started = Date.now();
+        await page.click("#play");
+        await page.waitForFunction(() => Number(document.documentElement.dataset.frame) >= 60);
+        const seconds = (Date.now() - started) / 1000;
+        assert.ok(seconds > 0.9, `a second of the run took ${seconds} s`);
+        assert.notEqual(await pictureOf(page), before_);
+        await page.keyboard.press(" ");
+        await settle(page);
+        const paused = await frameOf(page);
+        await page.waitForTimeout(200);
+        assert.equal(await frameOf(page), paused);
+
+        await page.keyboard.press("End");
+        await settle(page);
+        assert.equal(await frameOf(page), 3600);
+        await page.click("#play");
+        await page.waitForFunction(() => Number(document.documentElement.dataset.frame) < 100);
+    });
+});
+
+test("steps forward and back, and comes back to the same picture", async () => {
+    await withPage("pyramid", desktop, async (page) => {
+        const pictures = [];
+        for (let i = 0; i < 60; ++i) {
+            if (i % 20 === 0) pictures.push(await pictureOf(page));
+            await page.click("[data-command=forward]");
+            await settle(page);
+        }
+        assert.equal(await frameOf(page), 60);
+        for (let i = 60; i > 0; --i) {
+            await page.click("[data-command=back]");
+            await settle(page);
+            if ((i - 1) % 20 === 0) assert.equal(await pictureOf(page), pictures.pop());
+        }
+        assert.equal(await frameOf(page), 0);
+        await page.click("[data-command=back]");
+        await settle(page);
+        assert.equal(await frameOf(page), 0);
+    });
+});
+
+test("the scrubber leads anywhere", async () => {
+    await withPage("bounce", desktop, async (page) => {
+        const box = await page.locator("#scrubber").boundingBox();
+        await page.mouse.click(box.x + 0.5 * box.width, box.y + box.height / 2);
+        await settle(page);
+        assert.ok(Math.abs((await frameOf(page)) - 75) <= 2);
+        await page.mouse.click(box.x + 0.25 * box.width, box.y + box.height / 2);
+        await settle(page);
+        assert.ok(Math.abs((await frameOf(page)) - 37) <= 3);
+    });
+});
+
+test("speeds go from an eighth to four times", async () => {
+    await withPage("hello", desktop, async (page) => {
+        for (const wanted of ["2×", "4×", "4×"]) {
+            await page.keyboard.press("ArrowUp");
+            await settle(page);
+            assert.equal(await textOf(page, "speed"), wanted);
+        }
+        for (const wanted of ["2×", "1×", "½×", "¼×", "⅛×", "⅛×"]) {
+            await page.click("[data-command=slower]");
+            await settle(page);
+            assert.equal(await textOf(page, "speed"), wanted);
+        }
+    });
+});
+
+test("contacts can be hidden, and there is no switch for joints that do not exist", async () => {
+    await withPage("pyramid", desktop, async (page) => {
+        await page.keyboard.press("ArrowRight"); // there are none before the first step
+        await settle(page);
+        const with_ = await pictureOf(page);
+        assert.ok(await changes(page, () => page.click("#contacts")));
+        assert.equal(await page.getAttribute("#contacts", "aria-pressed"), "false");
+        await page.keyboard.press("c");
+        await settle(page);
+        assert.equal(await pictureOf(page), with_);
+        assert.equal(await page.locator("#joints").isVisible(), (await page.locator("[data-column=joints]").isVisible()));
+    });
+});
+
+test("joints can be hidden", async () => {
+    await withPage("tumbler", desktop, async (page) => {
+        assert.ok(await changes(page, () => page.click("#joints")));
+        assert.ok(await changes(page, () => page.keyboard.press("j")));
+    }, "--steps", "5");
+});
+
+test("the wheel zooms about the pointer, dragging pans, a double click shows all again", async () => {
+    await withPage("hello", desktop, async (page) => {
+        const start = await awakePixels(page);
+        const whole = await pictureOf(page);
+        await page.mouse.move(start.x, start.y);
+        await page.mouse.wheel(0, -300);
+        await settle(page);
+        const near = await awakePixels(page);
+        assert.ok(near.count > 2 * start.count, `from ${start.count} to ${near.count} pixels`);
+        assert.ok(Math.hypot(near.x - start.x, near.y - start.y) < 3, "what is under the pointer stays there");
+
+        await page.mouse.down();
+        await page.mouse.move(start.x - 120, start.y + 40, { steps: 4 });
+        await page.mouse.up();
+        await settle(page);
+        const moved = await awakePixels(page);
+        assert.ok(Math.abs(moved.x - near.x + 120) < 3 && Math.abs(moved.y - near.y - 40) < 3, JSON.stringify({ near, moved }));
+
+        await page.mouse.dblclick(start.x - 200, start.y + 100);
+        await settle(page);
+        assert.equal(await pictureOf(page), whole);
+    });
+});
+
+test("a picked number becomes the curve", async () => {
+    await withPage("bounce", desktop, async (page) => {
+        const curve = () => page.evaluate(() => document.getElementById("curve").toDataURL());
+        const energy = await curve();
+        await page.click("[data-column=contacts]");
+        await settle(page);
+        assert.notEqual(await curve(), energy);
+        assert.equal(await page.locator("[data-column=contacts] output").textContent(), "0");
+    });
+});
+
+test("fits a phone, lying or standing, and fingers work", async () => {
+    for (const viewport of [phone.viewport, { width: 844, height: 390 }, { width: 320, height: 568 }]) {
+        await withPage("pyramid", { ...phone, viewport }, async (page) => {
+            assert.ok((await awakePixels(page)).count > 300);
+            assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width);
+            for (const button of await page.locator("#dock button:visible").all()) {
+                const box = await button.boundingBox();
+                assert.ok(box.x >= 0 && box.x + box.width <= viewport.width && box.y + box.height <= viewport.height, JSON.stringify(box));
+                assert.ok(box.width >= 32 && box.height >= 32, "large enough for a finger");
+            }
+            await page.tap("#play");
+            await page.waitForFunction(() => Number(document.documentElement.dataset.frame) > 10);
+            await page.tap("#play");
+            await page.tap("[data-command=forward]");
+        });
+    }
+});
+
+test("is dark where the system is", async () => {
+    for (const colorScheme of ["light", "dark"]) {
+        await withPage("hello", { ...desktop, colorScheme }, async (page) => {
+            const paper = await page.evaluate(() => [...document.getElementById("world").getContext("2d").getImageData(3, 3, 1, 1).data]);
+            assert.ok(colorScheme === "dark" ? paper[0] < 60 : paper[0] > 200, String(paper));
+        });
+    }
+});
+
+test("says what was left out of a large run, and plays it", async () => {
+    await withPage("compounds", desktop, async (page) => {
+        assert.match(await textOf(page, "thinned"), /one step of every 2/);
+        await page.keyboard.press("End");
+        await settle(page);
+        assert.equal(await textOf(page, "step"), "500");
+        assert.ok((await awakePixels(page)).count > 5000);
+    });
+});
+
+test("any frame can be read first, and holds what the run counted", async () => {
+    // The decoder as it stands in the project, outside a browser.
+    const source = readFileSync(new URL("../../samples/player/recording.js", import.meta.url), "utf8");
+    const { Recording } = await import(`data:text/javascript,${encodeURIComponent(source)}`);
+    const page = readFileSync(makePage("dominoes"), "utf8");
+    const element = (id) => page.match(new RegExp(`id="${id}">([^<]*)<`))[1];
+    const run = JSON.parse(element("run"));
+    const bytes = Buffer.from(element("recording"), "base64");
+    const numbers = new Float32Array(new Uint8Array(Buffer.from(element("numbers"), "base64")).buffer);
+    const column = (name) => numbers.subarray(run.columns.indexOf(name) * run.frames, (run.columns.indexOf(name) + 1) * run.frames);
+
+    const summary = ({ bodies, contacts, awake, types }) => {
+        const rows = (t) => Array.from({ length: t.size }, (_, i) => (t.live[i] ? [t.x[i], t.y[i], t.angle[i]] : null));
+        return { bodies: rows(bodies), contacts: rows(contacts), awake: awake.filter((is, id) => is && types[id] !== 0).length };
+    };
+    const inOrder = new Recording(bytes, run), jumping = new Recording(bytes, run);
+    const frames = Array.from({ length: run.frames }, (_, i) => summary(inOrder.at(i)));
+    assert.equal(inOrder.state.position, bytes.length);
+    for (const [i, frame] of frames.entries()) {
+        assert.equal(frame.bodies.filter(Boolean).length, column("bodies")[i]);
+        assert.equal(frame.awake, column("awakeBodies")[i]);
+    }
+    for (const i of [600, 599, 0, 49, 50, 48, 300, 251, 250, 249, 99, 100, 600]) {
+        assert.deepEqual(withoutEnd(summary(jumping.at(i))), withoutEnd(frames[i]), `frame ${i}`);
+    }
+});
+
+/// A table read from further on may have room for ids that come later.
+function withoutEnd({ bodies, contacts, awake }) {
+    const trimmed = (rows) => rows.slice(0, rows.findLastIndex(Boolean) + 1);
+    return { bodies: trimmed(bodies), contacts: trimmed(contacts), awake };
+}

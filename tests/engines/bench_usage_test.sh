@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# bench_usage_test.sh ISLET: what `islet bench` does when it is used, and misused.
+set -euo pipefail
+
+islet=$1
+failures=0
+
+complain() {
+    printf '%s\n' "$*"
+    failures=$((failures + 1))
+}
+
+# expect STATUS WORDS ARGUMENT...: the exit status, and words that the output (both streams) must hold.
+expect() {
+    local wanted=$1 words=$2 status=0 out
+    shift 2
+    out=$("$islet" bench "$@" 2>&1) || status=$?
+    if [ "$status" -ne "$wanted" ] || ! grep -q -- "$words" <<<"$out"; then
+        complain "islet bench $*: status $status, wanted $wanted; wanted the words \"$words\" in: $out"
+    fi
+}
+
+few=(--steps 3 --repeat 2)
+expect 0 'hello  *islet' hello "${few[@]}"
+expect 0 '"engine": "islet"' hello --json "${few[@]}"
+expect 0 '"steps": 3' hello --json "${few[@]}"
+expect 0 large_pyramid --steps 1 --repeat 1 --engine islet  # no scene: the benchmark
+expect 0 'one worker' hello --workers 2 --engine islet "${few[@]}"
+expect 2 'near names: pyramid' pyramidd
+expect 2 'there are: islet' hello --engine newton
+expect 2 '--repeat' hello --repeat 0
+expect 2 '--steps' hello --steps 0
+expect 2 '--steps' hello --steps many
+expect 2 'not expected' hello --nonsense
+
+# Standard output holds results only, from its first byte: other engines' greetings must not get in.
+first=$("$islet" bench hello --json "${few[@]}" 2>/dev/null | head -c 1)
+[ "$first" = '[' ] || complain "JSON must begin with [, not '$first'"
+errors=$("$islet" bench hello "${few[@]}" 2>&1 >/dev/null)
+[ -z "$errors" ] || complain "there is nothing to say on standard error, but: $errors"
+rows=$("$islet" bench hello hello --engine islet --engine islet "${few[@]}" | wc -l)
+[ "$rows" -eq 2 ] || complain "a name said twice counts once: $rows lines, wanted 2"
+exit "$((failures > 0))"

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# usage_test.sh ISLET: what the runner does when it is used, and misused.
+set -euo pipefail
+
+islet=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+# expect STATUS WORDS ARGUMENT...: the exit status, and words that the output (both streams) must hold.
+expect() {
+    local wanted=$1 words=$2 status=0 out
+    shift 2
+    out=$("$islet" "$@" 2>&1) || status=$?
+    if [ "$status" -ne "$wanted" ] || ! grep -q -- "$words" <<<"$out"; then
+        printf 'islet %s\n  status %s, wanted %s; wanted the words "%s" in:\n%s\n' "$*" "$status" "$wanted" "$words" "$out"
+        failures=$((failures + 1))
+    fi
+}
+
+expect 0 card_house list
+expect 0 '"name": "card_house"' list --json
+expect 0 'check passed' run hello
+expect 0 '"steps": 7' run hello --steps 7 --json --csv "$scratch/out.csv" --svg "$scratch/out.svg" --html "$scratch/out.html"
+expect 0 'check skipped' run hello --steps 0 --html "$scratch/start.html"
+expect 2 'near names: hello' run helo
+expect 2 'required' run
+expect 2 'cannot write' run hello --csv "$scratch/missing/out.csv"
+expect 2 'cannot write' run hello --svg "$scratch/missing/out.svg"
+expect 2 'cannot write' run hello --html "$scratch/missing/out.html"
+if [ -e /dev/full ]; then
+    expect 2 'cannot write all' run hello --html /dev/full
+fi
+
+complain() {
+    printf '%s\n' "$*"
+    failures=$((failures + 1))
+}
+[ "$(wc -l <"$scratch/out.csv")" -eq 8 ] || complain "out.csv must have a header and a line for each step"
+grep -q '</svg>' "$scratch/out.svg" || complain "out.svg is not whole"
+for page in out start; do
+    [ "$(tail -n 1 "$scratch/$page.html")" = '</html>' ] || complain "$page.html is not whole"
+done
+exit "$((failures > 0))"

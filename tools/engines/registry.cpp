@@ -1,0 +1,50 @@
+#include "registry.hpp"
+
+#ifdef ISLET_BOX2D
+#include "box2d_engine.hpp"
+#endif
+#ifdef ISLET_CHIPMUNK
+#include "chipmunk_engine.hpp"
+#endif
+
+namespace islet::engines {
+namespace {
+
+using samples::Engine;
+using samples::Scene;
+
+std::string lacks_nothing(const Scene&) { return {}; }
+std::unique_ptr<Engine> make_islet() { return std::make_unique<samples::IsletEngine>(); }
+
+#ifdef ISLET_BOX2D
+// With the skin outside, as its users make shapes, and without continuous collision, which Islet does not have (README.md).
+std::unique_ptr<Engine> make_box2d() { return std::make_unique<Box2dEngine>(Box2dOptions{.skin = Skin::outside, .continuous = false, .nearest = true}); }
+#endif
+
+#ifdef ISLET_CHIPMUNK
+std::unique_ptr<Engine> make_chipmunk() { return std::make_unique<ChipmunkEngine>(); }
+#endif
+
+}  // namespace
+
+const std::vector<EngineInfo>& registry() {
+    static const std::vector<EngineInfo> list = {
+        {"islet", lacks_nothing, make_islet},
+#ifdef ISLET_BOX2D
+        {"box2d", box2d_lacks_even_nearest, make_box2d},
+#endif
+#ifdef ISLET_CHIPMUNK
+        {"chipmunk", chipmunk_lacks, make_chipmunk},
+#endif
+    };
+    return list;
+}
+
+const EngineInfo* find_engine(const std::string& name) {
+    for (const EngineInfo& info : registry()) {
+        if (name == info.name) return &info;
+    }
+    return nullptr;
+}
+
+}  // namespace islet::engines
