@@ -104,7 +104,9 @@ void choose_numbers(Solve& s, float dt) {
     s.biased_joints = s.relaxed_joints;
     s.biased_joints.biased = true;
     if (def.schedule == Schedule::soft) {
-        s.biased_joints.soft = make_soft(min(def.joint_hertz, 0.25f * n.inv_h), def.joint_damping_ratio, n.h);
+        // As stiff as Gauss-Seidel bears. At 240 substeps a second the largest gap of joint_grid is 0.33 m at 60 Hz, 0.22 m at 75 Hz, 0.16 m at 90 Hz;
+        // at 120 Hz nets and chains under load begin to swing up by themselves, and so they do with a rigid bias, however weak.
+        s.biased_joints.soft = make_soft(min(def.joint_hertz, 0.3125f * n.inv_h), def.joint_damping_ratio, n.h);
     } else {
         s.biased_joints.soft.rate = def.baumgarte * n.inv_h;
     }
