@@ -200,7 +200,7 @@ Scene make_avalanche() {
     constexpr int open_step = 90;
     Scene scene;
     scene.name = "avalanche";
-    scene.steps = 720;
+    scene.steps = 960;
     scene.view = {{-6.5f, -2.9f}, {6.5f, 2.9f}};
     add_static(scene, {0, drop - 0.2f}, make_box(7, 0.2f));
     for (const float side : {-1.0f, 1.0f}) add_static(scene, {side * 6.9f, drop + 0.5f}, make_box(0.1f, 0.5f));
