@@ -92,7 +92,7 @@ const std::vector<SceneInfo>& catalogue() {
         {"walker", "robots", "six legs of Theo Jansen's linkage on one crank walk more than 5 m", make_walker},
         {"large_pyramid", "benchmark", "one pyramid with 100 boxes at its base", make_large_pyramid},
         {"many_pyramids", "benchmark", "400 pyramids of 55 boxes, in 20 rows", make_many_pyramids},
-        {"joint_grid", "benchmark", "a net of 10000 discs and 19800 hinges hangs from seven of them", make_joint_grid},
+        {"joint_grid", "benchmark", "a net of 10000 discs, hinged to their neighbours, hangs from seven of them", make_joint_grid},
         {"tumbler", "benchmark", "2000 boxes in a square drum on a motor", make_tumbler},
         {"washer", "benchmark", "8100 boxes tumble in a turning drum with paddles", make_washer},
         {"spinner", "benchmark", "a long paddle on a motor stirs 6000 bodies in a ring", make_spinner},

@@ -51,16 +51,22 @@ TEST_P(EveryScene, KeepsItsCheck) {
     // The dimensions that make a benchmark scene the same one as elsewhere. Contacts count near pairs too, so box margins move them: 15 %.
     struct Size {
         const char* scene;
-        std::size_t bodies, shapes, contacts;
+        std::size_t bodies, shapes, contacts, joints;
     };
     constexpr Size sizes[] = {
-        {"large_pyramid", 5051, 5051, 14950}, {"many_pyramids", 22001, 22020, 58000}, {"washer", 8102, 8140, 29669},
-        {"smash", 9601, 9601, 6296},          {"compounds", 3001, 6282, 26221},       {"junkyard", 8002, 8262, 24341},
+        {"large_pyramid", 5051, 5051, 14950, 0}, {"many_pyramids", 22001, 22020, 58000, 0},
+        {"joint_grid", 10000, 10000, 0, 19794},  // and, elsewhere, six joints between bodies that are held, which Islet refuses
+        {"tumbler", 2027, 2029, 8823, 1},        {"washer", 8102, 8140, 29669, 0},
+        {"spinner", 6078, 6437, 23049, 1},       {"rain", 11001, 15505, 20651, 10000},
+        {"smash", 9601, 9601, 6296, 0},          {"compounds", 3001, 6282, 26221, 0},
+        {"junkyard", 8002, 8262, 24341, 0},
     };
     const auto* size = std::find_if(std::begin(sizes), std::end(sizes), [&](const Size& s) { return scene.name == s.scene; });
     EXPECT_EQ(size != std::end(sizes), is_large(GetParam())) << "the size of every benchmark scene is stated, and of no other";
     if (size == std::end(sizes)) return;
+    if (cut_short && scene.extra_bodies > 0) return;  // its script has not made them all yet
     EXPECT_EQ(engine.counts().bodies, size->bodies);
+    EXPECT_EQ(engine.counts().joints, size->joints);
     EXPECT_EQ(engine.counts().shapes, size->shapes);
     if (!cut_short) { EXPECT_NEAR(double(engine.counts().contacts), double(size->contacts), 0.15 * double(size->contacts)); }
 }

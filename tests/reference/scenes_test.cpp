@@ -22,7 +22,7 @@ TEST_P(ReferenceScene, AgreesWithBox2d) {
 INSTANTIATE_TEST_SUITE_P(All, ReferenceScene, testing::ValuesIn(tolerances()),
                          [](const auto& instance) { return std::string(instance.param.scene); });
 
-TEST(Reference, AtLeastTwelveScenesAreCompared) { EXPECT_GE(tolerances().size(), 12u); }
+TEST(Reference, AtLeastTwentyFourScenesAreCompared) { EXPECT_GE(tolerances().size(), 24u); }
 
 TEST(Reference, EveryToleranceSaysWhy) {
     for (const Tolerance& t : tolerances()) EXPECT_NE(std::string(t.reason), "") << t.scene;
