@@ -13,9 +13,9 @@
 namespace islet::samples {
 
 Scene make_cable_bridge() {
-    constexpr std::size_t planks = 20;                // and links of the cable
-    constexpr float half_span = 10, tower = 4.5f;     // m; the tower's height above the deck
-    constexpr int start_step = 300;                   // by then the bridge has come to rest
+    constexpr std::size_t planks = 20;             // and links of the cable
+    constexpr float half_span = 10, tower = 4.5f;  // m; the tower's height above the deck
+    constexpr int start_step = 300;                // by then the bridge has come to rest
     Scene scene;
     scene.name = "cable_bridge";
     scene.steps = 1000;

@@ -62,7 +62,8 @@ Scene make_cloth_scene() {
         return {
             at_most("most that a thread was ever stretched (share of its length)", *most_stretch, 3 * give),
             at_most("stretched at the end (share)", worst_stretch(engine, cloth.first_joint, rods, double(def.spacing)), give),
-            {"the opposite corner is below the nail by (m)", double(left_place.y - engine.body(opposite).position.y), across, across + down},
+            {"the opposite corner is below the nail by (m)", double(left_place.y - engine.body(opposite).position.y), across,
+             across + down},
             near_line("middle of the cloth beside the nail (m)", weight_x - double(left_place.x), 0, 0.15),
             at_most("fastest node (m/s)", max_speed(engine), 0.5),
             at_most("bodies not finite", double(count_not_finite(engine)), 0),
@@ -108,8 +109,8 @@ Scene make_flag() {
 
     struct Pennant {
         std::size_t first;
-        float speed;    // m/s, of its wind
-        double weight;  // N/m
+        float speed;               // m/s, of its wind
+        double weight;             // N/m
         double low = 0, high = 0;  // m, how far its end went down and up lately
     };
     const auto pennants = std::make_shared<std::array<Pennant, 4>>();

@@ -58,8 +58,12 @@ Scene make_blob() {
     };
     std::vector<Blob> blobs;
     for (const float pressure : {120.0f, 60.0f, 30.0f}) {
-        const SoftBodyDef def = {
-            .position = {2.6f * static_cast<float>(blobs.size()) - 2.6f, 2}, .radius = 0.9f, .links = 48, .density = 5, .pressure = pressure, .damping = 1};
+        const SoftBodyDef def = {.position = {2.6f * static_cast<float>(blobs.size()) - 2.6f, 2},
+                                 .radius = 0.9f,
+                                 .links = 48,
+                                 .density = 5,
+                                 .pressure = pressure,
+                                 .damping = 1};
         blobs.push_back({def, add_prefab(scene, make_soft_body(def))});
     }
     scene.before_step = [blobs](Engine& engine, int) {
@@ -75,7 +79,8 @@ Scene make_blob() {
             const std::string name = std::to_string(std::lround(blob.def.pressure)) + " N/m: ";
             const double full = fullness(engine, blob.placed, blob.def), patch = patch_of(engine, blob.placed, blob.def);
             const double due = weight_of(engine, blob.placed, blob.def) * full / double(blob.def.pressure);
-            lines.push_back(near_line(name + "width of the patch it rests on, due weight / pressure (m)", patch, due, 1.5 * link_length(blob.def)));
+            lines.push_back(
+                near_line(name + "width of the patch it rests on, due weight / pressure (m)", patch, due, 1.5 * link_length(blob.def)));
             // Its skin, which pulls with pressure times radius, gives as joints do: see make_stiff.
             const double half_mass = 0.5 * double(engine.body(blob.placed.first_body).mass);
             const double stretch = double(blob.def.pressure * blob.def.radius) / (half_mass * omega * omega) / link_length(blob.def);
@@ -138,7 +143,8 @@ Scene make_soft_stack() {
         }
         std::vector<CheckLine> lines;
         // The floor carries everything through two patches, whose four ends fall within a link.
-        lines.push_back(near_line("pressure on the floor, due the weight of all (N)", force, weight, 2 * link_length(softs[0].def) * force / patch));
+        lines.push_back(
+            near_line("pressure on the floor, due the weight of all (N)", force, weight, 2 * link_length(softs[0].def) * force / patch));
         for (const Soft& soft : softs) {
             const std::string name = "soft body at height " + std::to_string(std::lround(double(soft.def.position.y))) + " m: ";
             lines.push_back({name + "area (share of the round one)", fullness(engine, soft.placed, soft.def), 0.7, 1.01});
@@ -147,7 +153,8 @@ Scene make_soft_stack() {
         lines.push_back(at_most("the crate turned (rad)", std::abs(double(on_top.angle)), 0.1));
         lines.push_back(at_most("the tray turned (rad)", std::abs(double(between.angle)), 0.1));
         lines.push_back(at_most("the crate is off the middle by (m)", std::abs(double(on_top.position.x)), 0.2));
-        lines.push_back({"the crate above the tray, more than half of where it began (m)", double(on_top.position.y - between.position.y), 0.8, 1.68});
+        lines.push_back(
+            {"the crate above the tray, more than half of where it began (m)", double(on_top.position.y - between.position.y), 0.8, 1.68});
         lines.push_back(at_most("fastest body (m/s)", max_speed(engine), 0.1));
         return lines;
     };

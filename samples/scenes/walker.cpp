@@ -15,7 +15,8 @@ namespace {
 constexpr float unit = 0.02f;
 constexpr float axle_x = 38 * unit, axle_y = 7.8f * unit, crank = 15 * unit;
 constexpr float bar_j = 50 * unit, bar_b = 41.5f * unit, bar_k = 61.9f * unit, bar_c = 39.3f * unit;
-constexpr float bar_d = 40.1f * unit, bar_e = 55.8f * unit, bar_f = 39.4f * unit, bar_g = 36.7f * unit, bar_h = 65.7f * unit, bar_i = 49 * unit;
+constexpr float bar_d = 40.1f * unit, bar_e = 55.8f * unit, bar_f = 39.4f * unit, bar_g = 36.7f * unit, bar_h = 65.7f * unit,
+                bar_i = 49 * unit;
 
 /// The point at `from_a` of a and `from_b` of b, to the left of the way from a to b.
 Vec2 meet(Vec2 a, float from_a, Vec2 b, float from_b) {
@@ -112,7 +113,7 @@ Scene make_walker() {
     scene.name = "walker";
     scene.world.enable_sleep = false;
     scene.steps = 540;
-    scene.view = {{-2.5f, -0.6f}, {10, 3.6f}};
+    scene.view = {{-2.5f, -0.6f}, {10.8f, 3.6f}};
     make_stiff(scene);
     add_floor(scene, 14, {.friction = 0.9f});
 
@@ -128,9 +129,9 @@ Scene make_walker() {
     BodyDef def;
     def.type = BodyType::dynamic;
     def.position = axle;
-    const std::size_t frame = add_body(scene, def,
-                                       {{make_offset_box(axle_x, 0.06f, {{0, -axle_y}, {}}), heavy},
-                                        {make_offset_box(0.3f, 0.25f, {{0, -axle_y + 0.3f}, {}}), heavy}});
+    const std::size_t frame = add_body(
+        scene, def,
+        {{make_offset_box(axle_x, 0.06f, {{0, -axle_y}, {}}), heavy}, {make_offset_box(0.3f, 0.25f, {{0, -axle_y + 0.3f}, {}}), heavy}});
     const std::size_t wheel = add_body(scene, def, {{Circle{{}, crank + 0.05f}, heavy}});
     RevoluteJointDef drive = hinge_at(scene, frame, wheel, axle);
     drive.motor = {.enable = true, .speed = rate, .max_force = 500};
