@@ -13,16 +13,16 @@ namespace islet::samples {
 enum class CarPart : std::size_t { body, rear_wheel, front_wheel };
 
 struct CarDef {
-    Vec2 position = {};          ///< m, of the ground midway between its wheels
-    float wheel_radius = 0.4f;   ///< m
-    float wheel_base = 2.2f;     ///< m, from axle to axle
-    float density = 60;          ///< kg/m^2, of the body; the wheels are half as dense. The car weighs about 200 kg.
-    float friction = 1.2f;       ///< of the tyres
-    float hertz = 2.5f;          ///< Hz, of the springs
+    Vec2 position = {};         ///< m, of the ground midway between its wheels
+    float wheel_radius = 0.4f;  ///< m
+    float wheel_base = 2.2f;    ///< m, from axle to axle
+    float density = 60;         ///< kg/m^2, of the body; the wheels are half as dense. The car weighs about 200 kg.
+    float friction = 1.2f;      ///< of the tyres
+    float hertz = 2.5f;         ///< Hz, of the springs
     float damping_ratio = 0.7f;
-    float torque = 300;          ///< N m, the most that each wheel's motor gives
-    float travel = 0.25f;        ///< m, of the springs, up and down
-    int group = 0;               ///< > 0: cars of the same group do not collide with each other
+    float torque = 300;    ///< N m, the most that each wheel's motor gives
+    float travel = 0.25f;  ///< m, of the springs, up and down
+    int group = 0;         ///< > 0: cars of the same group do not collide with each other
 };
 
 Prefab make_car(const CarDef& def);

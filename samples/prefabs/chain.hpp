@@ -11,15 +11,15 @@
 namespace islet::samples {
 
 struct ChainDef {
-    Vec2 from = {}, to = {};   ///< m
-    float slack = 1;           ///< >= 1: its length over the distance of its ends
+    Vec2 from = {}, to = {};  ///< m
+    float slack = 1;          ///< >= 1: its length over the distance of its ends
     std::size_t links = 12;
-    float thickness = 0.06f;   ///< m, of the wire the links are bent from
-    float density = 40;        ///< kg/m^2
-    float break_force = 0;     ///< N, at which a link parts from the next; 0: never
-    int group = 0;             ///< > 0: links of chains of the same group do not collide with each other
-    bool hold_from = false;    ///< a static body holds this end
-    bool hold_to = false;      ///< and this one
+    float thickness = 0.06f;  ///< m, of the wire the links are bent from
+    float density = 40;       ///< kg/m^2
+    float break_force = 0;    ///< N, at which a link parts from the next; 0: never
+    int group = 0;            ///< > 0: links of chains of the same group do not collide with each other
+    bool hold_from = false;   ///< a static body holds this end
+    bool hold_to = false;     ///< and this one
 };
 
 /// Bodies: the links from `from` to `to`, then what holds the ends. Joint i hinges link i to link i + 1.

@@ -13,16 +13,16 @@
 namespace islet::samples {
 
 struct ClothDef {
-    Vec2 corner = {};                     ///< m, of its upper left node
-    std::size_t columns = 8, rows = 8;    ///< nodes
-    float spacing = 0.25f;                ///< m, from node to node
-    float weight = 1;                     ///< kg/m^2
-    float radius = 0.06f;                 ///< m, of a node, where it touches other things
-    float bending_hertz = 3;              ///< Hz, of the springs between every node and the next but one; 0: none
-    float shear_hertz = 4;                ///< Hz, of the springs across the meshes; 0: none
-    float damping_ratio = 0.3f;           ///< of both
-    float damping = 0.3f;                 ///< 1/s, of the air
-    int group = 1;                        ///< > 0: nodes of cloths of the same group do not collide with each other
+    Vec2 corner = {};                   ///< m, of its upper left node
+    std::size_t columns = 8, rows = 8;  ///< nodes
+    float spacing = 0.25f;              ///< m, from node to node
+    float weight = 1;                   ///< kg/m^2
+    float radius = 0.06f;               ///< m, of a node, where it touches other things
+    float bending_hertz = 3;            ///< Hz, of the springs between every node and the next but one; 0: none
+    float shear_hertz = 4;              ///< Hz, of the springs across the meshes; 0: none
+    float damping_ratio = 0.3f;         ///< of both
+    float damping = 0.3f;               ///< 1/s, of the air
+    int group = 1;                      ///< > 0: nodes of cloths of the same group do not collide with each other
 };
 
 /// Bodies: the nodes, row by row from the top, each from left to right. Joints: the rods first, then the springs.

@@ -3,10 +3,10 @@
 namespace islet::samples {
 namespace {
 
-constexpr float finger_speed = 0.5f;     // m/s, until they meet something
-constexpr float finger_half = 0.06f;     // m, half their width
+constexpr float finger_speed = 0.5f;      // m/s, until they meet something
+constexpr float finger_half = 0.06f;      // m, half their width
 constexpr float palm_half_height = 0.1f;  // m
-constexpr float lift_start = 0.5f;       // m, from the rail down to the palm
+constexpr float lift_start = 0.5f;        // m, from the rail down to the palm
 
 SceneBody moving_part(Vec2 place, std::vector<SceneShape> shapes) {
     SceneBody body;

@@ -22,14 +22,14 @@ enum class GripperPart : std::size_t { rail, trolley, palm, left_finger, right_f
 enum class GripperAxis : std::size_t { travel, lift, left_finger, right_finger };
 
 struct GripperDef {
-    Vec2 rail = {};               ///< m, of the rail's middle, where the trolley starts
-    float rail_length = 6;        ///< m
-    float reach = 3;              ///< m, how far the lift goes down from where it starts, close under the trolley
-    float opening = 1;            ///< m, between the open fingers
-    float finger_length = 0.7f;   ///< m
-    float grip = 100;             ///< N, of each finger
-    float friction = 1;           ///< of the fingers
-    float drive_force = 2000;     ///< N, the most that travel and lift give
+    Vec2 rail = {};              ///< m, of the rail's middle, where the trolley starts
+    float rail_length = 6;       ///< m
+    float reach = 3;             ///< m, how far the lift goes down from where it starts, close under the trolley
+    float opening = 1;           ///< m, between the open fingers
+    float finger_length = 0.7f;  ///< m
+    float grip = 100;            ///< N, of each finger
+    float friction = 1;          ///< of the fingers
+    float drive_force = 2000;    ///< N, the most that travel and lift give
 };
 
 struct GripperCommand {

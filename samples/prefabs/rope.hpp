@@ -16,13 +16,13 @@ struct RopeDef {
     Vec2 from = {}, to = {};  ///< m
     float slack = 1;          ///< >= 1: its length over the distance of its ends; with slack it starts on an arc to the right of the way
     std::size_t links = 16;
-    float radius = 0.03f;     ///< m, half its thickness
-    float density = 15;       ///< kg/m^2: about 1 kg a metre for the thickness above
-    float stiffness = 0;      ///< N m of dry friction in each hinge
-    float damping = 0.1f;     ///< 1/s, of the air
-    int group = 0;            ///< > 0: links of ropes of the same group do not collide with each other
-    bool hold_from = false;   ///< a static body holds this end
-    bool hold_to = false;     ///< and this one
+    float radius = 0.03f;    ///< m, half its thickness
+    float density = 15;      ///< kg/m^2: about 1 kg a metre for the thickness above
+    float stiffness = 0;     ///< N m of dry friction in each hinge
+    float damping = 0.1f;    ///< 1/s, of the air
+    int group = 0;           ///< > 0: links of ropes of the same group do not collide with each other
+    bool hold_from = false;  ///< a static body holds this end
+    bool hold_to = false;    ///< and this one
 };
 
 /// Bodies: the links from `from` to `to`, then what holds the ends. Joint i hinges link i to link i + 1. The last joint keeps the ends within

@@ -13,45 +13,55 @@ Ring ring_of(const SoftBodyDef& def) {
     return {def.radius * q.s, def.radius * q.c};
 }
 
+/// Where a link is and how it moves.
+struct Link {
+    Transform pose;
+    Vec2 velocity;
+};
+
 /// The area of the polygon whose sides are the links: the sum of the triangles they make with one point of the ring.
-float area_inside(std::span<const Transform> links, float half) {
-    const Vec2 origin = links[0].p;
+float area_inside(std::span<const Link> links, float half) {
+    const Vec2 origin = links[0].pose.p;
     float twice = 0;
-    for (const Transform& link : links) {
-        const Vec2 arm = rotate(link.q, {half, 0});
-        twice += cross(link.p - arm - origin, link.p + arm - origin);
+    for (const Link& link : links) {
+        const Vec2 arm = rotate(link.pose.q, {half, 0});
+        twice += cross(link.pose.p - arm - origin, link.pose.p + arm - origin);
     }
     return 0.5f * twice;
 }
 
-/// What the gas does to a link per metre of pressure: outwards is to its right, because the links run counter-clockwise. A skin folded over
-/// has no area and gets no more than a hundred times the pressure.
-float pressure_at(const SoftBodyDef& def, float area) {
-    const float whole = round_area(def);
-    return def.pressure * whole / max(area, 0.01f * whole);
+/// Outwards is to a link's right, because the links run counter-clockwise.
+Vec2 outwards(const Link& link) { return rotate(link.pose.q, {0, -1}); }
+
+/// The area's rate: every link sweeps its length times its speed outwards.
+float area_rate(std::span<const Link> links, float half) {
+    float rate = 0;
+    for (const Link& link : links) rate += 2 * half * dot(outwards(link), link.velocity);
+    return rate;
 }
 
-std::vector<Transform> poses_of(const World& world, const Spawned& soft) {
-    std::vector<Transform> poses;
-    for (const BodyId link : soft.bodies) poses.push_back(world.transform(link));
-    return poses;
+/// The forces on the links, at their middles. A skin folded over has no area and gets no more than twenty times the pressure.
+std::vector<Vec2> forces_on(std::span<const Link> links, const SoftBodyDef& def) {
+    const float half = ring_of(def).half, whole = round_area(def), area = max(area_inside(links, half), 0.05f * whole);
+    const float pressure = def.pressure * max(0, whole / area - def.gas_damping * area_rate(links, half) / whole);
+    std::vector<Vec2> forces;
+    for (const Link& link : links) forces.push_back(2 * half * pressure * outwards(link));
+    return forces;
 }
 
-std::vector<Transform> poses_of(const Engine& engine, const Placed& soft, const SoftBodyDef& def) {
-    std::vector<Transform> poses;
+std::vector<Link> links_of(const World& world, const Spawned& soft) {
+    std::vector<Link> links;
+    for (const BodyId link : soft.bodies) links.push_back({world.transform(link), world.linear_velocity(link)});
+    return links;
+}
+
+std::vector<Link> links_of(const Engine& engine, const Placed& soft, const SoftBodyDef& def) {
+    std::vector<Link> links;
     for (std::size_t i = 0; i < def.links; ++i) {
         const BodyState link = engine.body(soft.first_body + i);
-        poses.push_back({link.position, make_rot(link.angle)});
+        links.push_back({{link.position, make_rot(link.angle)}, link.linear_velocity});
     }
-    return poses;
-}
-
-/// The forces on the links, at their middles.
-std::vector<Vec2> forces_on(std::span<const Transform> links, const SoftBodyDef& def) {
-    const float half = ring_of(def).half, push = 2 * half * pressure_at(def, area_inside(links, half));
-    std::vector<Vec2> forces;
-    for (const Transform& link : links) forces.push_back(rotate(link.q, {0, -push}));
-    return forces;
+    return links;
 }
 
 }  // namespace
@@ -80,12 +90,12 @@ Prefab make_soft_body(const SoftBodyDef& def) {
 }
 
 void apply_pressure(World& world, const Spawned& soft, const SoftBodyDef& def) {
-    const std::vector<Vec2> forces = forces_on(poses_of(world, soft), def);
+    const std::vector<Vec2> forces = forces_on(links_of(world, soft), def);
     for (std::size_t i = 0; i < forces.size(); ++i) world.apply_force_to_center(soft.bodies[i], forces[i]);
 }
 
 void apply_pressure(Engine& engine, const Placed& soft, const SoftBodyDef& def) {
-    const std::vector<Vec2> forces = forces_on(poses_of(engine, soft, def), def);
+    const std::vector<Vec2> forces = forces_on(links_of(engine, soft, def), def);
     for (std::size_t i = 0; i < forces.size(); ++i) engine.apply_force(soft.first_body + i, forces[i]);
 }
 
@@ -95,11 +105,11 @@ float round_area(const SoftBodyDef& def) {
 }
 
 float area_of(const World& world, const Spawned& soft, const SoftBodyDef& def) {
-    return area_inside(poses_of(world, soft), ring_of(def).half);
+    return area_inside(links_of(world, soft), ring_of(def).half);
 }
 
 float area_of(const Engine& engine, const Placed& soft, const SoftBodyDef& def) {
-    return area_inside(poses_of(engine, soft, def), ring_of(def).half);
+    return area_inside(links_of(engine, soft, def), ring_of(def).half);
 }
 
 }  // namespace islet::samples

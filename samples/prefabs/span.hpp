@@ -8,14 +8,14 @@
 namespace islet::samples {
 
 struct SpanDef {
-    Vec2 from = {}, to = {};       ///< m
-    float slack = 1;               ///< >= 1: the line's length over the distance of its ends
+    Vec2 from = {}, to = {};  ///< m
+    float slack = 1;          ///< >= 1: the line's length over the distance of its ends
     std::size_t links = 1;
-    bool hold_from = false;        ///< a static body holds this end
-    bool hold_to = false;          ///< and this one
-    bool rope_limit = false;       ///< one more joint keeps the ends within 1.01 times the line's length, however heavy the load
-    RevoluteJointDef hinge = {};   ///< friction, spring and breaking force of every hinge; the rest is filled in
-    BodyDef link = {};             ///< damping and the like; the rest is filled in
+    bool hold_from = false;       ///< a static body holds this end
+    bool hold_to = false;         ///< and this one
+    bool rope_limit = false;      ///< one more joint keeps the ends within 1.01 times the line's length, however heavy the load
+    RevoluteJointDef hinge = {};  ///< friction, spring and breaking force of every hinge; the rest is filled in
+    BodyDef link = {};            ///< damping and the like; the rest is filled in
 };
 
 /// Half of a link's length, m.

@@ -50,6 +50,14 @@ Scene make_cable_bridge();
 // robots
 Scene make_gripper_scene();
 Scene make_walker();
+Scene make_arm();
+Scene make_quadruped();
+
+// granular
+Scene make_hourglass();
+Scene make_silo();
+Scene make_avalanche();
+Scene make_mixer();
 
 // benchmark
 Scene make_large_pyramid();

@@ -113,7 +113,7 @@ Scene make_walker() {
     scene.name = "walker";
     scene.world.enable_sleep = false;
     scene.steps = 540;
-    scene.view = {{-2.5f, -0.6f}, {10, 3.6f}};
+    scene.view = {{-2.5f, -0.6f}, {10.8f, 3.6f}};
     make_stiff(scene);
     add_floor(scene, 14, {.friction = 0.9f});
 
