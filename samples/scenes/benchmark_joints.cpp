@@ -41,8 +41,8 @@ Scene make_joint_grid() {
         }
     }
 
-    // Joints are springs of 60 Hz on their effective mass, here half a disc's. The held discs share all the weight through nine joints, the outer ones
-    // carry about twice their share, and the net swings.
+    // Joints are springs of joint_hertz on their effective mass, here half a disc's. The held discs share all the weight through nine joints, the outer
+    // ones carry about twice their share, and the net swings.
     scene.check = [hertz = double(scene.world.solver.joint_hertz)](const Engine& engine) {
         const double disc = engine.body(0).mass, omega = 2 * std::numbers::pi * hertz;
         const double share = disc * 10 * double(side * side) / double(held + 2), give = share / (0.5 * disc * omega * omega);

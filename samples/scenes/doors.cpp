@@ -46,7 +46,7 @@ Scene make_door() {
 
     RevoluteJointDef struck;  // by a ball: flies open to its limit
     struck.limit = {.enable = true, .lower = -right_angle, .upper = right_angle};
-    struck.friction = 2;
+    struck.friction = 3;
     const std::size_t struck_joint = add_door(-spacing, 0, 0, struck);
     RevoluteJointDef coasting;
     coasting.friction = friction;

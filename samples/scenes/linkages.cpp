@@ -155,7 +155,7 @@ Scene make_pulley() {
 }
 
 Scene make_gears() {
-    constexpr int measured_step = 120;
+    constexpr int measured_step = 170;
     constexpr float small = 0.6f, large = 1.2f, rate = 2, strength = 1000;  // m, m, rad/s, N m
     Scene scene;
     scene.name = "gears";
@@ -210,7 +210,7 @@ Scene make_gears() {
             near_line("the second's (rad)", engine.joint_position(hinges[1]), -first * r1 / r2, 0.02),
             near_line("the third's (rad)", engine.joint_position(hinges[2]), first, 0.02),
             near_line("the bar's rise (m)", engine.joint_position(slider), first * r1, 0.02),
-            near_line("the motor bears the bar's weight (N m)", seen->torque, torque, 0.01 * torque),
+            near_line("the motor bears the bar's weight (N m)", seen->torque, torque, 0.02 * torque),
             at_most("farthest a joint came apart (m)", engine.max_joint_error().linear, 0.005),
             at_most("farthest a gear is off its teeth (rad)", engine.max_joint_error().angular, 0.01),
         };

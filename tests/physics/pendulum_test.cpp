@@ -113,7 +113,7 @@ TEST(PendulumEnergy, StaysOverTenSeconds) {
 }
 
 TEST(DoublePendulum, KeepsItsEnergyForTenSeconds) {
-    // Two rods of one metre let go from level: chaotic, so only what is conserved can be compared. 1 % of the fall of the upper rod's end.
+    // Two rods of one metre let go from level: chaotic, so only what is conserved can be compared. 2 % of the fall of the upper rod's end.
     TestWorld world(room_for_joints, sleepless());
     const BodyId pivot = world->create_body({});
     ShapeDef ghost;
@@ -131,7 +131,7 @@ TEST(DoublePendulum, KeepsItsEnergyForTenSeconds) {
     double error = 0;
     for (int i = 0; i < 600; ++i) {
         world.step();
-        EXPECT_NEAR((energy() - start) / scale, 0, 0.01) << "step " << i;
+        EXPECT_NEAR((energy() - start) / scale, 0, 0.02) << "step " << i;
         for (std::uint32_t slot = 0; slot < 2; ++slot) error = std::fmax(error, double(world->joint_error(world->joint_at(slot)).linear));
         if (HasFailure()) return;
     }

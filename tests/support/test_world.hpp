@@ -11,7 +11,7 @@
 namespace islet::test {
 
 /// Room enough for most tests.
-inline constexpr Capacity roomy{.bodies = 512, .shapes = 1024, .contacts = 4096};
+inline constexpr Capacity roomy{.bodies = 512, .shapes = 1024, .contacts = 4096, .joints = 512};
 
 /// A block of memory aligned as World::create demands.
 class Block {
@@ -76,6 +76,13 @@ public:
         ShapeId id;
         world_->shapes(body, {&id, 1});
         return id;
+    }
+
+    /// The body's joints, newest first.
+    std::vector<JointId> joints_of(BodyId body) const {
+        std::vector<JointId> all(world_->joints(body, {}));
+        world_->joints(body, all);
+        return all;
     }
 
     // -- time --------------------------------------------------------------------------------------------------------------------

@@ -174,13 +174,14 @@ const std::vector<Tolerance>& tolerances() {
          .energy_gain = 0.001,
          .reason = "alike while the ropes are slack; each is caught within a substep, at 9 m/s a way of 4 cm, and swings on from there"},
         {.scene = "bridge",
-         .steps = 1200,
+         .steps = 1260,
          .horizon = 1,
-         .final_rms_position = 0.25,
-         .mean_height = 0.22,
+         .final_rms_position = 0.2,
+         .mean_height = 0.18,
          .at_rest = 0.05,
-         .reason = "hangs still in both; a hinge gives way by load / stiffness, 3 mm with planks alone and 5 mm with boxes: 25 of them let "
-                   "it sag by 0.17 m more"},
+         .reason = "hangs still in both; a hinge gives way by load / stiffness, 2 mm with planks alone and 3 mm with boxes: 25 of them let "
+                   "it sag 0.12 m "
+                   "more"},
         {.scene = "door",
          .steps = 240,
          .rms_position = 0.03,
@@ -249,9 +250,10 @@ const std::vector<Tolerance>& tolerances() {
          .max_position = 0.004,
          .mean_height = 0.2,
          .at_rest = 0.1,
-         .penetration = 0.04,
+         .penetration = 0.1,
          .reason = "stands still for a second (sag of a millimetre); how the pile tumbles as a box is pulled out is chaotic, only the heap "
-                   "is compared"},
+                   "is compared; "
+                   "boxes land at up to 5 m/s, 8 cm a step"},
         {.scene = "joint_grid",
          .steps = 30,
          .rms_position = 0.3,
@@ -259,8 +261,9 @@ const std::vector<Tolerance>& tolerances() {
          .rms_angle = 0.02,
          .energy_drift = 0.01,
          .energy_gain = 0.001,
-         .reason = "joints give way by load / stiffness, 0.2 m where all the weight hangs, in Box2D less: the net falls by that much more "
-                   "within half a second"},
+         .reason = "joints give way by load / stiffness, 0.1 to 0.2 m where all the weight hangs, in Box2D less: the net falls by that "
+                   "much more within "
+                   "half a second"},
         {.scene = "tumbler",
          .steps = 240,
          .horizon = 30,

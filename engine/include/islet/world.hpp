@@ -90,7 +90,7 @@ public:
     float angular_velocity(BodyId body) const;
     /// Velocity of the point of the body that is now at world position `point`.
     Vec2 velocity_at(BodyId body, Vec2 point) const;
-    /// Teleports. Contacts are found anew; velocity is kept. Wakes the body and what it touched.
+    /// Teleports. Contacts are found anew; velocity is kept. Wakes the body, what it touched and what is joined to it.
     void set_transform(BodyId body, Vec2 position, float angle);
     /// No effect on static bodies. Wakes the body if the velocity is not zero.
     void set_linear_velocity(BodyId body, Vec2 velocity);
@@ -107,7 +107,8 @@ public:
     void apply_angular_impulse(BodyId body, float impulse);
 
     BodyType type(BodyId body) const;
-    /// Changes the type; contacts are found anew, and the mass is that of the shapes again. A body that becomes static loses its velocity.
+    /// Changes the type; contacts are found anew, and the mass is that of the shapes again. Wakes what it touched and what is
+    /// joined to it. A body that becomes static loses its velocity.
     void set_type(BodyId body, BodyType type);
     float mass(BodyId body) const;
     /// About the centre of mass.

@@ -61,6 +61,10 @@ void wake_neighbors(Core& core, std::uint32_t body, Arena arena) {
     for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
         if ((core.manifolds[contact].flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), arena);
     });
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t side) {
+        const std::uint32_t other = other_joined(core, joint, side);
+        if (other != null_index) wake_island(core, other, arena);
+    });
 }
 
 void put_to_sleep(Core& core, std::uint32_t body) {

@@ -8,9 +8,9 @@ namespace islet::detail {
 
 inline constexpr float time_to_sleep = 0.5f;  // s at rest before an island may fall asleep
 
-/// Wakes a body and, along touching contacts, every dynamic body of its island. No effect on static bodies.
+/// Wakes a body and, along touching contacts and joints, every dynamic body of its island. No effect on static bodies.
 void wake_island(Core& core, std::uint32_t body, Arena arena);
-/// Wakes what touches the body, which itself stays as it is.
+/// Wakes what touches the body or is joined to it; the body itself stays as it is.
 void wake_neighbors(Core& core, std::uint32_t body, Arena arena);
 /// Puts one body to sleep with zero velocity.
 void put_to_sleep(Core& core, std::uint32_t body);
