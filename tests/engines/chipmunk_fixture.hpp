@@ -10,7 +10,7 @@ namespace islet::test {
 using namespace islet::samples;
 
 inline constexpr double g = 10, h = double(1.0f / 60);  // m/s^2, s: a scene's defaults
-inline constexpr double rounding = 1e-5;  // results are read as floats
+inline constexpr double rounding = 1e-5;                // results are read as floats
 
 inline SceneBody body_of(BodyType type, Vec2 position, SceneGeometry geometry, const ShapeDef& material = {}) {
     SceneBody body;
@@ -53,6 +53,28 @@ protected:
 private:
     std::string (*lacks_)(const Scene&) = nullptr;
     int step_ = 0;
+};
+
+/// Body 0 of every scene here is a static one at the origin, without shapes.
+class ChipmunkJoints : public Chipmunk {
+protected:
+    void SetUp() override {
+        Chipmunk::SetUp();
+        scene.world.enable_sleep = false;
+        scene.bodies.emplace_back();
+    }
+    std::size_t join(std::size_t a, std::size_t b, JointDef def) {
+        scene.joints.push_back({a, b, std::move(def)});
+        return scene.joints.size() - 1;
+    }
+    /// A disc of 1 m at `place` on a hinge in its middle.
+    std::size_t add_wheel(Vec2 place, RevoluteJointDef hinge = {}) {
+        const std::size_t wheel = add(dynamic(place, Circle{{}, 1}));
+        hinge.base.frame_a.position = place;
+        return join(0, wheel, hinge);
+    }
+    float position() const { return engine->joint_position(0); }
+    float speed() const { return engine->joint_speed(0); }
 };
 
 }  // namespace islet::test

@@ -198,7 +198,8 @@ void ChipmunkEngine::load(const Scene& scene) {
 
 void ChipmunkEngine::make_joint(const samples::SceneJoint& joint) {
     const bool gear = std::holds_alternative<GearJointDef>(joint.def), mouse = std::holds_alternative<MouseJointDef>(joint.def);
-    joints_->make(joint, gear || mouse ? nullptr : impl_->bodies.at(joint.body_a).body, gear ? nullptr : impl_->bodies.at(joint.body_b).body);
+    joints_->make(joint, gear || mouse ? nullptr : impl_->bodies.at(joint.body_a).body,
+                  gear ? nullptr : impl_->bodies.at(joint.body_b).body);
 }
 
 std::size_t ChipmunkEngine::create_body(const SceneBody& body) {

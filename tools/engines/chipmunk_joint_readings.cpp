@@ -86,9 +86,7 @@ Vec2 ChipmunkJoints::force(std::size_t index, double h) const {
     return h > 0 ? from_cp(cpvmult(impulse(joints_.at(index)), 1 / h)) : Vec2{};
 }
 
-float ChipmunkJoints::torque(std::size_t index, double h) const {
-    return h > 0 ? static_cast<float>(twist(joints_.at(index), h) / h) : 0;
-}
+float ChipmunkJoints::torque(std::size_t index, double h) const { return h > 0 ? static_cast<float>(twist(joints_.at(index), h) / h) : 0; }
 
 // -- the engine's own functions about joints -----------------------------------------------------------------------------------------
 

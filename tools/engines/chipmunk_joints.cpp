@@ -318,9 +318,7 @@ void ChipmunkJoints::mesh(Entry& gear, const SceneJoint& joint, double ratio) co
     if (inverse_moment(gear.a, gear.b) > 0) add(gear, angle, cpGearJointNew(gear.a, gear.b, -kept, -ratio));
 }
 
-void ChipmunkJoints::change(std::size_t index, const SceneJoint& joint) {
-    std::visit(Setter{*this, joints_.at(index)}, joint.def);
-}
+void ChipmunkJoints::change(std::size_t index, const SceneJoint& joint) { std::visit(Setter{*this, joints_.at(index)}, joint.def); }
 
 void ChipmunkJoints::destroy(std::size_t index) {
     Entry& entry = joints_.at(index);
