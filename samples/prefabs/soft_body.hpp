@@ -12,7 +12,7 @@
 // weight / p. The gas damps itself a little: forces that are given once a step would otherwise let a
 // load bounce on it for ever.
 //
-// A skin of many light links gives: 8 substeps and a joint_hertz of 120 in SolverDef make it four times as stiff as the defaults.
+// A skin of many light links gives: 8 substeps and a joint_hertz of 120 in SolverDef make it stiffer.
 #pragma once
 
 #include <span>

@@ -39,8 +39,8 @@ DistanceJointDef rope_between(const Scene& scene, std::size_t body_a, std::size_
 PulleyJointDef pulley_over(const Scene& scene, std::size_t body_a, std::size_t body_b, Vec2 point_a, Vec2 ground_a, Vec2 ground_b,
                            Vec2 point_b);
 
-/// Joints four times as stiff as usual, at twice the time: under a force F a joint gives by F / (m w^2), m being the effective mass of its bodies and
-/// w = 2 pi joint_hertz, which may be a quarter of the substep rate at most. For many light bodies under one load.
+/// Stiffer joints than usual, at twice the time: 8 substeps and a joint_hertz of 120, a quarter of the substep rate. Under a force F a joint gives by
+/// F / (m w^2), m being the effective mass of its bodies and w = 2 pi joint_hertz. For many light bodies under one load.
 void make_stiff(Scene& scene);
 
 /// Convex polygon through the points, which must be a hull already (checked: an empty polygon is refused by the engine).

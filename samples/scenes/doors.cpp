@@ -79,8 +79,7 @@ Scene make_door() {
         const double inertia = double(door.inertia) + double(door.mass) * double(half_length * half_length);
         const double coast = 0.5 * inertia * double(spin * spin) / double(friction);
         return {
-            near_line("the struck door came to rest at its limit (rad)", double(engine.joint_position(struck_joint)), double(right_angle),
-                      0.05),
+            near_line("the struck door came to rest at its limit (rad)", double(engine.joint_position(struck_joint)), double(right_angle), 0.05),
             at_most("farthest it went (rad)", seen->widest, double(right_angle) + 0.03),
             near_line("angle at which friction stopped the second (rad)", double(engine.joint_position(coasting_joint)), coast,
                       double(spin) * h + 0.01 * coast),
@@ -141,8 +140,7 @@ Scene make_seesaw() {
         return {
             near_line("angle with 1 kg at 2.4 m against 2 kg at 1.2 m (rad)", seen->angle, 0, 0.01),
             near_line("the hinge bears them all (N)", seen->force, weight, 0.01 * weight),
-            near_line("angle with another kilogram on the left, at its limit (rad)", double(engine.joint_position(joint)), double(tilt),
-                      0.01),
+            near_line("angle with another kilogram on the left, at its limit (rad)", double(engine.joint_position(joint)), double(tilt), 0.01),
             near_line("the hinge bears that too (N)", double(engine.joint_force(joint).y), weight + 10, 0.01 * weight),
             at_most("boxes fallen off", double(count_outside(engine, {{-3.2f, 0.4f}, {3.2f, 4}})), 0),
             at_most("the hinge came apart (m)", double(engine.max_joint_error().linear), 0.002),

@@ -55,6 +55,14 @@ std::size_t count_below(const Engine& engine, std::size_t first, std::size_t cou
     return below;
 }
 
+/// Bodies faster than 0.05 m/s.
+std::size_t count_moving(const Engine& engine) {
+    std::size_t moving = 0;
+    for (std::size_t i = 0; i < engine.body_slots(); ++i)
+        moving += engine.exists(i) && length(engine.body(i).linear_velocity) > 0.05f ? 1 : 0;
+    return moving;
+}
+
 }  // namespace
 
 Scene make_hourglass() {
@@ -92,8 +100,8 @@ Scene make_hourglass() {
             near_line("grains that went through", double(count_below(engine, first, count, -throat)), double(count), 0),
             {"rate at which the first half did, over Beverloo's", 0.5 * double(count) / (*half_step * dt) / rate, 0.5, 2},
             at_most("grains outside the glass", double(count_outside(engine, {{-width, -tall}, {width, tall}})), 0),
-            at_most("fastest grain (m/s)", max_speed(engine), 0.05),
-            at_most("deepest overlap (m)", engine.max_penetration(), 0.02),
+            at_most("grains that still move, one in a hundred at most", double(count_moving(engine)), 0.01 * double(count)),
+            at_most("deepest overlap, half a grain's radius at most (m)", engine.max_penetration(), 0.5 * double(grain)),
         };
     };
     return scene;
@@ -150,7 +158,7 @@ Scene make_silo() {
             {"rate when nearly empty over that when full", rate(2, 4) / rate(0, 2), 0.8, 1.2},
             at_most("grains that got out of the tray", double(count_outside(engine, {{-4, -3.5f}, {4, 8}})), 0),
             {"grains that stay in the silo's corners", double(count - count_below(engine, first, count, -0.1f)), 1, 180},
-            at_most("deepest overlap (m)", engine.max_penetration(), 0.02),
+            at_most("deepest overlap, half a grain's radius at most (m)", engine.max_penetration(), 0.5 * double(grain)),
         };
     };
     return scene;
@@ -192,7 +200,7 @@ Scene make_avalanche() {
     constexpr int open_step = 90;
     Scene scene;
     scene.name = "avalanche";
-    scene.steps = 720;
+    scene.steps = 960;
     scene.view = {{-6.5f, -2.9f}, {6.5f, 2.9f}};
     add_static(scene, {0, drop - 0.2f}, make_box(7, 0.2f));
     for (const float side : {-1.0f, 1.0f}) add_static(scene, {side * 6.9f, drop + 0.5f}, make_box(0.1f, 0.5f));
@@ -227,8 +235,9 @@ Scene make_avalanche() {
                              0.6 * sliding, sliding + 20});
         }
         lines.push_back({"the rough heap is steeper by (degrees)", angles[1] - angles[0], 4, 30});
-        lines.push_back(at_most("fastest pebble (m/s)", max_speed(engine), 0.05));
-        lines.push_back(at_most("deepest overlap (m)", engine.max_penetration(), 0.02));
+        lines.push_back(
+            at_most("pebbles that still move, one in a hundred at most", double(count_moving(engine)), 0.01 * double(2 * count)));
+        lines.push_back(at_most("deepest overlap, half a grain's radius at most (m)", engine.max_penetration(), 0.5 * double(grain)));
         lines.push_back(at_most("pebbles that got away", double(count_outside(engine, {{-7, drop - 0.1f}, {7, 20}})), 0));
         return lines;
     };
@@ -327,7 +336,7 @@ Scene make_mixer() {
             {"mixing at the end (1: as by chance)", mixing(engine, first, kinds), 0.75, 1.1},
             near_line("the stirrer turned by (rad)", double(engine.joint_position(motor)), due, 0.05),
             at_most("grains outside the tub", double(count_outside(engine, {{-radius, 0}, {radius, 2 * radius}})), 0),
-            at_most("deepest overlap (m)", engine.max_penetration(), 0.02),
+            at_most("deepest overlap, half a grain's radius at most (m)", engine.max_penetration(), 0.5 * double(grain)),
         };
     };
     return scene;

@@ -146,8 +146,7 @@ Scene make_pulley() {
             lines.push_back(
                 near_line(std::string(name) + "the right one fell (m)", double(start) - double(right.position.y), fallen, 0.005));
             lines.push_back(near_line("  the left one rose (m)", double(left.position.y) - double(start), r * fallen, 0.005));
-            lines.push_back(
-                near_line("  the rope bears on the right (N)", double(engine.joint_force(i).y), r * tension, 0.01 * r * tension));
+            lines.push_back(near_line("  the rope bears on the right (N)", double(engine.joint_force(i).y), r * tension, 0.01 * r * tension));
         }
         lines.push_back(at_most("farthest a rope was from its length (m)", double(engine.max_joint_error().linear), 0.002));
         return lines;

@@ -174,6 +174,7 @@ Scene make_quadruped() {
     constexpr float torque = 250, half_length = 0.8f, half_height = 0.16f, hip_x = 0.62f, hip_y = -0.08f;
     Scene scene;
     scene.name = "quadruped";
+    make_stiff(scene);
     scene.steps = 360;
     scene.view = {{-2, -0.5f}, {2, 1.8f}};
     add_floor(scene, 3, {.friction = 0.8f});

@@ -4,58 +4,10 @@
 
 #include <cmath>
 
-#include "registry.hpp"
+#include "engines/chipmunk_fixture.hpp"
 
+namespace islet::test {
 namespace {
-
-using namespace islet;
-using namespace islet::samples;
-
-constexpr double g = 10, h = double(1.0f / 60);  // m/s^2, s: a scene's defaults
-constexpr double rounding = 1e-5;        // results are read as floats
-
-SceneBody body_of(BodyType type, Vec2 position, SceneGeometry geometry, const ShapeDef& material = {}) {
-    SceneBody body;
-    body.def.type = type;
-    body.def.position = position;
-    body.shapes.push_back({std::move(geometry), material});
-    return body;
-}
-SceneBody dynamic(Vec2 position, SceneGeometry geometry, const ShapeDef& material = {}) {
-    return body_of(BodyType::dynamic, position, std::move(geometry), material);
-}
-SceneBody fixed(SceneGeometry geometry, const ShapeDef& material = {}) {
-    return body_of(BodyType::static_body, {}, std::move(geometry), material);
-}
-
-/// Ground whose surface is y = 0.
-SceneBody ground(const ShapeDef& material = {}) { return fixed(make_offset_box(50, 1, {{0, -1}, {}}), material); }
-
-class Chipmunk : public testing::Test {
-protected:
-    void SetUp() override {
-        const engines::EngineInfo* info = engines::find_engine("chipmunk");
-        if (info == nullptr) GTEST_SKIP() << "built without Chipmunk";
-        lacks_ = info->lacks;
-        engine = info->make();
-    }
-    void load() { engine->load(scene); }
-    void step(int steps) {
-        for (int i = 0; i < steps; ++i) engine->advance(scene, step_++, scene.dt);
-    }
-    std::string lacks() const { return lacks_(scene); }
-    std::size_t add(SceneBody body) {
-        scene.bodies.push_back(std::move(body));
-        return scene.bodies.size() - 1;
-    }
-
-    Scene scene;
-    std::unique_ptr<Engine> engine;
-
-private:
-    std::string (*lacks_)(const Scene&) = nullptr;
-    int step_ = 0;
-};
 
 // Chipmunk moves bodies by their old speed and then changes it, so n steps of length h after a start at v0 give
 //     x = x0 + vx n h,   y = y0 + vy n h - g h^2 n (n - 1) / 2,   which the parabola is short of by g t h / 2.
@@ -97,6 +49,19 @@ TEST_F(Chipmunk, NothingSleepsWhereTheWorldDoesNot) {
     load();
     step(180);
     EXPECT_TRUE(engine->body(box).awake);
+}
+
+TEST_F(Chipmunk, ABodyThatNeverSleepsKeepsThoseItTouchesAwake) {
+    add(ground());
+    add(dynamic({0, 0.5f}, make_box(0.5f, 0.5f)));
+    add(dynamic({0, 1.5f}, make_box(0.5f, 0.5f)));
+    add(dynamic({5, 0.5f}, make_box(0.5f, 0.5f)));
+    scene.bodies[1].def.enable_sleep = false;
+    load();
+    step(180);
+    EXPECT_TRUE(engine->body(1).awake);
+    EXPECT_TRUE(engine->body(2).awake);
+    EXPECT_FALSE(engine->body(3).awake);
 }
 
 TEST_F(Chipmunk, ABodyMadeAsleepStaysUntilItIsHit) {
@@ -334,8 +299,10 @@ TEST_F(Chipmunk, WhatItLacksIsSaid) {
     material.filter.group = 1;
     EXPECT_EQ(lacks(), "Chipmunk 7 has no groups of shapes that always collide");
     material = {};
-    scene.bodies[1].def.enable_sleep = false;
-    EXPECT_EQ(lacks(), "Chipmunk 7 has no single bodies that never sleep");
+    scene.bodies[1].def.sleep_threshold = 0.1f;  // of all that may sleep, so of the space
+    EXPECT_EQ(lacks(), "");
+    add(dynamic({5, 0}, Circle{}));
+    EXPECT_EQ(lacks(), "Chipmunk 7 has no sleep thresholds of single bodies");
     scene.world.enable_sleep = false;
     EXPECT_EQ(lacks(), "");
 }
@@ -359,3 +326,4 @@ TEST_F(Chipmunk, BuildsEveryScene) {
 }
 
 }  // namespace
+}  // namespace islet::test

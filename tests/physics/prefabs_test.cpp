@@ -24,7 +24,7 @@ using namespace samples;
 
 constexpr Capacity room{.bodies = 256, .shapes = 256, .contacts = 2048, .joints = 1024};
 
-/// Joints four times as stiff as by default: under a force F they give by F / (m (2 pi 120 Hz)^2), m being the effective mass.
+/// Stiffer joints than by default: under a force F they give by F / (m (2 pi 120 Hz)^2), m being the effective mass.
 WorldDef stiff() {
     WorldDef def;
     def.solver.substeps = 8;

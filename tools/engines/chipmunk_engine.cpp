@@ -11,6 +11,7 @@
 
 #include <chipmunk/chipmunk_structs.h>
 
+#include "chipmunk_joints.hpp"
 #include "chipmunk_shapes.hpp"
 
 namespace islet::engines {
@@ -24,14 +25,14 @@ using samples::SceneShape;
 namespace {
 
 // Lengths, speeds and times that a user of Chipmunk chooses for the size of their world. The defaults suit pixels.
-constexpr double slop = 0.005;       // m of overlap left alone
-constexpr double idle_speed = 0.05;  // m/s, below which a body may fall asleep
-constexpr double idle_time = 0.5;    // s that it takes
+constexpr double slop = 0.005;     // m of overlap left alone
+constexpr double idle_time = 0.5;  // s that it takes a slow body to fall asleep
 
 /// What a body has beyond Chipmunk's own; a body without needs none of it.
 struct Extras {
     double linear_damping = 0, angular_damping = 0;  // 1/s
     double gravity_scale = 1;
+    bool stays_awake = false;
 };
 
 struct Body {
@@ -55,13 +56,15 @@ cpSpace* make_space() {
     return space;
 }
 
-/// Damps as Islet does, v / (1 + d dt) with a rate for each kind of motion; Chipmunk's own is one factor for a whole space.
+/// Damps as Islet does, v / (1 + d dt) with a rate for each kind of motion; Chipmunk's own is one factor for a whole space. It also knows no
+/// single bodies that never sleep: those are never idle for long.
 void update_velocity(cpBody* body, cpVect gravity, cpFloat damping, cpFloat dt) {
     const Extras& extras = *static_cast<const Extras*>(cpBodyGetUserData(body));
     cpBodyUpdateVelocity(body, cpvmult(gravity, extras.gravity_scale), damping, dt);
     // Not by cpBodySetVelocity, which would keep the body from falling asleep.
     body->v = cpvmult(body->v, 1 / (1 + dt * extras.linear_damping));
     body->w /= 1 + dt * extras.angular_damping;
+    if (extras.stays_awake) body->sleeping.idleTime = 0;
 }
 
 /// Fastest approach of two touching shapes at their contact points, m/s.
@@ -126,14 +129,15 @@ struct ChipmunkEngine::Impl {
     bool bounces = false;              // some shape ever did, so contacts are asked about it
     double restitution_threshold = 1;  // m/s
 
-    ~Impl() { clear(); }
-
-    /// The space goes first: taking bodies out of it one by one looks through all contacts for each. Before that, what sleeps is woken: the
-    /// space frees the contacts of sleepers by waking them, and would forget some.
-    void clear() {
+    /// The space goes before its bodies: taking bodies out of it one by one looks through all contacts for each. Before that, what sleeps is
+    /// woken: the space frees the contacts of sleepers by waking them, and would forget some.
+    void free_space() {
         for (Body& body : bodies) cpBodyActivate(body.body);
         if (space != nullptr) cpSpaceFree(space);
         space = nullptr;
+    }
+
+    void free_bodies() {
         for (Body& body : bodies) free_body(body);
         bodies.clear();
     }
@@ -160,26 +164,41 @@ struct ChipmunkEngine::Impl {
     }
 };
 
-ChipmunkEngine::ChipmunkEngine() : impl_(std::make_unique<Impl>()) {}
-ChipmunkEngine::~ChipmunkEngine() = default;
+ChipmunkEngine::ChipmunkEngine() : joints_(std::make_unique<ChipmunkJoints>()), impl_(std::make_unique<Impl>()) {}
+ChipmunkEngine::~ChipmunkEngine() { clear(); }
+
+void ChipmunkEngine::clear() {
+    impl_->free_space();
+    joints_->clear();
+    impl_->free_bodies();
+}
 
 std::string ChipmunkEngine::name() const { return std::string("Chipmunk ") + cpVersionString; }
 
 void ChipmunkEngine::load(const Scene& scene) {
+    clear();
     Impl& m = *impl_;
-    m.clear();
     m.space = make_space();
     cpSpaceSetGravity(m.space, to_cp(scene.world.gravity));
     cpSpaceSetCollisionSlop(m.space, slop);
     m.sleeps = scene.world.enable_sleep;
     if (m.sleeps) {
         cpSpaceSetSleepTimeThreshold(m.space, idle_time);
-        cpSpaceSetIdleSpeedThreshold(m.space, idle_speed);
+        cpSpaceSetIdleSpeedThreshold(m.space, chipmunk_idle_speed(scene));
     }
     m.bounces = false;
     m.restitution_threshold = double(scene.world.restitution_threshold);
     m.bodies.reserve(scene.bodies.size());
     for (const SceneBody& body : scene.bodies) create_body(body);
+    forget_joints();
+    joints_->load(m.space);
+    last_step_ = 0;
+    for (const samples::SceneJoint& joint : scene.joints) create_joint(joint);
+}
+
+void ChipmunkEngine::make_joint(const samples::SceneJoint& joint) {
+    const bool gear = std::holds_alternative<GearJointDef>(joint.def), mouse = std::holds_alternative<MouseJointDef>(joint.def);
+    joints_->make(joint, gear || mouse ? nullptr : impl_->bodies.at(joint.body_a).body, gear ? nullptr : impl_->bodies.at(joint.body_b).body);
 }
 
 std::size_t ChipmunkEngine::create_body(const SceneBody& body) {
@@ -196,8 +215,11 @@ std::size_t ChipmunkEngine::create_body(const SceneBody& body) {
         cpBodySetVelocity(made.body, cpvadd(to_cp(def.linear_velocity), cpvmult(cpvperp(center_from_origin(made.body)), spin)));
         cpBodySetAngularVelocity(made.body, spin);
     }
-    if (def.type == BodyType::dynamic && (def.linear_damping > 0 || def.angular_damping > 0 || def.gravity_scale != 1)) {
-        made.extras = std::make_unique<Extras>(Extras{double(def.linear_damping), double(def.angular_damping), double(def.gravity_scale)});
+    const bool stays_awake = m.sleeps && !def.enable_sleep;
+    const bool damped = def.linear_damping > 0 || def.angular_damping > 0;
+    if (def.type == BodyType::dynamic && (damped || def.gravity_scale != 1 || stays_awake)) {
+        made.extras = std::make_unique<Extras>(
+            Extras{double(def.linear_damping), double(def.angular_damping), double(def.gravity_scale), stays_awake});
         cpBodySetUserData(made.body, made.extras.get());
         cpBodySetVelocityUpdateFunc(made.body, update_velocity);
     }
@@ -210,9 +232,16 @@ std::size_t ChipmunkEngine::create_body(const SceneBody& body) {
     return m.bodies.size() - 1;
 }
 
-void ChipmunkEngine::destroy_body(std::size_t index) { impl_->remove(impl_->bodies.at(index)); }
+void ChipmunkEngine::destroy_body(std::size_t index) {
+    joints_->destroy_joints_of(impl_->bodies.at(index).body);
+    impl_->remove(impl_->bodies[index]);
+}
 
-void ChipmunkEngine::step(float dt) { cpSpaceStep(impl_->space, double(dt)); }
+void ChipmunkEngine::step(float dt) {
+    last_step_ = double(dt);
+    cpSpaceStep(impl_->space, last_step_);
+    joints_->break_overloaded(last_step_);
+}
 
 BodyState ChipmunkEngine::body(std::size_t index) const {
     cpBody* body = impl_->bodies.at(index).body;
@@ -242,6 +271,7 @@ EngineCounts ChipmunkEngine::counts() const {
         counts.shapes += body.shapes.size();
         if (cpBodyGetType(body.body) != CP_BODY_TYPE_STATIC && cpBodyIsSleeping(body.body) == cpFalse) ++counts.awake_bodies;
     }
+    counts.joints = joints_->count();
     std::size_t seen = 0;
     each_contact_twice(impl_->bodies, [&seen](cpArbiter*) { ++seen; });
     counts.contacts = seen / 2;

@@ -11,6 +11,8 @@ namespace islet::engines {
 /// Empty if Chipmunk 7 can build the scene; else a sentence that names the first feature it has not.
 std::string chipmunk_lacks(const samples::Scene& scene);
 
+class ChipmunkJoints;
+
 class ChipmunkEngine final : public samples::Engine {
 public:
     ChipmunkEngine();
@@ -29,21 +31,25 @@ public:
     void apply_force_at(std::size_t index, Vec2 force, Vec2 point) override;
     void apply_torque(std::size_t index, float torque) override;
     void apply_impulse(std::size_t index, Vec2 impulse) override;
-    // The adapter makes no joints: chipmunk_lacks says so.
-    void destroy_joint(std::size_t) override {}
-    bool joint_exists(std::size_t) const override { return false; }
-    float joint_position(std::size_t) const override { return 0; }
-    float joint_speed(std::size_t) const override { return 0; }
-    float motor_force(std::size_t) const override { return 0; }
-    Vec2 joint_force(std::size_t) const override { return {}; }
-    float joint_torque(std::size_t) const override { return 0; }
+    void destroy_joint(std::size_t index) override;
+    bool joint_exists(std::size_t index) const override;
+    float joint_position(std::size_t index) const override;
+    float joint_speed(std::size_t index) const override;
+    float motor_force(std::size_t index) const override;
+    Vec2 joint_force(std::size_t index) const override;
+    float joint_torque(std::size_t index) const override;
 
 protected:
     void step(float dt) override;
-    void make_joint(const samples::SceneJoint&) override {}
-    void change_joint(std::size_t) override {}
+    void make_joint(const samples::SceneJoint& joint) override;
+    void change_joint(std::size_t index) override;
 
 private:
+    void clear();
+
+    std::unique_ptr<ChipmunkJoints> joints_;
+    double last_step_ = 0;  // s, 0 before the first
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

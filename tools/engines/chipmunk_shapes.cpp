@@ -1,7 +1,10 @@
 #include "chipmunk_shapes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "chipmunk_joints.hpp"
 
 namespace islet::engines {
 
@@ -70,22 +73,41 @@ std::string shape_lacks(const SceneShape& shape) {
     return {};
 }
 
-std::string body_lacks(const SceneBody& body, bool may_sleep) {
-    if (may_sleep && !body.def.enable_sleep) return "single bodies that never sleep";
-    if (may_sleep && body.def.sleep_threshold != BodyDef{}.sleep_threshold) return "sleep thresholds of single bodies";
+std::string body_lacks(const SceneBody& body) {
     for (const SceneShape& shape : body.shapes) {
         if (std::string what = shape_lacks(shape); !what.empty()) return what;
     }
     return {};
 }
 
+/// Bodies that fall asleep are compared; what never does has no threshold.
+bool may_sleep(const SceneBody& body) { return body.def.type == BodyType::dynamic && body.def.enable_sleep; }
+
+std::string sleep_lacks(const Scene& scene) {
+    const double common = chipmunk_idle_speed(scene);
+    const auto differs = [common](const SceneBody& body) { return may_sleep(body) && double(body.def.sleep_threshold) != common; };
+    if (std::any_of(scene.bodies.begin(), scene.bodies.end(), differs)) return "sleep thresholds of single bodies";
+    return common > 0 ? "" : "sleep threshold of 0";
+}
+
 }  // namespace
 
+double chipmunk_idle_speed(const Scene& scene) {
+    const auto first = std::find_if(scene.bodies.begin(), scene.bodies.end(), may_sleep);
+    return double(first != scene.bodies.end() ? first->def.sleep_threshold : BodyDef{}.sleep_threshold);
+}
+
 std::string chipmunk_lacks(const Scene& scene) {
+    const auto sentence = [](const std::string& what) { return "Chipmunk 7 has no " + what; };
     for (const SceneBody& body : scene.bodies) {
-        if (std::string what = body_lacks(body, scene.world.enable_sleep); !what.empty()) return "Chipmunk 7 has no " + what;
+        if (const std::string what = body_lacks(body); !what.empty()) return sentence(what);
     }
-    if (!scene.joints.empty()) return "the Chipmunk adapter makes no joints";
+    if (scene.world.enable_sleep) {
+        if (const std::string what = sleep_lacks(scene); !what.empty()) return sentence(what);
+    }
+    for (const samples::SceneJoint& joint : scene.joints) {
+        if (const std::string what = chipmunk_joint_lacks(scene, joint); !what.empty()) return sentence(what);
+    }
     return {};
 }
 

@@ -18,4 +18,7 @@ std::vector<cpShape*> make_chipmunk_shapes(cpBody* body, const samples::SceneSha
 /// Mass, centre and inertia about that centre, as Islet has them: Chipmunk's own inertias of capsules and rounded polygons are approximate.
 MassData chipmunk_mass(const samples::SceneBody& body);
 
+/// m/s, below which bodies of the scene may fall asleep: the threshold of its dynamic bodies, of which Chipmunk takes one for all.
+double chipmunk_idle_speed(const samples::Scene& scene);
+
 }  // namespace islet::engines
