@@ -44,10 +44,10 @@ Scene make_joint_grid() {
     // Joints are springs of joint_hertz on their effective mass, here half a disc's. The held discs share all the weight through nine joints, the outer
     // ones carry about twice their share, and the net swings.
     scene.check = [hertz = double(scene.world.solver.joint_hertz)](const Engine& engine) {
-        const double disc = engine.body(0).mass, omega = 2 * std::numbers::pi * hertz;
+        const double disc = double(engine.body(0).mass), omega = 2 * std::numbers::pi * hertz;
         const double share = disc * 10 * double(side * side) / double(held + 2), give = share / (0.5 * disc * omega * omega);
         std::vector<CheckLine> lines = count_lines(engine, side * side, side * side, 0, 2 * side * (side - 1) - (held - 1));
-        lines.push_back(at_most("farthest a joint has come apart (m)", engine.max_joint_error().linear, 3 * give));
+        lines.push_back(at_most("farthest a joint has come apart (m)", double(engine.max_joint_error().linear), 3 * give));
         lines.push_back(at_most("fastest body (m/s)", max_speed(engine), 60));
         return lines;
     };

@@ -144,7 +144,7 @@ Scene make_bridge() {
     };
     // A joint between two planks gives way by load / (m w^2), m half a plank's mass, w = 2 pi * joint_hertz. Stiffer engines hang higher, as rigid planks do.
     scene.check = [seen, bridge, omega = 2 * std::numbers::pi * double(scene.world.solver.joint_hertz)](const Engine& engine) {
-        const double mass = engine.body(bridge.first_plank).mass, weight = 10 * mass;
+        const double mass = double(engine.body(bridge.first_plank).mass), weight = 10 * mass;
         const double load = boxes * 10 * double(density) * 4 * double(half * half);
         const HangingChain rigid = hang(weight, 0), chain = hang(weight, 1 / (0.5 * mass * omega * omega));
         const Ends ends = ends_of(engine, bridge);
@@ -161,7 +161,7 @@ Scene make_bridge() {
                       0.03 * (planks * weight + load)),
             near_line("sum of their pulls along x (N)", double(ends.left.x + ends.right.x), 0, 0.02 * chain.pull),
             at_most("boxes fallen off", double(fallen), 0),
-            at_most("farthest a hinge came apart (m)", engine.max_joint_error().linear, 0.01),
+            at_most("farthest a hinge came apart (m)", double(engine.max_joint_error().linear), 0.01),
         };
     };
     return scene;

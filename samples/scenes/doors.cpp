@@ -70,7 +70,7 @@ Scene make_door() {
     scene.after_step = [seen, struck_joint, closing_joint](const Engine& engine, int step) {
         if (step == 0) *seen = {};
         seen->widest = std::max(seen->widest, double(engine.joint_position(struck_joint)));
-        if (step + 1 == 40) seen->half_closed = engine.joint_speed(closing_joint);
+        if (step + 1 == 40) seen->half_closed = double(engine.joint_speed(closing_joint));
     };
     // Friction takes I w^2 / 2 = torque * angle; each substep may add or spare its own turn.
     const double h = double(scene.dt) / scene.world.solver.substeps;
@@ -79,14 +79,15 @@ Scene make_door() {
         const double inertia = double(door.inertia) + double(door.mass) * double(half_length * half_length);
         const double coast = 0.5 * inertia * double(spin * spin) / double(friction);
         return {
-            near_line("the struck door came to rest at its limit (rad)", engine.joint_position(struck_joint), double(right_angle), 0.05),
+            near_line("the struck door came to rest at its limit (rad)", double(engine.joint_position(struck_joint)), double(right_angle),
+                      0.05),
             at_most("farthest it went (rad)", seen->widest, double(right_angle) + 0.03),
-            near_line("angle at which friction stopped the second (rad)", engine.joint_position(coasting_joint), coast,
+            near_line("angle at which friction stopped the second (rad)", double(engine.joint_position(coasting_joint)), coast,
                       double(spin) * h + 0.01 * coast),
             near_line("the third closes (rad/s)", seen->half_closed, -double(closing_speed), 0.01),
-            near_line("and is shut (rad)", engine.joint_position(closing_joint), 0, 0.01),
-            near_line("where its motor pushes on (N m)", engine.motor_force(closing_joint), -double(closing_torque), 0.5),
-            at_most("farthest a hinge came apart (m)", engine.max_joint_error().linear, 0.002),
+            near_line("and is shut (rad)", double(engine.joint_position(closing_joint)), 0, 0.01),
+            near_line("where its motor pushes on (N m)", double(engine.motor_force(closing_joint)), -double(closing_torque), 0.5),
+            at_most("farthest a hinge came apart (m)", double(engine.max_joint_error().linear), 0.002),
         };
     };
     return scene;
@@ -133,17 +134,18 @@ Scene make_seesaw() {
     };
     const auto seen = std::make_shared<Seen>();
     scene.after_step = [seen, joint](const Engine& engine, int step) {
-        if (step + 1 == drop_step) *seen = {engine.joint_position(joint), engine.joint_force(joint).y};
+        if (step + 1 == drop_step) *seen = {double(engine.joint_position(joint)), double(engine.joint_force(joint).y)};
     };
     scene.check = [seen, joint, plank](const Engine& engine) -> std::vector<CheckLine> {
         const double weight = 10 * (double(engine.body(plank).mass) + 3);
         return {
             near_line("angle with 1 kg at 2.4 m against 2 kg at 1.2 m (rad)", seen->angle, 0, 0.01),
             near_line("the hinge bears them all (N)", seen->force, weight, 0.01 * weight),
-            near_line("angle with another kilogram on the left, at its limit (rad)", engine.joint_position(joint), double(tilt), 0.01),
-            near_line("the hinge bears that too (N)", engine.joint_force(joint).y, weight + 10, 0.01 * weight),
+            near_line("angle with another kilogram on the left, at its limit (rad)", double(engine.joint_position(joint)), double(tilt),
+                      0.01),
+            near_line("the hinge bears that too (N)", double(engine.joint_force(joint).y), weight + 10, 0.01 * weight),
             at_most("boxes fallen off", double(count_outside(engine, {{-3.2f, 0.4f}, {3.2f, 4}})), 0),
-            at_most("the hinge came apart (m)", engine.max_joint_error().linear, 0.002),
+            at_most("the hinge came apart (m)", double(engine.max_joint_error().linear), 0.002),
         };
     };
     return scene;
@@ -197,13 +199,13 @@ Scene make_elevator() {
     scene.after_step = [seen, joint](const Engine& engine, int step) {
         if (step == 0) *seen = {};
         if (step + 1 == riding_step) {
-            seen->speed = engine.joint_speed(joint);
-            seen->force = engine.motor_force(joint);
+            seen->speed = double(engine.joint_speed(joint));
+            seen->force = double(engine.motor_force(joint));
         }
-        if (step + 1 == waiting_step) seen->top = engine.joint_position(joint);
+        if (step + 1 == waiting_step) seen->top = double(engine.joint_position(joint));
     };
     scene.check = [seen, joint, cabin, first_rider](const Engine& engine) -> std::vector<CheckLine> {
-        double mass = engine.body(cabin).mass;
+        double mass = double(engine.body(cabin).mass);
         std::size_t lost = 0;
         const Vec2 middle = engine.body(cabin).position;
         for (std::size_t i = first_rider; i < engine.body_slots(); ++i) {
@@ -215,10 +217,10 @@ Scene make_elevator() {
             near_line("speed on the way up (m/s)", seen->speed, double(up_speed), 0.01),
             near_line("the motor lifts cabin and riders (N)", seen->force, 10 * mass, 0.02 * 10 * mass),
             near_line("height at the top, its upper limit (m)", seen->top, double(rise), 0.01),
-            near_line("height in the end, its lower limit (m)", engine.joint_position(joint), 0, 0.01),
+            near_line("height in the end, its lower limit (m)", double(engine.joint_position(joint)), 0, 0.01),
             at_most("riders lost", double(lost), 0),
-            at_most("off its rail (m)", engine.max_joint_error().linear, 0.01),
-            at_most("tilted (rad)", engine.max_joint_error().angular, 0.005),
+            at_most("off its rail (m)", double(engine.max_joint_error().linear), 0.01),
+            at_most("tilted (rad)", double(engine.max_joint_error().angular), 0.005),
         };
     };
     return scene;

@@ -46,7 +46,7 @@ Scene make_ragdoll() {
             near_line("joints", double(engine.counts().joints), dolls * (double(bone_count) - 1), 0),
             at_most("fastest bone in the end (m/s)", max_speed(engine), 0.05),
             at_most("farthest a hinge is beyond its limits (rad)", beyond, 0.05),
-            at_most("farthest a hinge came apart (m)", engine.max_joint_error().linear, 0.005),
+            at_most("farthest a hinge came apart (m)", double(engine.max_joint_error().linear), 0.005),
             at_most("highest torso (m), of 3.6 at the start", highest, 2.4),
             at_most("bones outside", double(count_outside(engine, {{-3, 0}, {8, 4}})), 0),
         };
@@ -104,8 +104,8 @@ Scene make_mouse_drag() {
         return {
             near_line("the corner hangs below the hand (m)", double(above.y - grip_at.y), 10 / (omega * omega), 0.003),
             near_line("beside it (m)", double(above.x - grip_at.x), 0, 0.01),
-            near_line("the hand bears the box (N)", engine.joint_force(joint).y, weight, 0.05 * weight),
-            near_line("the weak hand's pull (N)", engine.joint_force(weak_joint).y, 0.5 * push, 0.01 * push),
+            near_line("the hand bears the box (N)", double(engine.joint_force(joint).y), weight, 0.05 * weight),
+            near_line("the weak hand's pull (N)", double(engine.joint_force(weak_joint).y), 0.5 * push, 0.01 * push),
             near_line("height of the heavy box, on the ground (m)", double(engine.body(block).position.y), double(half), 0.005),
             at_most("boxes below the ground", double(count_outside(engine, {{-12, 0}, {12, 6}})), 0),
         };

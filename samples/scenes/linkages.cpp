@@ -80,7 +80,7 @@ Scene make_scissor_lift() {
     scene.after_step = [=](const Engine& engine, int step) {
         if (step + 1 != measured_step) return;
         const double width = double(wide) + double(engine.joint_position(motor)), h1 = height(width) / stages;
-        *seen = {double(engine.body(platform).position.y) - 0.15, height(width), engine.motor_force(motor), 0};
+        *seen = {double(engine.body(platform).position.y) - 0.15, height(width), double(engine.motor_force(motor)), 0};
         // Virtual work: F dw = the weights times what each rises. Bars of stage i rise by (i + 1/2) dh, dh / dw = -w / h of a stage.
         double moment = stages * double(engine.body(platform).mass);
         for (std::size_t load = first_load; load < engine.body_slots(); ++load) moment += stages * double(engine.body(load).mass);
@@ -97,7 +97,7 @@ Scene make_scissor_lift() {
             near_line("height in the end (m)", double(engine.body(platform).position.y) - 0.15, height(double(narrow)), 0.05),
             at_most("the platform is off level (rad)", std::abs(double(engine.body(platform).angle)), 0.02),
             at_most("the load is off the platform (m)", away, 0.03),
-            at_most("farthest a joint came apart (m)", engine.max_joint_error().linear, 0.01),
+            at_most("farthest a joint came apart (m)", double(engine.max_joint_error().linear), 0.01),
         };
     };
     return scene;
@@ -138,7 +138,7 @@ Scene make_pulley() {
         std::vector<CheckLine> lines;
         for (std::size_t i = 0; i < count; ++i) {
             const BodyState left = engine.body(2 * i + 1), right = engine.body(2 * i + 2);
-            const double m1 = left.mass, m2 = right.mass, r = pairs[i].ratio, g = 10;
+            const double m1 = double(left.mass), m2 = double(right.mass), r = double(pairs[i].ratio), g = 10;
             const double a = g * (m2 - r * m1) / (m2 + r * r * m1), fallen = 0.5 * a * t * (t + h), tension = m1 * (g + r * a);
             char name[64];
             std::snprintf(name, sizeof name, "%g kg : %g kg, ratio %g: ", double(pairs[i].left), double(pairs[i].right),
@@ -146,9 +146,10 @@ Scene make_pulley() {
             lines.push_back(
                 near_line(std::string(name) + "the right one fell (m)", double(start) - double(right.position.y), fallen, 0.005));
             lines.push_back(near_line("  the left one rose (m)", double(left.position.y) - double(start), r * fallen, 0.005));
-            lines.push_back(near_line("  the rope bears on the right (N)", engine.joint_force(i).y, r * tension, 0.01 * r * tension));
+            lines.push_back(
+                near_line("  the rope bears on the right (N)", double(engine.joint_force(i).y), r * tension, 0.01 * r * tension));
         }
-        lines.push_back(at_most("farthest a rope was from its length (m)", engine.max_joint_error().linear, 0.002));
+        lines.push_back(at_most("farthest a rope was from its length (m)", double(engine.max_joint_error().linear), 0.002));
         return lines;
     };
     return scene;
@@ -200,19 +201,19 @@ Scene make_gears() {
     };
     const auto seen = std::make_shared<Seen>();
     scene.after_step = [seen, motor = hinges[0]](const Engine& engine, int step) {
-        if (step + 1 == measured_step) seen->torque = engine.motor_force(motor);
+        if (step + 1 == measured_step) seen->torque = double(engine.motor_force(motor));
     };
     scene.check = [=](const Engine& engine) -> std::vector<CheckLine> {
-        const double first = engine.joint_position(hinges[0]), r1 = small, r2 = large;
+        const double first = double(engine.joint_position(hinges[0])), r1 = double(small), r2 = double(large);
         const double torque = 10 * double(engine.body(rack).mass) * r1;  // what lifts the bar by r1 a radian
         return {
             near_line("the first wheel's turn (rad)", first, double(rate) * 3, 0.05),
-            near_line("the second's (rad)", engine.joint_position(hinges[1]), -first * r1 / r2, 0.02),
-            near_line("the third's (rad)", engine.joint_position(hinges[2]), first, 0.02),
-            near_line("the bar's rise (m)", engine.joint_position(slider), first * r1, 0.02),
+            near_line("the second's (rad)", double(engine.joint_position(hinges[1])), -first * r1 / r2, 0.02),
+            near_line("the third's (rad)", double(engine.joint_position(hinges[2])), first, 0.02),
+            near_line("the bar's rise (m)", double(engine.joint_position(slider)), first * r1, 0.02),
             near_line("the motor bears the bar's weight (N m)", seen->torque, torque, 0.02 * torque),
-            at_most("farthest a joint came apart (m)", engine.max_joint_error().linear, 0.005),
-            at_most("farthest a gear is off its teeth (rad)", engine.max_joint_error().angular, 0.01),
+            at_most("farthest a joint came apart (m)", double(engine.max_joint_error().linear), 0.005),
+            at_most("farthest a gear is off its teeth (rad)", double(engine.max_joint_error().angular), 0.01),
         };
     };
     return scene;

@@ -64,7 +64,7 @@ Scene make_pendulum() {
         if (step == 0) *swings = {};
         for (std::size_t i = 0; i < count; ++i) {
             Swing& swing = (*swings)[i];
-            const double angle = engine.joint_position(i), before = swing.before;
+            const double angle = double(engine.joint_position(i)), before = swing.before;
             if (before > 0 && angle <= 0) {
                 swing.last = dt * (step + before / (before - angle));
                 if (swing.passes++ == 0) swing.first = swing.last;
@@ -79,7 +79,7 @@ Scene make_pendulum() {
         double least = 0, now = energy(engine, gravity), at_start = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const BodyState bob = engine.body(i + 1);
-            const double d = length, g = -double(gravity.y), inertia = double(bob.inertia) + double(bob.mass) * d * d;
+            const double d = double(length), g = -double(gravity.y), inertia = double(bob.inertia) + double(bob.mass) * d * d;
             const double amplitude = amplitudes[i] * std::numbers::pi / 180;
             const double period =
                 2 * std::numbers::pi * std::sqrt(inertia / (double(bob.mass) * g * d)) / common_mean(1, std::cos(0.5 * amplitude));
@@ -90,7 +90,7 @@ Scene make_pendulum() {
             least -= double(bob.mass) * g * d;
         }
         lines.push_back(near_line("energy lost in 15 s, of what swings", (at_start - now) / (at_start - least), 0, 0.01));
-        lines.push_back(at_most("farthest a hinge came apart (m)", engine.max_joint_error().linear, 0.001));
+        lines.push_back(at_most("farthest a hinge came apart (m)", double(engine.max_joint_error().linear), 0.001));
         return lines;
     };
     return scene;
@@ -173,7 +173,7 @@ Scene make_chain_ball() {
     // At the bottom the chain bears three times the ball's weight, m g and m v^2 / r = 2 m g, and it bounces on it by as much as half of that again. A joint
     // of two links gives way by load / stiffness, and its stiffness goes with a link's mass: the worst case for a solver that knows two bodies at a time.
     scene.check = [seen, ball, hertz = double(scene.world.solver.joint_hertz)](const Engine& engine) -> std::vector<CheckLine> {
-        const double heavy_mass = engine.body(ball).mass, light = engine.body(1).mass, omega = 2 * std::numbers::pi * hertz;
+        const double heavy_mass = double(engine.body(ball).mass), light = double(engine.body(1).mass), omega = 2 * std::numbers::pi * hertz;
         const double give = 1.5 * 3 * heavy_mass * 10 / (0.5 * light * omega * omega), reach = double(end) + double(radius);
         return {
             near_line("the ball is so many times heavier than a link", heavy_mass / light, double(ratio), 1),
@@ -231,7 +231,7 @@ Scene make_rope() {
     scene.check = [seen](const Engine&) {
         std::vector<CheckLine> lines;
         for (std::size_t i = 0; i < count; ++i) {
-            const double l = length, a = double(aside[i]) * l, f = std::sqrt(l * l - a * a), g = 10;
+            const double l = double(length), a = double(aside[i]) * l, f = std::sqrt(l * l - a * a), g = 10;
             const double caught = std::sqrt(2 * g * f) * a / l, bottom = std::sqrt(caught * caught + 2 * g * (l - f));
             lines.push_back(near_line("speed at the bottom, let fall " + std::to_string(a).substr(0, 3) + " m aside (m/s)", seen->speed[i],
                                       bottom, 0.03 * bottom));

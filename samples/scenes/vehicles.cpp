@@ -77,8 +77,8 @@ Scene make_car() {
     scene.after_step = [=, front = struts[1], wheel = wheels[1], dt = double(scene.dt)](const Engine& engine, int step) {
         if (step == 0) *seen = {};
         if (step + 1 == drive_step) {
-            seen->compressed = engine.joint_position(front);
-            seen->start = engine.body(wheel).position.x;
+            seen->compressed = double(engine.joint_position(front));
+            seen->start = double(engine.body(wheel).position.x);
         }
         if (step >= drive_step) seen->turned -= dt * double(engine.body(wheel).angular_velocity);
     };
@@ -101,7 +101,7 @@ Scene make_car() {
             {"distance in 9 s (m), of 36 at that speed", double(body.position.x), 0.9 * drive_time * double(radius * rate),
              1.03 * drive_time * double(radius * rate)},
             at_most("the chassis leans (rad)", std::abs(double(body.angle)), 0.1),
-            at_most("farthest a wheel is off its strut (m)", engine.max_joint_error().linear, 0.01),
+            at_most("farthest a wheel is off its strut (m)", double(engine.max_joint_error().linear), 0.01),
         };
     };
     return scene;
