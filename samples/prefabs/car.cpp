@@ -30,8 +30,7 @@ Prefab make_car(const CarDef& def) {
     BodyDef body;
     body.type = BodyType::dynamic;
     body.position = middle;
-    const Vec2 u = {unit, unit};
-    const auto at = [u](float x, float y) { return Vec2{x * u.x, y * u.y}; };
+    const auto at = [unit](float x, float y) { return Vec2{unit * x, unit * y}; };
     // The lower half weighs; the cabin hardly does, so that the car does not tip.
     const Polygon hull = hull_of({at(-1.6f, -0.2f), at(1.6f, -0.2f), at(1.7f, 0.1f), at(1.2f, 0.25f), at(-1.6f, 0.25f)}, 0.05f * unit);
     const Polygon cabin = hull_of({at(-1.3f, 0.25f), at(0.9f, 0.25f), at(0.3f, 0.7f), at(-0.9f, 0.7f)}, 0.05f * unit);

@@ -16,7 +16,7 @@ struct CarDef {
     Vec2 position = {};         ///< m, of the ground midway between its wheels
     float wheel_radius = 0.4f;  ///< m
     float wheel_base = 2.2f;    ///< m, from axle to axle
-    float density = 60;         ///< kg/m^2, of the body; the wheels are half as dense. The car weighs about 200 kg.
+    float density = 60;         ///< kg/m^2, of the body; the wheels are half as dense. The car weighs about 145 kg.
     float friction = 1.2f;      ///< of the tyres
     float hertz = 2.5f;         ///< Hz, of the springs
     float damping_ratio = 0.7f;

@@ -57,6 +57,7 @@ Prefab make_gripper(const GripperDef& def) {
         moving_part(palm - Vec2{-side, palm_half_height + finger}, {{make_rounded_box(finger_half - 0.02f, finger - 0.02f, 0.02f), pad}}),
     };
     const Vec2 root = {0, finger}, hinge = {side, -palm_half_height};
+    // The right finger closes to the left: both frames of its slider are turned by half a turn.
     gripper.joints = {
         {0, 1, slider({}, {}, 0, -half_rail, half_rail)},
         {1, 2, slider({0, -lift_start}, {}, 0.5f * pi, -def.reach, 0)},
@@ -67,7 +68,6 @@ Prefab make_gripper(const GripperDef& def) {
     GearJointDef pinion;
     pinion.ratio = -1;
     gripper.joints.push_back({2, 3, pinion});
-    // Frame B of the right finger is turned by half a turn, as its axis is: the finger itself stands upright.
     const std::array<JointMotor, 4> still = gripper_motors(def, {});
     for (std::size_t i = 0; i < still.size(); ++i) std::get<PrismaticJointDef>(gripper.joints[i].def).motor = still[i];
     return gripper;

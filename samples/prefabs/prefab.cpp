@@ -19,7 +19,8 @@ Spawned spawn(World& world, const Prefab& prefab) {
     for (const SceneJoint& joint : prefab.joints) {
         // A joint of something that was left out is left out without an error of its own: last_error() keeps saying why.
         const bool gear = std::holds_alternative<GearJointDef>(joint.def);
-        const bool whole = gear ? made.joints[joint.body_a] && made.joints[joint.body_b] : made.bodies[joint.body_a] && made.bodies[joint.body_b];
+        const bool whole =
+            gear ? made.joints[joint.body_a] && made.joints[joint.body_b] : made.bodies[joint.body_a] && made.bodies[joint.body_b];
         made.joints.push_back(whole ? spawn(world, joint, made.bodies, made.joints) : JointId{});
     }
     return made;

@@ -50,9 +50,8 @@ Scene make_cloth_scene() {
         *most_stretch = std::max(step == 0 ? 0 : *most_stretch, worst_stretch(engine, cloth.first_joint, rods, double(def.spacing)));
     };
     // Let go, the cloth swings until the middle of its weight is below the nail, and the opposite corner as far down as its longer side at least and
-    // as both sides at most. The rods give by F / (m w^2) (see
-    // make_stiff), m being half a node's mass: at rest the nail's rods carry the cloth's weight, and three times as much as it swings, as a pendulum's
-    // rod does that falls from the horizontal.
+    // as both sides at most. The rods give by F / (m w^2) (see make_stiff), m being half a node's mass: at rest the nail's rods carry the cloth's
+    // weight, and as it swings three times as much, as the rod of a pendulum does that falls from the horizontal.
     const double omega = 2 * double(pi) * double(scene.world.solver.joint_hertz);
     const double give = 10 * double(def.columns * def.rows) / (0.5 * omega * omega) / double(def.spacing);
     scene.check = [=](const Engine& engine) -> std::vector<CheckLine> {

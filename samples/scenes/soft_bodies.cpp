@@ -142,9 +142,9 @@ Scene make_soft_stack() {
             force += width * double(soft.def.pressure) / fullness(engine, soft.placed, soft.def);
         }
         std::vector<CheckLine> lines;
-        // The floor carries everything through two patches, whose four ends fall within a link.
+        // The floor carries everything through two patches, each known to a link and a half, as above.
         lines.push_back(
-            near_line("pressure on the floor, due the weight of all (N)", force, weight, 2 * link_length(softs[0].def) * force / patch));
+            near_line("pressure on the floor, due the weight of all (N)", force, weight, 3 * link_length(softs[0].def) * force / patch));
         for (const Soft& soft : softs) {
             const std::string name = "soft body at height " + std::to_string(std::lround(double(soft.def.position.y))) + " m: ";
             lines.push_back({name + "area (share of the round one)", fullness(engine, soft.placed, soft.def), 0.7, 1.01});
