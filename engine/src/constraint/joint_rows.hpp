@@ -252,9 +252,10 @@ template <std::uint32_t W>
 void store_applied(const Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
     const Vec2 p = {applied.px[lane], applied.py[lane]};
     j.force_impulse = p;
-    out.bodies[j.body_b].stretch += out.h * dot(turned(out.solved[r.body_b[lane]].dq, r.rbx[lane], r.rby[lane]), p);
-    if (j.body_a == null_index) return;
-    out.bodies[j.body_a].stretch -= out.h * dot(turned(out.solved[r.body_a[lane]].dq, r.rax[lane], r.ray[lane]), p);
+    // Slot 0, what rests, is not stretched.
+    const std::uint32_t a = r.body_a[lane], b = r.body_b[lane];
+    if (b != 0) out.bodies[j.body_b].stretch += out.h * dot(turned(out.solved[b].dq, r.rbx[lane], r.rby[lane]), p);
+    if (a != 0) out.bodies[j.body_a].stretch -= out.h * dot(turned(out.solved[a].dq, r.rax[lane], r.ray[lane]), p);
 }
 
 }  // namespace islet::detail
