@@ -5,6 +5,7 @@
 #include <new>
 
 #include "islet/islet.hpp"
+#include "support/joint_world.hpp"
 
 // Sanitizers bring their own malloc, which may not be replaced; the operators may.
 #if defined(__SANITIZE_ADDRESS__)
@@ -67,7 +68,7 @@ namespace {
 
 using namespace islet;
 
-constexpr Capacity capacity{.bodies = 48, .shapes = 64, .contacts = 96, .geometries = 24};
+constexpr Capacity capacity{.bodies = 48, .shapes = 64, .contacts = 96, .joints = 24, .geometries = 24};
 StaticWorld<capacity> storage;
 
 // Counts from construction on.
@@ -235,6 +236,70 @@ TEST(NoHeap, NoCallAllocates) {
     }
     const long n = watch.stop();
     EXPECT_EQ(n, 0);
+    EXPECT_TRUE(is_finite(sum));
+    EXPECT_EQ(w.validate(), nullptr);
+}
+
+void drive_joints(World& w, const test::Machine& m) {
+    const JointId hinge = m[JointType::revolute], rod = m[JointType::distance], drive = m[JointType::motor], mouse = m[JointType::mouse];
+    w.set_spring(hinge, {.enable = true, .hertz = 3, .damping_ratio = 1, .target = 0});
+    w.set_limit(hinge, {.enable = true, .lower = -1, .upper = 1});
+    w.set_motor(hinge, {.enable = true, .speed = 1, .max_force = 3});
+    w.set_joint_friction(hinge, 0.5f);
+    w.set_joint_length(rod, 1.5f);
+    w.set_joint_velocity(drive, {1, 0}, 0.5f);
+    w.set_joint_strength(drive, 10, 5);
+    w.set_target(mouse, {2, 3});
+    w.set_frames(rod, {{1, 0}, 0}, {{0, 0.1f}, 0});
+    w.set_collide_connected(rod, true);
+    w.set_collide_connected(rod, false);
+    w.set_user_data(rod, 3);
+    w.set_type(m.arm, BodyType::static_body);
+    w.step(1.0f / 60);
+    w.set_type(m.arm, BodyType::dynamic);
+    w.set_break(m[JointType::weld], 1e-3f, 0);
+}
+
+float read_joints(const World& w, const test::Machine& m) {
+    float sum = 0;
+    JointId out[4];
+    for (const JointId j : m.joints) {
+        if (!w.is_valid(j)) continue;
+        const JointError error = w.joint_error(j);
+        sum += w.anchor_a(j).x + w.anchor_b(j).y + w.joint_force(j).x + w.joint_torque(j) + error.linear + error.angular;
+        sum += w.frame_a(j).angle + w.frame_b(j).angle + static_cast<float>(w.joints(w.body_b(j), out) + w.user_data(j));
+        sum += w.joint_position(j) + w.joint_speed(j) + w.spring(j).hertz + w.limit(j).lower + w.motor(j).speed + w.motor_force(j);
+        sum += w.joint_friction(j) + w.joint_length(j) + w.target(j).x + w.ground_a(j).x + w.ground_b(j).x;  // most of the wrong type
+        sum += w.collide_connected(j) && w.joint_type(j) == JointType::gear ? 1.0f : 0.0f;
+    }
+    return sum + static_cast<float>(w.joint_count() + w.broken_joints().size() + (w.joint_at(0) ? 1u : 0u));
+}
+
+TEST(NoHeap, NoJointAllocates) {
+    WorldDef def;
+    def.error_hook = [](Error, void*) { ++errors_heard; };
+    World& w = storage.create(def);
+    float sum = 0;
+    const Watch watch;
+    const test::Machine m = test::add_machine(w, {0, 0});
+    for (int i = 0; i < 30; ++i) w.step(1.0f / 60);
+    sum += read_joints(w, m);
+    drive_joints(w, m);
+    w.step(1.0f / 60);
+    const bool broke = w.broken_joints().size() == 1;
+    sum += read_joints(w, m);
+    while (test::join(w, JointType::revolute, m.left, m.right)) {
+    }
+    const bool full = w.last_error() == Error::joints_full;
+    for (int i = 0; i < 300; ++i) w.step(1.0f / 60);
+    w.destroy_joint(m[JointType::prismatic]);
+    w.destroy_body(m.left);
+    w.step(1.0f / 60);
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_TRUE(broke);
+    EXPECT_TRUE(full);
+    EXPECT_FALSE(w.is_valid(m[JointType::gear]));
     EXPECT_TRUE(is_finite(sum));
     EXPECT_EQ(w.validate(), nullptr);
 }

@@ -189,6 +189,56 @@ TEST_F(JointLife, BodiesMayChangeTheirTypeUnderEveryJoint) {
     EXPECT_TRUE(w.errors.empty());
 }
 
+TEST_F(JointLife, AGearHoldsWhicheverBodiesOfItsJointsMove) {
+    // Hinge 1 is made with both bodies dynamic, then its B is pinned: the gear turns A instead. Pinned and let go in every way, it holds.
+    const BodyId a = box(0, 0), b = box(0, 2), hub = box(4, 0, BodyType::static_body), c = box(6, 0);
+    const JointId first = join(*w, JointType::revolute, a, b), second = join(*w, JointType::revolute, hub, c);
+    const JointId gear = w->create_joint(GearJointDef{first, second, 1});
+    for (const auto& [type_a, type_b] : {std::pair{BodyType::dynamic, BodyType::static_body},
+                                         {BodyType::dynamic, BodyType::kinematic},
+                                         {BodyType::static_body, BodyType::dynamic},
+                                         {BodyType::kinematic, BodyType::static_body},
+                                         {BodyType::dynamic, BodyType::dynamic}}) {
+        w->set_type(a, type_a);
+        w->set_type(b, type_b);
+        for (int i = 0; i < 60; ++i) {
+            w->apply_torque(c, 0.2f);
+            w.step();
+            ASSERT_EQ(w->validate(), nullptr);
+        }
+        EXPECT_LT(w->joint_error(gear).angular, 0.02f);
+        w.step(120);
+        w->wake(type_a == BodyType::dynamic ? a : b);
+        EXPECT_TRUE(w->is_awake(c) || (type_a != BodyType::dynamic && type_b != BodyType::dynamic)) << "the gear's bodies wake together";
+        w->destroy_joint(w->create_joint(GearJointDef{second, first, 1}));
+        expect_sound("with a gear more for a moment");
+    }
+    w->destroy_joint(first);
+    EXPECT_FALSE(w->is_valid(gear));
+}
+
+TEST_F(JointLife, TheBodiesOfAGearMayComeToShareOne) {
+    // Both joints hang on one hub. With their other bodies pinned, the hub is what moves for both.
+    const BodyId hub = box(0, 0), a = box(2, 0), b = box(-2, 0);
+    const JointId ha = join(*w, JointType::revolute, hub, a), hb = join(*w, JointType::prismatic, hub, b);
+    const JointId gears[] = {w->create_joint(GearJointDef{ha, hb, 1}), w->create_joint(GearJointDef{hb, ha, 2}),
+                             w->create_joint(GearJointDef{ha, hb, -1})};
+    for (const BodyType type : {BodyType::static_body, BodyType::kinematic, BodyType::dynamic, BodyType::static_body}) {
+        w->set_type(a, type);
+        expect_sound("with one pinned");
+        w->set_type(b, type);
+        w->apply_linear_impulse_to_center(hub, {0.5f, 1});
+        expect_sound("with both pinned");
+        w.step(20);
+        for (const JointId gear : gears) EXPECT_TRUE(w->is_valid(gear));
+    }
+    w->destroy_joint(gears[1]);
+    expect_sound("with one gear fewer");
+    w->destroy_joint(ha);
+    for (const JointId gear : gears) EXPECT_FALSE(w->is_valid(gear));
+    EXPECT_EQ(w->joint_count(), 1u);
+}
+
 TEST_F(JointLife, AJointBetweenBodiesThatCannotMoveWaitsUntilOneCan) {
     const BodyId a = box(0, 0), b = box(2, 0);
     const JointId weld = join(*w, JointType::weld, a, b);

@@ -170,7 +170,7 @@ TEST_F(BadJointNumber, InAPulley) {
                                  {"ground_a.y", [](Def& d) -> float& { return d.ground_a.y; }, -max_position, max_position},
                                  {"ground_b.x", [](Def& d) -> float& { return d.ground_b.x; }, -max_position, max_position},
                                  {"ground_b.y", [](Def& d) -> float& { return d.ground_b.y; }, -max_position, max_position},
-                                 {"ratio", [](Def& d) -> float& { return d.ratio; }, least, most},
+                                 {"ratio", [](Def& d) -> float& { return d.ratio; }, least, max_ratio},
                              });
 }
 
@@ -178,7 +178,7 @@ TEST_F(BadJointNumber, InAGear) {
     using Def = GearJointDef;
     const Def good{.joint1 = machine[JointType::revolute], .joint2 = machine[JointType::prismatic]};
     expect_fields<Def>(good, {
-                                 {"ratio", [](Def& d) -> float& { return d.ratio; }, -most, most},
+                                 {"ratio", [](Def& d) -> float& { return d.ratio; }, -max_ratio, max_ratio},
                                  {"break_torque", [](Def& d) -> float& { return d.break_torque; }, 0},
                              });
     for (const float zero : {0.0f, -0.0f}) {

@@ -35,6 +35,9 @@ struct JointId {
 enum class JointType : std::uint8_t { revolute, prismatic, distance, weld, wheel, motor, mouse, pulley, gear };
 inline constexpr std::uint32_t joint_type_count = 9;
 
+/// Ratios of pulleys and gears go up to this.
+inline constexpr float max_ratio = 1.0e6f;
+
 /// A joint's place on a body, relative to the body's origin.
 struct JointFrame {
     Vec2 position = {};  ///< m, within max_position
@@ -150,7 +153,7 @@ struct PulleyJointDef {
     JointBase base = {};
     Vec2 ground_a = {};  ///< m, world; must be at least 0.005 m from the bodies' points
     Vec2 ground_b = {};
-    float ratio = 1;     ///< > 0
+    float ratio = 1;     ///< > 0, at most max_ratio
 };
 
 /// Couples the coordinates of two revolute or prismatic joints: c1 + ratio * c2 stays what it is when the gear is made. Two hinges whose bodies
@@ -159,7 +162,7 @@ struct PulleyJointDef {
 struct GearJointDef {
     JointId joint1 = {};
     JointId joint2 = {};
-    float ratio = 1;  ///< not 0
+    float ratio = 1;  ///< not 0, between -max_ratio and max_ratio
     float break_torque = 0;  ///< N m (N for a prismatic joint 1), >= 0; 0: never breaks
     std::uint64_t user_data = 0;
 };

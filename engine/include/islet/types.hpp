@@ -88,7 +88,8 @@ struct SolverDef {
     float contact_hertz = 30.0f;         ///< Hz, > 0. Stiffness of soft contacts; capped at an eighth of the substep rate.
     float contact_damping_ratio = 10.0f; ///< >= 0. Soft contacts are overdamped so that they do not bounce.
     float contact_push_speed = 3.0f;     ///< m/s, >= 0. Fastest that overlap is pushed apart.
-    float joint_hertz = 75.0f;           ///< Hz, > 0. Stiffness with which joints mend their errors; capped at 5/16 of the substep rate.
+    float joint_hertz = 60.0f;           ///< Hz, > 0. Stiffness with which joints mend their errors; capped at a quarter of the substep rate. A rigid
+                                         ///< joint under a steady force F gives by F / (m (2 pi joint_hertz)^2), m the mass it moves.
     float joint_damping_ratio = 2.0f;    ///< >= 0
     float baumgarte = 0.2f;              ///< 0 to 1. Share of overlaps and joint errors mended per step (classic schedule).
     float omega = 1.0f;                  ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.

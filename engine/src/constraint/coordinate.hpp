@@ -19,14 +19,15 @@ enum CoordinateParts : std::uint32_t { part_spring = 1u, part_motor = 2u, part_f
 
 template <std::uint32_t W>
 struct CoordinateRows {
-    float spring_rate[W], spring_mass_scale[W], spring_impulse_scale[W], target[W];
+    float spring_rate[W], spring_mass_scale[W], spring_impulse_scale[W], target[W];  // rate < 0: no spring
     float speed[W], max_motor[W];  // max_motor, max_friction: N s, N m s over a substep
     float max_friction[W];
     float lower[W], upper[W];
     float spring[W], motor[W], friction[W], low[W], high[W];  // accumulated impulses
 };
 
-inline constexpr float no_bound = 1.0e12f;  // m or rad
+inline constexpr float no_bound = 1.0e12f;  // m or rad: what is farther is out of reach, and its products could leave the range of float
+inline float within_bound(float a) { return clamp(a, -no_bound, no_bound); }
 
 inline std::uint32_t coordinate_parts(const Joint& j) {
     return ((j.flags & joint_spring) != 0 ? part_spring : 0u) | ((j.flags & joint_motor) != 0 ? part_motor : 0u) |
@@ -38,16 +39,18 @@ template <std::uint32_t W>
 float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n) {
     const std::uint32_t parts = coordinate_parts(j);
     const bool spring = (parts & part_spring) != 0, motor = (parts & part_motor) != 0, limit = (parts & part_limit) != 0;
-    const Softness soft = spring ? make_spring(j.spring_hertz, j.spring_damping_ratio, n.h) : Softness{0, 0, 1};
+    // A lane without a part that its neighbours have must come out as if there were none, whatever its numbers.
+    constexpr float infinity = __builtin_inff();
+    const Softness soft = spring ? make_spring(j.spring_hertz, j.spring_damping_ratio, n.h) : Softness{-1, 0, 0};
     r.spring_rate[lane] = soft.rate;
     r.spring_mass_scale[lane] = soft.mass_scale;
     r.spring_impulse_scale[lane] = soft.impulse_scale;
-    r.target[lane] = j.target;
-    r.speed[lane] = j.motor_speed;
+    r.target[lane] = within_bound(j.target);
+    r.speed[lane] = within_bound(j.motor_speed);
     r.max_motor[lane] = motor ? n.h * j.motor_max : 0;
     r.max_friction[lane] = n.h * j.friction;
-    r.lower[lane] = limit ? j.lower : -no_bound;
-    r.upper[lane] = limit ? j.upper : no_bound;
+    r.lower[lane] = limit ? within_bound(j.lower) : -infinity;
+    r.upper[lane] = limit ? within_bound(j.upper) : infinity;
     r.spring[lane] = spring ? n.warm * j.spring_impulse : 0;
     r.motor[lane] = motor ? n.warm * j.motor_impulse : 0;
     r.friction[lane] = j.friction > 0 ? n.warm * j.friction_impulse : 0;
@@ -83,9 +86,9 @@ ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, st
     const F m = L::splat(n.omega) * inverse_or_zero<L>(k);
     F sum = zero;
     if ((parts & part_spring) != 0 && n.biased) {
-        const F old = L::load(r.spring);
-        const F delta = -(m * L::load(r.spring_mass_scale) * (speed + L::load(r.spring_rate) * (x - L::load(r.target)))) -
-                        L::load(r.spring_impulse_scale) * old;
+        const F old = L::load(r.spring), rate = L::load(r.spring_rate);
+        const F wanted = -(m * L::load(r.spring_mass_scale) * (speed + rate * (x - L::load(r.target)))) - L::load(r.spring_impulse_scale) * old;
+        const F delta = select(rate < zero, zero, wanted);
         L::store(r.spring, old + delta);
         sum = sum + delta;
         speed = speed + k * delta;

@@ -247,14 +247,28 @@ inline Vec2 turned(float angle, float x, float y) {
     return {v.x, v.y};
 }
 
+/// False of impulses beyond what any body can bear, and of those that are no numbers.
+inline bool is_sound(float a, float b, float c) { return abs(a) + abs(b) + abs(c) < 1.0e28f; }
+
+/// Numbers that are absurd together (a largest float here, a speck of dust there) can overflow in a solve. The bodies are held within their limits
+/// (solver.cpp), and the joint starts anew in the next step.
+inline void forget_unsound(Joint& j) {
+    if (is_sound(j.force_impulse.x, j.force_impulse.y, j.torque_impulse)) return;
+    j.impulse = j.force_impulse = {0, 0};
+    j.angular_impulse = j.torque_impulse = 0;
+    j.spring_impulse = j.motor_impulse = j.friction_impulse = j.lower_impulse = j.upper_impulse = 0;
+}
+
 /// Writes back the impulse, for readers, and how the joint pulled its bodies outwards, for the next step's stability (stiffened() in solver.cpp).
 template <std::uint32_t W>
 void store_applied(const Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
     const Vec2 p = {applied.px[lane], applied.py[lane]};
     j.force_impulse = p;
-    out.bodies[j.body_b].stretch += out.h * dot(turned(out.solved[r.body_b[lane]].dq, r.rbx[lane], r.rby[lane]), p);
-    if (j.body_a == null_index) return;
-    out.bodies[j.body_a].stretch -= out.h * dot(turned(out.solved[r.body_a[lane]].dq, r.rax[lane], r.ray[lane]), p);
+    if (!is_sound(p.x, p.y, 0)) return;
+    // Slot 0, what rests, is not stretched.
+    const std::uint32_t a = r.body_a[lane], b = r.body_b[lane];
+    if (b != 0) out.bodies[j.body_b].stretch += out.h * dot(turned(out.solved[b].dq, r.rbx[lane], r.rby[lane]), p);
+    if (a != 0) out.bodies[j.body_a].stretch -= out.h * dot(turned(out.solved[a].dq, r.rax[lane], r.ray[lane]), p);
 }
 
 }  // namespace islet::detail

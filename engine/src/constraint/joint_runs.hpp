@@ -74,7 +74,10 @@ template <class L>
 void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
     visit_rows<L::width>(kernel, rows, [&](auto* r) {
         if constexpr (L::width == 1 || !std::is_same_v<std::remove_pointer_t<decltype(r)>, GearRows<1>>)
-            for (std::uint32_t i = 0; i < blocks; ++i) solve<L>(bodies, r[i], sweep);
+            for (std::uint32_t i = 0; i < blocks; ++i) {
+                solve<L>(bodies, r[i], sweep);
+                bodies[0] = SolverBody{};  // what rests stays at rest, even where an impulse overflowed and left 0 * inf
+            }
     });
 }
 
@@ -85,9 +88,14 @@ void store_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, con
         for (std::uint32_t i = 0; i < blocks; ++i) {
             if constexpr (std::is_same_v<std::remove_pointer_t<decltype(r)>, GearRows<1>>) {
                 store(r[i], 0, out.joints[r[i].joint], out);
+                forget_unsound(out.joints[r[i].joint]);
             } else {
-                for (std::uint32_t lane = 0; lane < W; ++lane)
-                    if (r[i].ends.joint[lane] != null_index) store(r[i], lane, out.joints[r[i].ends.joint[lane]], out);
+                for (std::uint32_t lane = 0; lane < W; ++lane) {
+                    if (r[i].ends.joint[lane] == null_index) continue;
+                    Joint& j = out.joints[r[i].ends.joint[lane]];
+                    store(r[i], lane, j, out);
+                    forget_unsound(j);
+                }
             }
         }
     });

@@ -6,7 +6,7 @@
 // The mouse joint is the same with A's point in the world and no torque: see mouse.hpp.
 #pragma once
 
-#include "constraint/joint_rows.hpp"
+#include "constraint/coordinate.hpp"
 
 namespace islet::detail {
 
@@ -40,10 +40,10 @@ void prepare(DriveRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     r.angular_rate[lane] = angular.rate;
     r.angular_mass_scale[lane] = angular.mass_scale;
     r.angular_impulse_scale[lane] = angular.impulse_scale;
-    const Vec2 velocity = rotate(p.qa, j.velocity);
+    const Vec2 velocity = rotate(p.qa, {within_bound(j.velocity.x), within_bound(j.velocity.y)});
     r.vx[lane] = velocity.x;
     r.vy[lane] = velocity.y;
-    r.spin[lane] = j.motor_speed;
+    r.spin[lane] = within_bound(j.motor_speed);
     r.max_p[lane] = h * j.motor_max;
     r.max_turning[lane] = h * j.max_torque;
     const Vec2 impulse = in.numbers.warm * j.impulse;

@@ -17,6 +17,7 @@ template <std::uint32_t W>
 struct alignas(W * 4) PointRows {
     JointEnds<W> ends;
     Applied<W> applied;
+    float angle[W];  // rad, roughly, when the step began
 };
 
 template <std::uint32_t W>
@@ -31,11 +32,20 @@ struct alignas(W * 4) HingeRows {
 
 inline JointKernel revolute_kernel(const Joint& j) { return coordinate_parts(j) == 0 ? JointKernel::point : JointKernel::hinge; }
 
+/// The angle of q to 0.08 rad, without a branch.
+inline float rough_angle(Rot q) {
+    const float quarter = q.s / (abs(q.c) + abs(q.s));  // of a turn, from the x axis
+    return 0.5f * pi * (q.c >= 0 ? quarter : (q.s < 0 ? -2.0f : 2.0f) - quarter);
+}
+
 template <std::uint32_t W>
 void prepare(PointRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
     const Joint& j = in.joints[joint];
     const JointPose p = pose_of(j, in.poses, in.bodies_in);
     set_ends(r.ends, lane, joint, in, p);
+    // Nothing here needs the angle, but full turns are counted for readers and gears: a rough one tells how many there were (5 % of a step of
+    // 19 800 hinges; the exact one, 12 %).
+    r.angle[lane] = unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate);
     const Vec2 impulse = in.numbers.warm * j.impulse;
     warm_start(r.applied, r.ends, lane, in, impulse, cross(p.ra, impulse), cross(p.rb, impulse));
 }
@@ -77,12 +87,22 @@ ISLET_LANE void solve(SolverBody* bodies, HingeRows<L::width>& r, const JointSwe
     scatter<L>(bodies, r.ends, r.applied, s);
 }
 
+/// How far B turned in A within the step.
+template <std::uint32_t W>
+float turned_by(const JointEnds<W>& r, std::uint32_t lane, const JointOutput& out) {
+    return out.solved[r.body_b[lane]].dq - out.solved[r.body_a[lane]].dq;
+}
+
 template <std::uint32_t W>
 void store(const PointRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
     store_applied(r.applied, r.ends, lane, j, out);
     j.impulse = j.force_impulse;
     j.torque_impulse = 0;
+<<<<<<< HEAD
     j.coordinate += out.solved[r.ends.body_b[lane]].dq - out.solved[r.ends.body_a[lane]].dq;  // only its turns are read from this
+=======
+    j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
+>>>>>>> a1693cd06b513a6267480c439a13fe304838d67e
 }
 
 template <std::uint32_t W>
@@ -91,7 +111,7 @@ void store(const HingeRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
     j.impulse = j.force_impulse;
     get_coordinate(r.free, lane, j);
     j.torque_impulse = coordinate_impulse(j);
-    j.coordinate = r.angle[lane] + out.solved[r.ends.body_b[lane]].dq - out.solved[r.ends.body_a[lane]].dq;
+    j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
 }
 
 }  // namespace islet::detail

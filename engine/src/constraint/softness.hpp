@@ -17,13 +17,23 @@ struct Softness {
     float impulse_scale = 0;
 };
 
-inline Softness make_soft(float hertz, float damping_ratio, float h) {
-    const float omega = 2.0f * pi * hertz;
-    const float a1 = 2.0f * damping_ratio + h * omega;
-    const float a2 = h * omega * a1;
+inline constexpr Softness no_spring = {0, 0, 1};  // gives way at once
+
+// Beyond these a spring is rigid, or a damper stands still, or nothing can be felt: the products would leave the range of float.
+inline constexpr float stiffest = 1.0e9f;       // Hz
+inline constexpr float most_damped = 1.0e9f;
+inline constexpr float least_soft = 1.0e-30f;   // a2
+
+inline Softness softness_of(float omega, float a1, float a2) {
+    if (!(a2 > least_soft)) return no_spring;
     const float a3 = 1.0f / (1.0f + a2);
-    if (!(a1 > 0)) return {0, 0, 0};  // no spring at all
     return {omega / a1, a2 * a3, a3};
+}
+
+inline Softness make_soft(float hertz, float damping_ratio, float h) {
+    const float omega = 2.0f * pi * min(hertz, stiffest);
+    const float a1 = 2.0f * min(damping_ratio, most_damped) + h * omega;
+    return softness_of(omega, a1, h * omega * a1);
 }
 
 /// A spring that swings at its frequency and decays by its damping ratio. Fully implicit stiffness would add hw / 2 to the damping ratio: 1.3 % of
@@ -32,13 +42,10 @@ inline Softness make_soft(float hertz, float damping_ratio, float h) {
 /// a2 rate = h omega^2 as before, so a spring at rest gives way by exactly force / stiffness. For sweeps with bias only, where the force is taken at
 /// the start of the substep: symplectic Euler. It adds k / 2 to the damping ratio: 0.4 % of critical at 5 Hz.
 inline Softness make_spring(float hertz, float damping_ratio, float h) {
-    const float omega = 2.0f * pi * hertz;
+    const float omega = 2.0f * pi * min(hertz, stiffest);
     const float turn = h * omega;
-    const float a1 = 2.0f * damping_ratio + turn * min(1.0f, 4.0f * turn * turn);
-    if (!(a1 > 0)) return {0, 0, 0};
-    const float a2 = turn * a1;
-    const float a3 = 1.0f / (1.0f + a2);
-    return {omega / a1, a2 * a3, a3};
+    const float a1 = 2.0f * min(damping_ratio, most_damped) + turn * min(1.0f, 4.0f * turn * turn);
+    return softness_of(omega, a1, turn * a1);
 }
 
 }  // namespace islet::detail

@@ -21,7 +21,7 @@ struct alignas(W * 4) WeldRows {
     float angular_soft[W], angular_rate[W], angular_give[W];
 };
 
-ISLET_LANE float give_of(const Softness& s) { return s.mass_scale > 0 ? s.impulse_scale / s.mass_scale : 0; }
+ISLET_LANE float give_of(const Softness& s) { return s.impulse_scale / max(s.mass_scale, 1.0e-12f); }
 
 template <std::uint32_t W>
 void prepare(WeldRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {

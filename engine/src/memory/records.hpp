@@ -169,7 +169,7 @@ struct Joint {
     float max_torque = 0;          // motor
     Vec2 ground_a, ground_b;       // pulley
 
-    float coordinate = 0;          // rad, revolute: its angle after the last step, past full turns
+    float coordinate = 0;          // rad, revolute: near its angle after the last step, past full turns
     std::uint32_t gear_count = 0;  // gears that use it
 
     // Accumulated impulses of the last substep, which the next step starts from; constraint/ says what each joint keeps where.

@@ -258,6 +258,7 @@ void World::set_type(BodyId id, BodyType type) {
     } else {
         c.awake_bodies.set(i);
     }
+    hang_gears(c, i);
     assign_joint_colors(c, i);
     update_mass(c, i);
     update_boxes(c, i, true);

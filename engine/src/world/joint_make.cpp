@@ -257,7 +257,7 @@ JointId World::create_joint(const PulleyJointDef& def) {
     return make(
         c, JointType::pulley, def.base,
         [&] {
-            return check_position(c, def.ground_a) && check_position(c, def.ground_b) && check_not_negative(c, def.ratio) &&
+            return check_position(c, def.ground_a) && check_position(c, def.ground_b) && check_range(c, def.ratio, 0, max_ratio) &&
                    check(c, def.ratio > 0, Error::out_of_range) &&
                    check(c, rope(def.base.body_a, def.base.frame_a, def.ground_a) >= linear_slop, Error::out_of_range) &&
                    check(c, rope(def.base.body_b, def.base.frame_b, def.ground_b) >= linear_slop, Error::out_of_range);
@@ -281,15 +281,10 @@ JointId World::create_joint(const GearJointDef& def) {
         const auto type = static_cast<JointType>(c.joints[joint].type);
         return type == JointType::revolute || type == JointType::prismatic;
     };
-    // The gear hangs on a dynamic body of each joint, so that islands join.
-    const auto moving_body = [&](std::uint32_t joint) {
-        const Joint& j = c.joints[joint];
-        return c.is_dynamic(j.body_b) ? j.body_b : j.body_a;
-    };
     if (!check(c, may_gear(joint1) && may_gear(joint2), Error::wrong_joint_type)) return {};
-    const std::uint32_t a = moving_body(joint1), b = moving_body(joint2);
+    const std::uint32_t a = moving_body(c, c.joints[joint1]), b = moving_body(c, c.joints[joint2]);
     if (!check(c, a != b, Error::same_body) || !check(c, c.is_dynamic(a) && c.is_dynamic(b), Error::no_dynamic_body)) return {};
-    if (!check_finite(c, def.ratio) || !check(c, def.ratio != 0, Error::out_of_range) || !check_not_negative(c, def.break_torque)) return {};
+    if (!check_range(c, def.ratio, -max_ratio, max_ratio) || !check(c, def.ratio != 0, Error::out_of_range) || !check_not_negative(c, def.break_torque)) return {};
     const std::uint32_t i = take_joint(c, JointType::gear);
     if (i == null_index) return {};
     Joint& j = c.joints[i];

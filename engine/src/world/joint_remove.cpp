@@ -1,4 +1,4 @@
-// Destroying and breaking joints, and what a body's change of type does to its own.
+// Destroying and breaking joints, and what a body's change of type does to them.
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
 #include "math/scalar.hpp"
@@ -58,6 +58,35 @@ void remove_joint(Core& core, std::uint32_t i) {
 void remove_joints(Core& core, std::uint32_t body) {
     // Removing one may take a gear on the same body with it, so the list is read anew each time.
     while (core.bodies[body].joint_head != 0) remove_joint(core, joint_of_key(core.bodies[body].joint_head));
+}
+
+std::uint32_t moving_body(const Core& core, const Joint& j) {
+    return core.bodies[j.body_b].type() >= core.bodies[j.body_a].type() ? j.body_b : j.body_a;
+}
+
+// So that islands join and bodies share their sleep, a gear hangs on a moving body of each of its joints; where one body moves for both, on the other
+// body of joint 2 too, which the gear's row may act on as well.
+void hang_gears(Core& core, std::uint32_t body) {
+    bool geared = false;
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { geared = geared || core.joints[joint].gear_count != 0; });
+    if (!geared) return;
+    for (std::uint32_t i = 0; i < core.state->joint_pool.high_water; ++i) {
+        Joint& gear = core.joints[i];
+        if (!pool_live(core.state->joint_pool, core.joints, i) || static_cast<JointType>(gear.type) != JointType::gear) continue;
+        const Joint& j1 = core.joints[gear.joint1];
+        const Joint& j2 = core.joints[gear.joint2];
+        if (j1.body_a != body && j1.body_b != body && j2.body_a != body && j2.body_b != body) continue;
+        unlink_joint(core, i, 0, gear.body_a);
+        unlink_joint(core, i, 1, gear.body_b);
+        gear.body_a = moving_body(core, j1);
+        gear.body_b = moving_body(core, j2);
+        if (gear.body_a == gear.body_b) gear.body_b = gear.body_b == j2.body_b ? j2.body_a : j2.body_b;
+        link_joint(core, i, 0, gear.body_a);
+        link_joint(core, i, 1, gear.body_b);
+        wake_island(core, gear.body_a, core.arena());
+        wake_island(core, gear.body_b, core.arena());
+        core.awake_joints.assign(i, core.is_awake(gear.body_a) || core.is_awake(gear.body_b));
+    }
 }
 
 void release_joint_colors(Core& core, std::uint32_t body) {

@@ -11,6 +11,12 @@ void remove_joint(Core& core, std::uint32_t joint);
 /// Destroys all joints of a body.
 void remove_joints(Core& core, std::uint32_t body);
 
+/// The body of a joint that a gear on it hangs on: a dynamic one if there is one, else a kinematic one; of equals B.
+std::uint32_t moving_body(const Core& core, const Joint& j);
+
+/// Where gears hang depends on the bodies' types: hangs those on a body's joints anew after a change of type, and wakes what they then join.
+void hang_gears(Core& core, std::uint32_t body);
+
 /// Colours depend on the bodies' types: these take those of a body's joints away, and give new ones, around a change of type.
 void release_joint_colors(Core& core, std::uint32_t body);
 void assign_joint_colors(Core& core, std::uint32_t body);

@@ -4,6 +4,7 @@
 #include "world/bounds.hpp"
 #include "memory/joint_graph.hpp"
 #include "world/checks.hpp"
+#include "world/joints.hpp"
 
 namespace islet {
 
@@ -116,6 +117,10 @@ const char* validate_joint(const Core& c, std::uint32_t i) {
             const Joint& geared = c.joints[joint];
             if (geared.gear_count == 0) return "a joint does not know its gear";
         }
+        const Joint& j1 = c.joints[j.joint1];
+        const Joint& j2 = c.joints[j.joint2];
+        if (j.body_a == j.body_b || j.body_a != moving_body(c, j1) || (j.body_b != j2.body_a && j.body_b != j2.body_b))
+            return "a gear hangs on the wrong bodies";
     }
     const float numbers[] = {j.impulse.x, j.impulse.y, j.angular_impulse, j.spring_impulse, j.motor_impulse, j.friction_impulse, j.lower_impulse,
                              j.upper_impulse, j.coordinate};
@@ -142,12 +147,15 @@ const char* World::validate() const {
     if (bad == nullptr && references != s.shape_pool.count) bad = "geometries are not referenced once per shape";
     for (std::uint32_t i = 0; bad == nullptr && i < s.contact_pool.high_water; ++i)
         if (pool_live(s.contact_pool, c.contacts, i)) bad = validate_contact(c, i);
-    std::uint32_t awake_joints = 0;
+    std::uint32_t awake_joints = 0, gears = 0, gear_ends = 0;
     for (std::uint32_t i = 0; bad == nullptr && i < s.joint_pool.high_water; ++i) {
         if (!pool_live(s.joint_pool, c.joints, i)) continue;
         bad = validate_joint(c, i);
         awake_joints += c.awake_joints.test(i) ? 1 : 0;
+        gears += static_cast<JointType>(c.joints[i].type) == JointType::gear ? 1 : 0;
+        gear_ends += c.joints[i].gear_count;
     }
+    if (bad == nullptr && gear_ends != 2 * gears) bad = "joints miscount their gears";
     if (bad == nullptr && awake_joints != c.awake_joints.count()) bad = "a destroyed joint is awake";
     std::uint32_t pairs = 0;
     for (std::uint32_t i = 0; bad == nullptr && i <= c.pairs.mask; ++i) pairs += c.pairs.keys[i] != 0 ? 1 : 0;
