@@ -98,11 +98,7 @@ void store(const PointRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
     store_applied(r.applied, r.ends, lane, j, out);
     j.impulse = j.force_impulse;
     j.torque_impulse = 0;
-<<<<<<< HEAD
-    j.coordinate += out.solved[r.ends.body_b[lane]].dq - out.solved[r.ends.body_a[lane]].dq;  // only its turns are read from this
-=======
     j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
->>>>>>> a1693cd06b513a6267480c439a13fe304838d67e
 }
 
 template <std::uint32_t W>
