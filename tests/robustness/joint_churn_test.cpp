@@ -12,8 +12,8 @@ namespace {
 
 using namespace islet;
 using namespace islet::test;
-using samples::bone_count;
 
+constexpr auto bone_count = static_cast<std::uint32_t>(samples::bone_count);
 constexpr std::uint32_t dolls = 10;
 constexpr std::uint32_t bones = dolls * bone_count;
 
@@ -58,7 +58,6 @@ public:
     }
 
     std::uint64_t hash() const { return w_->hash(); }
-    World& world() { return *w_; }
 
 private:
     static Capacity capacity() {
