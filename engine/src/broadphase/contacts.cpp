@@ -26,28 +26,11 @@ bool filters_agree(const Filter& a, const Filter& b) {
 }
 
 void link(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
-    Contact& c = core.contacts[contact];
-    Body& b = core.bodies[body];
-    const std::uint32_t key = contact * 2 + side + 1;
-    c.prev[side] = 0;
-    c.next[side] = b.contact_head;
-    if (b.contact_head != 0) core.contacts[contact_of_key(b.contact_head)].prev[side_of_key(b.contact_head)] = key;
-    b.contact_head = key;
-    ++b.contact_count;
+    link_edge(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
 }
 
 void unlink(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
-    const Contact& c = core.contacts[contact];
-    Body& b = core.bodies[body];
-    const std::uint32_t prev = c.prev[side];
-    const std::uint32_t next = c.next[side];
-    if (prev != 0) {
-        core.contacts[contact_of_key(prev)].next[side_of_key(prev)] = next;
-    } else {
-        b.contact_head = next;
-    }
-    if (next != 0) core.contacts[contact_of_key(next)].prev[side_of_key(next)] = prev;
-    --b.contact_count;
+    unlink_edge(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
 }
 
 }  // namespace

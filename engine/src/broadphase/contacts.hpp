@@ -1,25 +1,16 @@
 // The graph of contacts: one node a body, one edge a pair of shapes with overlapping fat boxes.
-//
-// Each body heads a doubly linked list of its contacts, linked by contact keys (contact * 2 + side + 1), so that an edge leaves both of its lists
-// in O(1). The pair set answers whether two shapes already have a contact.
+// The pair set answers whether two shapes already have a contact.
 #pragma once
 
 #include "memory/core.hpp"
+#include "memory/edge_list.hpp"
 
 namespace islet::detail {
 
-inline std::uint32_t contact_of_key(std::uint32_t key) { return (key - 1) >> 1; }
-inline std::uint32_t side_of_key(std::uint32_t key) { return (key - 1) & 1u; }
-
 /// Calls visit(contact, side) for each contact of a body, newest first; `visit` may destroy that contact.
 template <class Visit>
-void for_each_contact(Core& core, std::uint32_t body, Visit&& visit) {
-    for (std::uint32_t key = core.bodies[body].contact_head; key != 0;) {
-        const std::uint32_t contact = contact_of_key(key);
-        const std::uint32_t side = side_of_key(key);
-        key = core.contacts[contact].next[side];
-        visit(contact, side);
-    }
+void for_each_contact(const Core& core, std::uint32_t body, Visit&& visit) {
+    for_each_edge(core.contacts, core.bodies[body].contact_head, visit);
 }
 
 /// The body at the other end of an edge.

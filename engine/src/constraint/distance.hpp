@@ -44,7 +44,7 @@ void prepare(DistanceRows<W>& r, std::uint32_t lane, std::uint32_t joint, const 
     r.free.target[lane] = j.length;
     r.rod[lane] = rigid ? in.numbers.warm * j.impulse.x : 0;
     const Vec2 impulse = (along + r.rod[lane]) * u;
-    warm_start(r.applied, r.ends, lane, in, impulse, cross(p.ra, impulse), cross(p.rb, impulse));
+    warm_start_at_anchors(r.applied, r.ends, lane, in, p, impulse, 0);
 }
 
 template <class L>

@@ -144,6 +144,18 @@ void warm_start(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, 
     b.dq += b.inv_inertia * tb;
 }
 
+/// The same for an impulse at B's anchor that acts on A at its own anchor, or, along a line of A, where B's anchor is; and an angular impulse.
+template <std::uint32_t W>
+void warm_start_at_anchors(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, const JointInput& in, const JointPose& p, Vec2 impulse,
+                           float turning) {
+    warm_start(applied, r, lane, in, impulse, cross(p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
+}
+template <std::uint32_t W>
+void warm_start_along_line(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, const JointInput& in, const JointPose& p, Vec2 impulse,
+                           float turning) {
+    warm_start(applied, r, lane, in, impulse, cross(gap_of(p) + p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
+}
+
 /// Where a solved joint leaves its results.
 struct JointOutput {
     Joint* joints;

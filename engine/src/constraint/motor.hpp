@@ -46,10 +46,8 @@ void prepare(DriveRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     r.spin[lane] = within_bound(j.motor_speed);
     r.max_p[lane] = h * j.motor_max;
     r.max_turning[lane] = h * j.max_torque;
-    const Vec2 impulse = in.numbers.warm * j.impulse;
-    const float turning = in.numbers.warm * j.angular_impulse;
-    r.turning[lane] = turning;
-    warm_start(r.applied, r.ends, lane, in, impulse, cross(p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
+    r.turning[lane] = in.numbers.warm * j.angular_impulse;
+    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, r.turning[lane]);
 }
 
 template <class L>

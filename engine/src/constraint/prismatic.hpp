@@ -59,9 +59,7 @@ void prepare(SliderRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Jo
     const float along = set_coordinate(r.free, lane, j, in.numbers);
     r.across[lane] = in.numbers.warm * j.impulse.x;
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
-    const Vec2 impulse = along * u + r.across[lane] * n;
-    const float turning = r.turning[lane];
-    warm_start(r.applied, r.ends, lane, in, impulse, cross(gap_of(p) + p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
+    warm_start_along_line(r.applied, r.ends, lane, in, p, along * u + r.across[lane] * n, r.turning[lane]);
 }
 
 template <class L>

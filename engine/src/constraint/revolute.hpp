@@ -46,8 +46,7 @@ void prepare(PointRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     // Nothing here needs the angle, but full turns are counted for readers and gears: a rough one tells how many there were (5 % of a step of
     // 19 800 hinges; the exact one, 12 %).
     r.angle[lane] = unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate);
-    const Vec2 impulse = in.numbers.warm * j.impulse;
-    warm_start(r.applied, r.ends, lane, in, impulse, cross(p.ra, impulse), cross(p.rb, impulse));
+    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, 0);
 }
 
 template <std::uint32_t W>
@@ -58,8 +57,7 @@ void prepare(HingeRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     r.angle[lane] = unwrap(angle_of(p), j.coordinate);
     r.parts |= coordinate_parts(j);
     const float turning = set_coordinate(r.free, lane, j, in.numbers);
-    const Vec2 impulse = in.numbers.warm * j.impulse;
-    warm_start(r.applied, r.ends, lane, in, impulse, cross(p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
+    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, turning);
 }
 
 template <class L>

@@ -37,10 +37,8 @@ void prepare(WeldRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Join
     r.angular_soft[lane] = j.angular_hertz > 0 ? 1.0f : 0.0f;
     r.angular_rate[lane] = angular.rate;
     r.angular_give[lane] = give_of(angular);
-    const Vec2 impulse = in.numbers.warm * j.impulse;
-    const float turning = in.numbers.warm * j.angular_impulse;
-    r.turning[lane] = turning;
-    warm_start(r.applied, r.ends, lane, in, impulse, cross(p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
+    r.turning[lane] = in.numbers.warm * j.angular_impulse;
+    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, r.turning[lane]);
 }
 
 template <class L>

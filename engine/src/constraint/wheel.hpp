@@ -35,8 +35,7 @@ void prepare(WheelRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     r.across[lane] = in.numbers.warm * j.impulse.x;
     const float along = r.free.spring[lane] + r.free.low[lane] - r.free.high[lane];
     const float turning = r.free.motor[lane] + r.free.friction[lane];
-    const Vec2 impulse = along * u + r.across[lane] * left_perp(u);
-    warm_start(r.applied, r.ends, lane, in, impulse, cross(gap_of(p) + p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
+    warm_start_along_line(r.applied, r.ends, lane, in, p, along * u + r.across[lane] * left_perp(u), turning);
 }
 
 template <class L>

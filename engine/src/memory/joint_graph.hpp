@@ -1,22 +1,15 @@
-// The graph of joints: each body heads a doubly linked list of its joints, linked by joint keys (joint * 2 + side + 1), like that of its contacts.
+// The graph of joints: one node a body, one edge a joint.
 #pragma once
 
 #include "memory/core.hpp"
+#include "memory/edge_list.hpp"
 
 namespace islet::detail {
-
-inline std::uint32_t joint_of_key(std::uint32_t key) { return (key - 1) >> 1; }
-inline std::uint32_t joint_side_of_key(std::uint32_t key) { return (key - 1) & 1u; }
 
 /// Calls visit(joint, side) for each joint of a body, newest first; `visit` may destroy that joint.
 template <class Visit>
 void for_each_joint(const Core& core, std::uint32_t body, Visit&& visit) {
-    for (std::uint32_t key = core.bodies[body].joint_head; key != 0;) {
-        const std::uint32_t joint = joint_of_key(key);
-        const std::uint32_t side = joint_side_of_key(key);
-        key = core.joints[joint].next[side];
-        visit(joint, side);
-    }
+    for_each_edge(core.joints, core.bodies[body].joint_head, visit);
 }
 
 /// The body at the other end of a joint, or null_index if that is the world.
@@ -29,38 +22,20 @@ inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t 
     const bool first = core.bodies[body_1].joint_count < core.bodies[body_2].joint_count;
     const std::uint32_t body = first ? body_1 : body_2;
     const std::uint32_t other = first ? body_2 : body_1;
-    for (std::uint32_t key = core.bodies[body].joint_head; key != 0; key = core.joints[joint_of_key(key)].next[joint_side_of_key(key)]) {
-        const Joint& j = core.joints[joint_of_key(key)];
-        if ((j.flags & joint_collide) == 0 && other_joined(core, joint_of_key(key), joint_side_of_key(key)) == other) return true;
+    for (std::uint32_t key = core.bodies[body].joint_head; key != 0; key = core.joints[edge_of_key(key)].next[side_of_key(key)]) {
+        const Joint& j = core.joints[edge_of_key(key)];
+        if ((j.flags & joint_collide) == 0 && other_joined(core, edge_of_key(key), side_of_key(key)) == other) return true;
     }
     return false;
 }
 
+/// A mouse joint's side A is in no list.
 inline void link_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
-    if (body == null_index) return;
-    Joint& j = core.joints[joint];
-    Body& b = core.bodies[body];
-    const std::uint32_t key = joint * 2 + side + 1;
-    j.prev[side] = 0;
-    j.next[side] = b.joint_head;
-    if (b.joint_head != 0) core.joints[joint_of_key(b.joint_head)].prev[joint_side_of_key(b.joint_head)] = key;
-    b.joint_head = key;
-    ++b.joint_count;
+    if (body != null_index) link_edge(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
 }
 
 inline void unlink_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
-    if (body == null_index) return;
-    const Joint& j = core.joints[joint];
-    Body& b = core.bodies[body];
-    const std::uint32_t prev = j.prev[side];
-    const std::uint32_t next = j.next[side];
-    if (prev != 0) {
-        core.joints[joint_of_key(prev)].next[joint_side_of_key(prev)] = next;
-    } else {
-        b.joint_head = next;
-    }
-    if (next != 0) core.joints[joint_of_key(next)].prev[joint_side_of_key(next)] = prev;
-    --b.joint_count;
+    if (body != null_index) unlink_edge(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
 }
 
 }  // namespace islet::detail

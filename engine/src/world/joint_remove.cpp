@@ -34,9 +34,9 @@ void remove_gears(Core& core, std::uint32_t joint) {
     for (const std::uint32_t body : {core.joints[joint].body_a, core.joints[joint].body_b}) {
         if (body == null_index || core.joints[joint].gear_count == 0) continue;
         for (std::uint32_t key = core.bodies[body].joint_head; key != 0;) {
-            const std::uint32_t i = joint_of_key(key);
+            const std::uint32_t i = edge_of_key(key);
             const Joint& gear = core.joints[i];
-            key = gear.next[joint_side_of_key(key)];
+            key = gear.next[side_of_key(key)];
             if (static_cast<JointType>(gear.type) == JointType::gear && (gear.joint1 == joint || gear.joint2 == joint)) remove_joint(core, i);
         }
     }
@@ -57,7 +57,7 @@ void remove_joint(Core& core, std::uint32_t i) {
 
 void remove_joints(Core& core, std::uint32_t body) {
     // Removing one may take a gear on the same body with it, so the list is read anew each time.
-    while (core.bodies[body].joint_head != 0) remove_joint(core, joint_of_key(core.bodies[body].joint_head));
+    while (core.bodies[body].joint_head != 0) remove_joint(core, edge_of_key(core.bodies[body].joint_head));
 }
 
 std::uint32_t moving_body(const Core& core, const Joint& j) {

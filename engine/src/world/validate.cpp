@@ -55,7 +55,7 @@ const char* validate_body(const Core& c, std::uint32_t i) {
     std::uint32_t colors = 0;
     std::uint32_t prev_key = 0;
     for (std::uint32_t key = b.contact_head; key != 0; ++contacts) {
-        const std::uint32_t contact = contact_of_key(key);
+        const std::uint32_t contact = edge_of_key(key);
         const std::uint32_t side = side_of_key(key);
         if (!pool_live(c.state->contact_pool, c.contacts, contact) || contacts > b.contact_count) return "a body's list of contacts is broken";
         const ContactManifold& m = c.manifolds[contact];
@@ -72,8 +72,8 @@ const char* validate_body(const Core& c, std::uint32_t i) {
     std::uint32_t joints = 0;
     prev_key = 0;
     for (std::uint32_t key = b.joint_head; key != 0; ++joints) {
-        const std::uint32_t joint = joint_of_key(key);
-        const std::uint32_t side = joint_side_of_key(key);
+        const std::uint32_t joint = edge_of_key(key);
+        const std::uint32_t side = side_of_key(key);
         if (!pool_live(c.state->joint_pool, c.joints, joint) || joints > b.joint_count) return "a body's list of joints is broken";
         const Joint& j = c.joints[joint];
         if ((side == 0 ? j.body_a : j.body_b) != i || j.prev[side] != prev_key) return "a joint is in the wrong list";
