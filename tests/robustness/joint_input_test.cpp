@@ -37,7 +37,7 @@ const JointCall joint_calls[] = {
     {"anchor_a", any, [](World& w, JointId j) { return w.anchor_a(j) == Vec2{}; }},
     {"anchor_b", any, [](World& w, JointId j) { return w.anchor_b(j) == Vec2{}; }},
     {"collide_connected", any, [](World& w, JointId j) { return !w.collide_connected(j); }},
-    {"set_collide_connected", any, [](World& w, JointId j) { return w.set_collide_connected(j, true), true; }},
+    {"set_collide_connected", framed | bit(JointType::pulley), [](World& w, JointId j) { return w.set_collide_connected(j, true), true; }},
     {"set_break", any, [](World& w, JointId j) { return w.set_break(j, 1e30f, 1e30f), true; }},
     {"user_data", any, [](World& w, JointId j) { return w.user_data(j) == 0; }},
     {"set_user_data", any, [](World& w, JointId j) { return w.set_user_data(j, 1), true; }},

@@ -214,8 +214,9 @@ public:
     Vec2 anchor_a(JointId joint) const;
     Vec2 anchor_b(JointId joint) const;
     bool collide_connected(JointId joint) const;
+    /// Not for mouse and gear joints, which forbid nothing.
     void set_collide_connected(JointId joint, bool collide);
-    /// As in JointBase; 0: never breaks.
+    /// As in JointBase; 0: never breaks. A gear has a torque only.
     void set_break(JointId joint, float force, float torque);
     std::uint64_t user_data(JointId joint) const;
     void set_user_data(JointId joint, std::uint64_t data);

@@ -184,10 +184,10 @@ void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& 
 
 void World::set_collide_connected(JointId id, bool collide) {
     Core& c = core();
-    const std::uint32_t i = detail::find_joint(c, id);
+    const std::uint32_t i = find_joint(c, id, with_frames | bit(JointType::pulley));
     if (i == null_index) return;
     Joint& j = c.joints[i];
-    if (((j.flags & joint_collide) != 0) == collide || j.body_a == null_index || type_of(j) == JointType::gear) return;
+    if (((j.flags & joint_collide) != 0) == collide) return;
     j.flags = collide ? j.flags | joint_collide : j.flags & ~static_cast<std::uint32_t>(joint_collide);
     wake_bodies(c, j);
     if (!collide) return end_forbidden_contacts(c, j);
