@@ -100,8 +100,8 @@ void solve(SolverBody* bodies, GearRows<1>& r, const JointSweep& n) {
     r.impulse += delta;
     for (std::uint32_t i = 0; i < 4; ++i) {
         SolverBody& b = bodies[r.slots[i]];
-        b.v += (b.inv_mass * delta) * Vec2{r.ux[i], r.uy[i]};
-        b.w += b.inv_inertia * delta * r.s[i];
+        b.v += effect<Lane1>(b.inv_mass, delta) * Vec2{r.ux[i], r.uy[i]};
+        b.w += effect<Lane1>(b.inv_inertia, delta) * r.s[i];
     }
 }
 

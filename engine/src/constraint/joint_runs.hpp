@@ -74,10 +74,7 @@ template <class L>
 void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
     visit_rows<L::width>(kernel, rows, [&](auto* r) {
         if constexpr (L::width == 1 || !std::is_same_v<std::remove_pointer_t<decltype(r)>, GearRows<1>>)
-            for (std::uint32_t i = 0; i < blocks; ++i) {
-                solve<L>(bodies, r[i], sweep);
-                bodies[0] = SolverBody{};  // what rests stays at rest, even where an impulse overflowed and left 0 * inf
-            }
+            for (std::uint32_t i = 0; i < blocks; ++i) solve<L>(bodies, r[i], sweep);
     });
 }
 

@@ -49,6 +49,18 @@ ISLET_LANE typename L::F inverse_or_zero(typename L::F k) {
     return select(k > zero, L::splat(1.0f) / k, zero);
 }
 
+/// What an impulse does to a velocity: inverse mass times impulse, and nothing at all where the inverse mass is 0, even if the impulse has overflowed.
+/// Static and kinematic bodies are shared by the joints of a colour, so not even 0 * inf may reach them.
+template <class L>
+ISLET_LANE typename L::F effect(typename L::F inv_mass, typename L::F impulse) {
+    const typename L::F zero = L::splat(0.0f);
+    return select(inv_mass > zero, inv_mass * impulse, zero);
+}
+template <class L>
+ISLET_LANE LaneVec<typename L::F> effect(typename L::F inv_mass, LaneVec<typename L::F> impulse) {
+    return {effect<L>(inv_mass, impulse.x), effect<L>(inv_mass, impulse.y)};
+}
+
 template <class L>
 ISLET_LANE typename L::F clamp_lanes(typename L::F a, typename L::F lo, typename L::F hi) {
     return min(max(a, lo), hi);
@@ -102,14 +114,14 @@ struct JointBodies {
     }
     /// An impulse on B and its opposite on A, and an angular impulse on each: B turned by its own, A against its own.
     ISLET_LANE void push(LaneVec<F> impulse, F angular_a, F angular_b) {
-        va = va - ma * impulse;
-        vb = vb + mb * impulse;
+        va = va - effect<L>(ma, impulse);
+        vb = vb + effect<L>(mb, impulse);
         p = p + impulse;
         push_angular(angular_a, angular_b);
     }
     ISLET_LANE void push_angular(F angular_a, F angular_b) {
-        wa = wa - ia * angular_a;
-        wb = wb + ib * angular_b;
+        wa = wa - effect<L>(ia, angular_a);
+        wb = wb + effect<L>(ib, angular_b);
         ta = ta + angular_a;
         tb = tb + angular_b;
     }

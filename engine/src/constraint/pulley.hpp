@@ -92,10 +92,10 @@ ISLET_LANE void solve(SolverBody* bodies, PulleyRows<L::width>& r, const JointSw
         applied_b = applied_b + pb;
         turning_a = turning_a + ta;
         turning_b = turning_b + tb;
-        va = va + a[3] * pa;
-        vb = vb + b[3] * pb;
-        wa = wa + a[7] * ta;
-        wb = wb + b[7] * tb;
+        va = va + effect<L>(a[3], pa);
+        vb = vb + effect<L>(b[3], pb);
+        wa = wa + effect<L>(a[7], ta);
+        wb = wb + effect<L>(b[7], tb);
     };
 
     F tension = L::load(r.tension);
