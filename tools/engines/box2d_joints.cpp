@@ -54,7 +54,8 @@ struct Maker {
     b2Body* nothing;
     b2Joint *joint1, *joint2;  // of a gear
 
-    using Made = std::unique_ptr<b2JointDef>;
+    /// Shared, because a shared pointer destroys what was made: the definitions have no virtual destructor.
+    using Made = std::shared_ptr<b2JointDef>;
 
     template <class Def>
     void fill(Def& def, const JointBase& base) const {
