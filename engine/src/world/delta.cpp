@@ -9,7 +9,6 @@
 //   bytes    those bytes, low ones first: numbers that change little differ in low bits
 #include "islet/snapshot.hpp"
 
-#include "math/checksum.hpp"
 #include "world/image.hpp"
 
 namespace islet {
@@ -19,15 +18,10 @@ using namespace detail;
 namespace {
 
 struct DeltaHeader {
-    std::uint32_t magic = delta_magic;
-    std::uint32_t version = image_version;
-    std::uint64_t length = 0;         // bytes, header included
-    std::uint64_t checksum = 0;       // of all that follows
-    std::uint64_t from_checksum = 0;  // of the images' headers
+    ImageHead head{delta_magic};
+    std::uint64_t from_checksum = 0;
     std::uint64_t from_length = 0;
     std::uint64_t to_length = 0;
-
-    static constexpr std::size_t unchecked_bytes = 24;  // the first four fields
 };
 static_assert(sizeof(DeltaHeader) == delta_header_bytes);
 
@@ -59,7 +53,7 @@ std::uint32_t word_at(const std::byte* bytes) {
 // The old image's word at a place of a part, or 0 beyond its end.
 std::uint32_t old_word(const std::byte* part, std::uint64_t size, std::uint64_t at) { return at < size ? word_at(part + at) : 0; }
 
-std::uint32_t significant_bytes(std::uint32_t word) { return word == 0 ? 0 : (35u - static_cast<std::uint32_t>(__builtin_clz(word))) / 8u; }
+std::uint32_t significant_bytes(std::uint32_t word) { return word == 0 ? 0 : (39u - static_cast<std::uint32_t>(__builtin_clz(word))) / 8u; }
 
 /// Packs groups to a span. Once it is full nothing more is written and `full` is set.
 struct Packer {
@@ -159,21 +153,11 @@ std::size_t failed(Error* error, Error why) {
     return 0;
 }
 
-std::uint64_t delta_checksum(const std::byte* delta, std::size_t length) {
-    return checksum_of(delta + DeltaHeader::unchecked_bytes, length - DeltaHeader::unchecked_bytes);
-}
-
 Error read_delta_header(std::span<const std::byte> bytes, DeltaHeader& h) {
-    std::uint32_t magic = 0;
-    if (bytes.size() < sizeof magic || bytes.data() == nullptr) return Error::truncated_image;
-    std::memcpy(&magic, bytes.data(), sizeof magic);
-    if (magic == __builtin_bswap32(delta_magic)) return Error::other_byte_order;
-    if (magic != delta_magic) return Error::not_an_image;
-    if (bytes.size() < sizeof h + sizeof(ImageHeader)) return Error::truncated_image;
+    const Error error = read_head(bytes, delta_magic, sizeof h + sizeof(ImageHeader), h.head);
+    if (error != Error::none) return error;
     std::memcpy(&h, bytes.data(), sizeof h);
-    if (h.version != image_version) return Error::other_version;
-    if (h.length != bytes.size()) return Error::truncated_image;
-    return delta_checksum(bytes.data(), bytes.size()) == h.checksum ? Error::none : Error::corrupt_image;
+    return image_checksum(bytes) == h.head.checksum ? Error::none : Error::corrupt_image;
 }
 
 }  // namespace
@@ -199,14 +183,14 @@ std::size_t delta(std::span<const std::byte> from, std::span<const std::byte> to
     if (packer.full) return failed(error, Error::image_too_small);
 
     DeltaHeader h;
-    h.length = packer.at;
-    h.from_checksum = old_header.checksum;
-    h.from_length = old_header.length;
-    h.to_length = new_header.length;
+    h.head.length = packer.at;
+    h.from_checksum = old_header.head.checksum;
+    h.from_length = old_header.head.length;
+    h.to_length = new_header.head.length;
     std::memcpy(out.data(), &h, sizeof h);
     std::memcpy(out.data() + sizeof h, &new_header, sizeof new_header);
-    h.checksum = delta_checksum(out.data(), packer.at);
-    std::memcpy(out.data(), &h, DeltaHeader::unchecked_bytes);
+    h.head.checksum = image_checksum(out.first(packer.at));
+    std::memcpy(out.data(), &h.head, sizeof h.head);
     return packer.at;
 }
 
@@ -217,13 +201,14 @@ std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> de
     DeltaHeader h;
     if (problem == Error::none) problem = read_delta_header(delta, h);
     if (problem != Error::none) return failed(error, problem);
-    if (h.from_checksum != old_header.checksum || h.from_length != old_header.length) return failed(error, Error::wrong_delta);
+    if (h.from_checksum != old_header.head.checksum || h.from_length != old_header.head.length) return failed(error, Error::wrong_delta);
     if (out.size() < h.to_length) return failed(error, Error::image_too_small);
     // The head of the new image is in the delta as it is: it must be one of that length.
     std::memcpy(&new_header, delta.data() + sizeof h, sizeof new_header);
     if (h.to_length < sizeof new_header) return failed(error, Error::corrupt_image);
     std::memcpy(out.data(), &new_header, sizeof new_header);
-    if (read_header(out.first(static_cast<std::size_t>(h.to_length)), new_header) != Error::none) return failed(error, Error::corrupt_image);
+    const std::span<std::byte> image = out.first(static_cast<std::size_t>(h.to_length));
+    if (read_header(image, new_header) != Error::none) return failed(error, Error::corrupt_image);
 
     Unpacker unpacker{delta, sizeof h + sizeof new_header};
     std::uint32_t difference[group];
@@ -232,12 +217,12 @@ std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> de
         [&](std::uint32_t old, std::size_t place, std::uint32_t i) {
             if (i == 0) unpacker.get_group(difference);
             const std::uint32_t word = old ^ difference[i];
-            std::memcpy(out.data() + place, &word, 4);
+            std::memcpy(image.data() + place, &word, 4);
         },
         [&] { return !unpacker.broken; });
     const bool sound = !unpacker.broken && unpacker.at == delta.size() && unpacker.zeros == 0 &&
-                       image_checksum(out.data(), new_header.length) == new_header.checksum;
-    return sound ? static_cast<std::size_t>(h.to_length) : failed(error, Error::corrupt_image);
+                       image_checksum(image) == new_header.head.checksum;
+    return sound ? image.size() : failed(error, Error::corrupt_image);
 }
 
 }  // namespace islet

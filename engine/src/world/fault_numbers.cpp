@@ -15,7 +15,7 @@ constexpr float far_away = 8.0f * max_position;
 bool is_near(Vec2 p) { return abs(p.x) <= far_away && abs(p.y) <= far_away; }
 bool within(float a, float lo, float hi) { return a >= lo && a <= hi; }
 bool not_negative(float a) { return within(a, 0, no_limit); }
-bool is_unit(Rot q) { return abs(q.c * q.c + q.s * q.s - 1.0f) <= 1.0e-4f; }
+bool is_unit(Rot q) { return abs(q.c * q.c + q.s * q.s - 1.0f) <= 1.0e-5f; }
 
 /// True if the 4-byte floats from byte `first` to byte `end` of a record are finite.
 template <class Record>
@@ -59,8 +59,7 @@ const char* fault_in_numbers(const Body& b, const Pose& pose, const Motion& moti
     if (!not_negative(motion.sleep_time) || !is_finite(motion.slack)) return "a body's rest is not finite";
     if (!not_negative(b.linear_damping) || !not_negative(b.angular_damping) || !is_finite(b.gravity_scale) || !not_negative(b.sleep_threshold))
         return "a body's damping, gravity or sleep threshold is out of range";
-    if (!(b.mass >= 0) || !(b.inertia >= 0) || !not_negative(b.min_extent) || !not_negative(pose.max_extent))
-        return "a body's mass or size is out of range";
+    if (!(b.mass >= 0) || !(b.inertia >= 0)) return "a body's mass or size is out of range";
     // The solver bears any force and any stretch, so those are not looked at.
     constexpr float rounding = 1.001f;
     const bool dynamic = b.type() == BodyType::dynamic;

@@ -5,6 +5,7 @@
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
 #include "memory/joint_graph.hpp"
+#include "world/bounds.hpp"
 #include "world/joints.hpp"
 
 namespace islet::detail {
@@ -205,6 +206,26 @@ const char* fault_in_lists(const Core& c) {
     return contacts == 2 * s.contact_pool.count && joints == ends ? nullptr : "a constraint is in no list";
 }
 
+// -- what is kept because it follows from the rest: where bodies and boxes are, how far they reach -------------------------------------
+
+const char* fault_in_place(const Core& c, std::uint32_t i) {
+    const Body& b = c.bodies[i];
+    const Pose& pose = c.poses[i];
+    const Vec2 gap = transform_point(body_transform(c, i), b.local_center) - pose.center;
+    const float rounding = 1.0e-6f * (1.0f + abs(pose.center.x) + abs(pose.center.y) + abs(b.local_center.x) + abs(b.local_center.y));
+    if (!(abs(gap.x) <= rounding && abs(gap.y) <= rounding)) return "a body's centre is not where its origin says";
+    const Extent extent = body_extent(c, i);
+    if (pose.max_extent != extent.max || b.min_extent != extent.min) return "a body's extent is not its shapes'";
+    // What is left of the slack was measured when a box was made, and the body has moved since.
+    return c.motions[i].slack <= slack_of(c, i) + 10.0f * rounding ? nullptr : "a body thinks it may leave its boxes";
+}
+
+const char* fault_in_box(const Core& c, std::uint32_t s) {
+    const Vec2 center = c.poses[c.shapes[s].body].center;
+    const float rounding = 1.0e-3f * (1.0f + abs(center.x) + abs(center.y)) * 0.01f + 1.0e-4f;
+    return contains(expand(c.boxes[s], rounding), shape_aabb(c, s)) ? nullptr : "a shape has left its fat box";
+}
+
 // -- what ties two bodies ------------------------------------------------------------------------------------------------------------
 
 const char* fault_in_contact(const Core& c, std::uint32_t i) {
@@ -273,6 +294,8 @@ const char* find_fault(const Core& c, Arena scratch) {
     const char* bad = fault_in_pools(c, scratch);
     if (bad == nullptr) bad = fault_in_records(c);
     if (bad == nullptr) bad = fault_in_lists(c);
+    if (bad == nullptr) bad = first_fault(s.body_pool, c.bodies, [&](std::uint32_t i) { return fault_in_place(c, i); });
+    if (bad == nullptr) bad = first_fault(s.shape_pool, c.shapes, [&](std::uint32_t i) { return fault_in_box(c, i); });
     if (bad == nullptr) bad = first_fault(s.contact_pool, c.contacts, [&](std::uint32_t i) { return fault_in_contact(c, i); });
     if (bad == nullptr) bad = first_fault(s.joint_pool, c.joints, [&](std::uint32_t i) { return fault_in_joint(c, i); });
     if (bad == nullptr) bad = fault_in_gear_counts(c, scratch);

@@ -12,17 +12,20 @@ inline constexpr std::uint32_t image_magic = 0x544c5349u;  // "ISLT" on a little
 inline constexpr std::uint32_t delta_magic = 0x444c5349u;  // "ISLD"
 inline constexpr std::uint32_t image_version = 1;          // goes up when a record changes
 
-struct ImageHeader {
-    std::uint32_t magic = image_magic;
+/// What images and deltas begin with.
+struct ImageHead {
+    std::uint32_t magic = 0;
     std::uint32_t version = image_version;
-    std::uint64_t length = 0;    // bytes, header included
-    std::uint64_t checksum = 0;  // of everything but the first three fields
+    std::uint64_t length = 0;    // bytes, all of them
+    std::uint64_t checksum = 0;  // of all that follows
+};
+
+struct ImageHeader {
+    ImageHead head{image_magic};
     Capacity capacity;           // of the world that was saved
     // Records in use.
     std::uint32_t bodies = 0, shapes = 0, contacts = 0, joints = 0, geometries = 0, tree_nodes = 0;
     std::uint32_t ended = 0;     // touches that ended since the last step, not yet reported
-
-    static constexpr std::size_t unchecked_bytes = 24;  // the first four fields
 };
 
 static_assert(sizeof(ImageHeader) == image_header_bytes && sizeof(ImageHeader) % 8 == 0);
@@ -59,11 +62,14 @@ inline std::uint64_t image_length(const ImageHeader& h) {
     return bytes;
 }
 
-/// Reads the header of an image of `bytes`. Returns what is wrong with it alone: its kind, byte order, version, length and counts.
-Error read_header(std::span<const std::byte> bytes, ImageHeader& h);
+/// Reads the head of an image or a delta that is at least `least` bytes long. Returns what is wrong with it alone: kind, byte order, version, length.
+Error read_head(std::span<const std::byte> bytes, std::uint32_t magic, std::size_t least, ImageHead& head);
 
-/// Checksum of a whole image.
-std::uint64_t image_checksum(const std::byte* image, std::uint64_t length);
+/// The same for the whole header of an image, with its counts.
+Error read_header(std::span<const std::byte> image, ImageHeader& h);
+
+/// Checksum of an image or a delta: of what follows its head.
+std::uint64_t image_checksum(std::span<const std::byte> bytes);
 
 /// The header of an image of the world as it is now, without checksum.
 ImageHeader header_of(const Core& core);

@@ -25,28 +25,32 @@ ImageHeader header_of(const Core& core) {
     h.geometries = s.geometry_pool.high_water;
     h.tree_nodes = s.tree.high_water;
     h.ended = core.end_count - core.end_reported;
-    h.length = image_length(h);
+    h.head.length = image_length(h);
     return h;
 }
 
-Error read_header(std::span<const std::byte> bytes, ImageHeader& h) {
-    std::uint32_t magic = 0;
-    if (bytes.size() < sizeof magic || bytes.data() == nullptr) return Error::truncated_image;
-    std::memcpy(&magic, bytes.data(), sizeof magic);
-    if (magic == __builtin_bswap32(image_magic)) return Error::other_byte_order;
-    if (magic != image_magic) return Error::not_an_image;
-    if (bytes.size() < sizeof h) return Error::truncated_image;
-    std::memcpy(&h, bytes.data(), sizeof h);
-    if (h.version != image_version) return Error::other_version;
-    for (const std::uint32_t count : {h.bodies, h.shapes, h.contacts, h.joints, h.geometries, h.tree_nodes / 2, h.ended})
-        if (count > max_capacity) return Error::corrupt_image;
-    if (h.length != image_length(h)) return Error::corrupt_image;
-    return h.length == bytes.size() ? Error::none : Error::truncated_image;
+Error read_head(std::span<const std::byte> bytes, std::uint32_t magic, std::size_t least, ImageHead& head) {
+    std::uint32_t kind = 0;
+    if (bytes.size() < sizeof kind || bytes.data() == nullptr) return Error::truncated_image;
+    std::memcpy(&kind, bytes.data(), sizeof kind);
+    if (kind == __builtin_bswap32(magic)) return Error::other_byte_order;
+    if (kind != magic) return Error::not_an_image;
+    if (bytes.size() < least) return Error::truncated_image;
+    std::memcpy(&head, bytes.data(), sizeof head);
+    if (head.version != image_version) return Error::other_version;
+    return head.length == bytes.size() ? Error::none : Error::truncated_image;
 }
 
-std::uint64_t image_checksum(const std::byte* image, std::uint64_t length) {
-    return checksum_of(image + ImageHeader::unchecked_bytes, static_cast<std::size_t>(length) - ImageHeader::unchecked_bytes);
+Error read_header(std::span<const std::byte> image, ImageHeader& h) {
+    const Error error = read_head(image, image_magic, sizeof h, h.head);
+    if (error != Error::none) return error;
+    std::memcpy(&h, image.data(), sizeof h);
+    for (const std::uint32_t count : {h.bodies, h.shapes, h.contacts, h.joints, h.geometries, h.tree_nodes / 2, h.ended})
+        if (count > max_capacity) return Error::corrupt_image;
+    return h.head.length == image_length(h) ? Error::none : Error::corrupt_image;
 }
+
+std::uint64_t image_checksum(std::span<const std::byte> bytes) { return checksum_of(bytes.data() + sizeof(ImageHead), bytes.size() - sizeof(ImageHead)); }
 
 }  // namespace detail
 
@@ -55,7 +59,7 @@ namespace {
 /// Copies to an image and sums what it has copied while that is still in the nearest cache.
 class Writer {
 public:
-    explicit Writer(std::byte* image) : begin_(image + ImageHeader::unchecked_bytes), summed_(begin_), at_(begin_) {}
+    explicit Writer(std::byte* image) : begin_(image + sizeof(ImageHead)), summed_(begin_), at_(begin_) {}
 
     void write(const void* from, std::uint64_t size) {
         const auto* bytes = static_cast<const std::byte*>(from);
@@ -157,28 +161,28 @@ Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out) {
     const Error error = read_header(image, h);
     if (error != Error::none) return error;
     const auto at_least_one = [](std::uint32_t n) { return n > 0 ? n : 1u; };
-    out.bytes = h.length;
+    out.bytes = h.head.length;
     out.capacity = h.capacity;
     const std::uint32_t shapes = at_least_one(h.shapes > (h.tree_nodes + 1) / 2 ? h.shapes : (h.tree_nodes + 1) / 2);
     out.used = {at_least_one(h.bodies), shapes, at_least_one(h.contacts > h.ended ? h.contacts : h.ended), h.joints, h.geometries};
     return Error::none;
 }
 
-std::size_t World::snapshot_bytes() const { return static_cast<std::size_t>(header_of(core()).length); }
+std::size_t World::snapshot_bytes() const { return static_cast<std::size_t>(header_of(core()).head.length); }
 
 std::size_t World::save(std::span<std::byte> out) const {
     const Core& c = core();
     ImageHeader h = header_of(c);
-    if (!check(c, out.data() != nullptr && out.size() >= h.length, Error::image_too_small)) return 0;
+    if (!check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
     Writer writer(out.data());
-    writer.write(reinterpret_cast<const std::byte*>(&h) + ImageHeader::unchecked_bytes, sizeof h - ImageHeader::unchecked_bytes);
+    writer.write(reinterpret_cast<const std::byte*>(&h) + sizeof h.head, sizeof h - sizeof h.head);
     for_each_part(c, h, [&](const auto* from, std::uint64_t bytes) {
         if (static_cast<const void*>(from) == c.end_events) from += c.end_reported;  // what was reported is no longer waiting
         writer.write(from, bytes);
     });
-    h.checksum = writer.checksum();
-    std::memcpy(out.data(), &h, ImageHeader::unchecked_bytes);
-    return static_cast<std::size_t>(h.length);
+    h.head.checksum = writer.checksum();
+    std::memcpy(out.data(), &h.head, sizeof h.head);
+    return static_cast<std::size_t>(h.head.length);
 }
 
 bool World::restore(std::span<const std::byte> image) {
@@ -196,7 +200,7 @@ bool World::load(std::span<const std::byte> image) {
     const Error error = read_header(image, h);
     if (!check(c, error == Error::none, error)) return false;
     if (!check(c, reinterpret_cast<std::uintptr_t>(image.data()) % snapshot_alignment == 0, Error::image_misaligned)) return false;
-    if (!check(c, image_checksum(image.data(), h.length) == h.checksum, Error::corrupt_image)) return false;
+    if (!check(c, image_checksum(image) == h.head.checksum, Error::corrupt_image)) return false;
     if (!check(c, fits(c.capacity, h), Error::image_too_large)) return false;
     const Core view = view_of(c, h, image.data());
     if (!check(c, counts_agree(h, *view.state) && find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;

@@ -1,6 +1,5 @@
 // Every invariant of a world. For tests: slow and thorough.
 #include "broadphase/contacts.hpp"
-#include "world/bounds.hpp"
 #include "world/faults.hpp"
 
 namespace islet {
@@ -23,23 +22,12 @@ const char* fault_in_pair_set(const Core& c) {
     return nullptr;
 }
 
-const char* fault_in_boxes(const Core& c) {
-    for (std::uint32_t s = 0; s < c.state->shape_pool.high_water; ++s) {
-        if (!pool_live(c.state->shape_pool, c.shapes, s)) continue;
-        const Vec2 center = c.poses[c.shapes[s].body].center;
-        const float rounding = 1.0e-3f * (1.0f + abs(center.x) + abs(center.y)) * 0.01f + 1.0e-4f;
-        if (!contains(expand(c.boxes[s], rounding), shape_aabb(c, s))) return "a shape has left its fat box";
-    }
-    return nullptr;
-}
-
 }  // namespace
 
 const char* World::validate() const {
     const Core& c = core();
     const char* bad = find_fault(c, c.arena());
-    if (bad == nullptr) bad = fault_in_pair_set(c);
-    return bad != nullptr ? bad : fault_in_boxes(c);
+    return bad != nullptr ? bad : fault_in_pair_set(c);
 }
 
 }  // namespace islet
