@@ -4,6 +4,7 @@
 //
 // What is refused must leave the world as it was; what is accepted is stepped 10 times and must then still be sound. Prints how many were accepted
 // when it ends.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -140,8 +141,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         ++f.applied;
         attack(f, f.out.bytes().first(n));
     } else {  // bytes as they are, aligned
-        Image raw(size - 1);
-        std::memcpy(raw.bytes().data(), data + 1, size - 1);
+        Image raw(static_cast<std::size_t>(in.end - in.at));
+        std::copy(in.at, in.end, reinterpret_cast<std::uint8_t*>(raw.bytes().data()));
         attack(f, raw.bytes());
         if (apply(f.before.bytes(), raw.bytes(), f.out.bytes()) != 0) ++f.applied;
         if (apply(raw.bytes(), f.packed.bytes(), f.out.bytes()) != 0) ++f.applied;
