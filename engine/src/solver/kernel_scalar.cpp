@@ -5,8 +5,10 @@
 namespace islet::detail {
 
 template struct ContactKernel<Lane1>;
-template struct ContactKernel<Lane4>;
 template void solve_joints<Lane1>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+#if ISLET_MAX_LANES >= 4
+template struct ContactKernel<Lane4>;
 template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+#endif
 
 }  // namespace islet::detail

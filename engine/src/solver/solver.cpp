@@ -9,10 +9,12 @@
 namespace islet::detail {
 
 extern template struct ContactKernel<Lane1>;
-extern template struct ContactKernel<Lane4>;
 extern template void solve_joints<Lane1>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+#if ISLET_MAX_LANES >= 4
+extern template struct ContactKernel<Lane4>;
 extern template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
-#if defined(__x86_64__)
+#endif
+#if ISLET_MAX_LANES >= 8
 // Eight lanes, from kernel_avx2.cpp; only the declarations can be seen here, where AVX2 is not assumed.
 void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count);
 void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers);
@@ -353,16 +355,22 @@ const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.blocks = arena.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
     s.overflow = arena.take<ContactRows<1>>(plan.overflow_count);
     switch (core.lanes) {
+#if ISLET_MAX_LANES >= 8
         case 8: s.joint_rows = place_joint_rows<8>(plan, arena); break;
+#endif
+#if ISLET_MAX_LANES >= 4
         case 4: s.joint_rows = place_joint_rows<4>(plan, arena); break;
+#endif
         default: s.joint_rows = place_joint_rows<1>(plan, arena); break;
     }
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         switch (core.lanes) {
-#if defined(__x86_64__)
+#if ISLET_MAX_LANES >= 8
             case 8: solve_batch<Kernel8>(s, plan.batches[b]); break;
 #endif
+#if ISLET_MAX_LANES >= 4
             case 4: solve_batch<Kernel<Lane4>>(s, plan.batches[b]); break;
+#endif
             default: solve_batch<Kernel<Lane1>>(s, plan.batches[b]); break;
         }
     }
