@@ -4,9 +4,9 @@
 
 namespace firmware {
 
-void print_decimal(std::uint64_t value) {
-    char text[21];
-    char* at = text + 20;
+void print_decimal(std::uint32_t value) {
+    char text[11];
+    char* at = text + 10;
     *at = 0;
     do {
         *--at = static_cast<char>('0' + value % 10);

@@ -5,7 +5,7 @@
 
 namespace firmware {
 
-void print_decimal(std::uint64_t value);
+void print_decimal(std::uint32_t value);
 /// Sixteen hexadecimal digits.
 void print_hash(std::uint64_t value);
 

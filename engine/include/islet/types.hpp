@@ -65,6 +65,7 @@ enum class Error : std::uint8_t {
     same_body,           ///< a joint needs two different bodies
     no_dynamic_body,     ///< a joint needs at least one dynamic body
     wrong_joint_type,    ///< joints of this type have no such property, or cannot be geared
+    feature_cut,         ///< this build of the engine was made without what the call needs (islet/config.hpp)
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.

@@ -24,6 +24,7 @@ const char* describe(Error e) {
         case Error::same_body: return "A joint needs two different bodies.";
         case Error::no_dynamic_body: return "A joint needs at least one dynamic body: the others do not move by joints.";
         case Error::wrong_joint_type: return "Joints of this type have no such property; gears couple revolute and prismatic joints only.";
+        case Error::feature_cut: return "This build of the engine leaves that out: build it without the switch that does (islet/config.hpp).";
     }
     return "Unknown error.";
 }

@@ -106,7 +106,7 @@ const char* validate_contact(const Core& c, std::uint32_t i) {
 const char* validate_joint(const Core& c, std::uint32_t i) {
     const Joint& j = c.joints[i];
     const auto live = [&](std::uint32_t body) { return pool_live(c.state->body_pool, c.bodies, body); };
-    const auto type = static_cast<JointType>(j.type);
+    const auto type = j.joint_type();
     if (!live(j.body_b) || (type == JointType::mouse ? j.body_a != null_index : !live(j.body_a))) return "a joint's body is gone";
     const bool awake_a = j.body_a != null_index && c.is_awake(j.body_a), awake_b = c.is_awake(j.body_b);
     if (c.awake_joints.test(i) != (awake_a || awake_b)) return "a joint is awake though its bodies sleep, or the reverse";
@@ -152,7 +152,7 @@ const char* World::validate() const {
         if (!pool_live(s.joint_pool, c.joints, i)) continue;
         bad = validate_joint(c, i);
         awake_joints += c.awake_joints.test(i) ? 1 : 0;
-        gears += static_cast<JointType>(c.joints[i].type) == JointType::gear ? 1 : 0;
+        gears += c.joints[i].joint_type() == JointType::gear ? 1 : 0;
         gear_ends += c.joints[i].gear_count;
     }
     if (bad == nullptr && gear_ends != 2 * gears) bad = "joints miscount their gears";
