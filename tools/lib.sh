@@ -22,6 +22,8 @@ header_exists() {
     return 1
 }
 
+path_exists() { [ -e "$1" ]; }
+
 # need PACKAGE PROBE ARGUMENT...: remembers Debian package PACKAGE as missing unless the probe succeeds.
 need() {
     local package=$1
@@ -43,6 +45,17 @@ need_test_tools() {
     need libgtest-dev header_exists gtest/gtest.h
     need libbox2d-dev header_exists box2d/box2d.h
     need libchipmunk-dev header_exists chipmunk/chipmunk.h
+}
+
+# What builds the firmware for Cortex-M and RISC-V, and runs it.
+need_firmware_tools() {
+    need gcc-arm-none-eabi command_exists arm-none-eabi-g++
+    need libnewlib-arm-none-eabi header_exists newlib/string.h
+    need libstdc++-arm-none-eabi-newlib path_exists /usr/include/newlib/c++
+    need qemu-system-arm command_exists qemu-system-arm
+    need gcc-riscv64-unknown-elf command_exists riscv64-unknown-elf-g++
+    need picolibc-riscv64-unknown-elf path_exists /usr/lib/picolibc/riscv64-unknown-elf/include/string.h
+    need qemu-system-misc command_exists qemu-system-riscv32
 }
 
 # Installs everything that need found missing.

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang, with sanitizers and unoptimised, pages played in a browser, and the scripts
-#                              checked: what CI runs
+#   tools/test.sh --all        the same once more with clang, with sanitizers and unoptimised, pages played in a browser, the firmware in emulated
+#                              microcontrollers, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk and GoogleTest with apt if they are missing (and for the options: clang, gcovr, shellcheck, Node.js,
-# npm, Chromium; npm fetches what drives it).
+# npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
 set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"
@@ -34,6 +34,7 @@ if $all; then
     need nodejs command_exists node
     need npm command_exists npm
     need chromium command_exists chromium
+    need_firmware_tools
 fi
 if $coverage; then need gcovr command_exists gcovr; fi
 install_missing
@@ -77,6 +78,15 @@ check_scripts() {
     results+=("scripts: $([ "$status" -eq 0 ] && echo clean || echo 'shellcheck complains') (${#scripts[@]} files)")
 }
 
+# The firmware in every emulated microcontroller: the host's hashes, and its size and stack within their limits.
+check_firmware() {
+    local status=0
+    say "the firmware"
+    "$root/tools/footprint.sh" --check || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("firmware: $([ "$status" -eq 0 ] && echo "the host's hashes, within its limits" || echo 'see above')")
+}
+
 # What drives the browser, in the versions that package-lock.json names; fetched once.
 fetch_browser_driver() {
     local folder=$root/tests/browser
@@ -94,6 +104,7 @@ if $all; then fetch_browser_driver; fi
 if $all || ! $coverage; then run_tests release; fi
 if $all; then
     check_scripts
+    check_firmware
     run_tests clang
     # What remains is about the engine: other engines need not be built again.
     tools=OFF

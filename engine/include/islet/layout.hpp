@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "islet/config.hpp"
 #include "islet/joints.hpp"
 #include "islet/types.hpp"
 
@@ -26,15 +27,7 @@ inline constexpr std::size_t core_bytes = 512;  // room for Core inside World
 inline constexpr std::size_t host_bytes = 576;  // room for World at the start of the block
 
 // The widest lanes that the build can use decide how the constraint rows are padded in scratch.
-#if defined(ISLET_MAX_LANES)
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
-#elif defined(__x86_64__) || defined(_M_X64)
-inline constexpr std::uint32_t max_lanes = 8;
-#elif defined(__SSE2__) || defined(__ARM_NEON) || defined(__wasm_simd128__)
-inline constexpr std::uint32_t max_lanes = 4;
-#else
-inline constexpr std::uint32_t max_lanes = 1;
-#endif
 
 // Sizes of the records, checked against the structs by static_assert in world/core.cpp.
 inline constexpr std::size_t state_bytes = 256;

@@ -75,6 +75,7 @@ enum class Error : std::uint8_t {
     unsound_image,       ///< the image's checksum is right, but what it holds is no world
     image_too_large,     ///< the world has less capacity than the image uses
     wrong_delta,         ///< the delta does not start from the image given
+    feature_cut,         ///< this build of the engine was made without what the call needs (islet/config.hpp)
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.

@@ -60,6 +60,7 @@ public:
     /// Goes back to an image that this program made. What the image uses must fit this world's capacity (image_too_large), which need not be that
     /// of the world it was taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host:
     /// lanes and the error hook. Events and the report are empty until the next step. Returns false and changes nothing on an error.
+    /// (Where a program neither makes joints nor calls load, joints are not linked, and an image with joints is refused: feature_cut.)
     bool restore(std::span<const std::byte> image);
     /// As restore, for an image from outside, which may be truncated, corrupt or hostile: nothing of it is used before all of it is found sound.
     bool load(std::span<const std::byte> image);

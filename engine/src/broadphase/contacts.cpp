@@ -10,7 +10,7 @@ namespace {
 
 // The narrow phase has one function for each unordered pair of types; the shape of the higher rank is A.
 std::uint32_t rank(const Core& core, std::uint32_t shape) {
-    switch (static_cast<ShapeType>(core.geometries[core.shapes[shape].geometry].type)) {
+    switch (core.geometries[core.shapes[shape].geometry].shape_type()) {
         case ShapeType::circle: return 0;
         case ShapeType::capsule: return 1;
         case ShapeType::polygon: return 2;
@@ -97,8 +97,8 @@ void mix_materials(Core& core, std::uint32_t contact) {
     const Shape& b = core.shapes[c.shape_b];
     ContactManifold& m = core.manifolds[contact];
     m.friction = sqrt(a.friction * b.friction);
-    const bool bouncy = a.restitution > 0 || b.restitution > 0;
-    const bool special = a.rolling_resistance > 0 || b.rolling_resistance > 0 || a.tangent_speed != 0 || b.tangent_speed != 0;
+    const bool bouncy = has_restitution && (a.restitution > 0 || b.restitution > 0);
+    const bool special = has_surfaces && (a.rolling_resistance > 0 || b.rolling_resistance > 0 || a.tangent_speed != 0 || b.tangent_speed != 0);
     m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy)) | (special ? contact_special : 0u) | (bouncy ? contact_bouncy : 0u);
 }
 

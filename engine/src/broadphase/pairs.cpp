@@ -147,9 +147,10 @@ Motioned sorted_columns(Core& core, Arena& arena) {
     return c;
 }
 
-// Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order, four at a time.
+// Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order; four at a time where there are vectors.
 template <class Visit>
 [[gnu::always_inline]] inline void scan(const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i, Visit&& visit) {
+#if ISLET_MAX_LANES >= 4
     const f4 upper = Lane4::splat(from.upper[i]);
     const f4 lower2 = Lane4::splat(from.lower2[i]);
     const f4 upper2 = Lane4::splat(from.upper2[i]);
@@ -159,6 +160,10 @@ template <class Visit>
         for (std::uint32_t bits = mask_bits(meets); bits != 0; bits &= bits - 1) visit(j + static_cast<std::uint32_t>(__builtin_ctz(bits)));
         if (mask_bits(begun) != 15u) return;
     }
+#else
+    for (std::uint32_t j = first; c.lower[j] <= from.upper[i]; ++j)
+        if (c.lower2[j] <= from.upper2[i] && c.upper2[j] >= from.lower2[i]) visit(j);
+#endif
 }
 
 // A box that changed meets the boxes that begin after it; one that did not meets the changed ones that begin after it.

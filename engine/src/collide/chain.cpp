@@ -144,6 +144,8 @@ Manifold collide_link(const Link& k, const Outline& b, Vec2 centroid, Vec2 origi
 
 }  // namespace
 
+void link_chains() {}
+
 Manifold collide(const ChainSegment& a, const Circle& b, const Transform& b_in_a, float margin) {
     const Vec2 center = transform_point(b_in_a, b.center);
     const Vec2 p1 = a.segment.point1;

@@ -8,6 +8,7 @@
 
 #include "geometry/convex.hpp"
 #include "islet/geometry.hpp"
+#include "memory/features.hpp"
 
 namespace islet::detail {
 
@@ -37,8 +38,10 @@ Manifold collide(const Segment& a, const Polygon& b, const Transform& b_in_a, fl
 Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, float margin);
 Manifold collide(const Polygon& a, const Capsule& b, const Transform& b_in_a, float margin);
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin);
-Manifold collide(const ChainSegment& a, const Circle& b, const Transform& b_in_a, float margin);
-Manifold collide(const ChainSegment& a, const Capsule& b, const Transform& b_in_a, float margin);
-Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& b_in_a, float margin);
+// Chains are linked only by programs that make them, which refer to link_chains, a function that does nothing.
+void link_chains();
+ISLET_OPTIONAL Manifold collide(const ChainSegment& a, const Circle& b, const Transform& b_in_a, float margin);
+ISLET_OPTIONAL Manifold collide(const ChainSegment& a, const Capsule& b, const Transform& b_in_a, float margin);
+ISLET_OPTIONAL Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& b_in_a, float margin);
 
 }  // namespace islet::detail

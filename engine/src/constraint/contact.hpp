@@ -108,7 +108,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
         const F dvn = nx * (b[0] - a[0]) + ny * (b[1] - a[1]);
         const F mass = a[3] + b[3];
         F gain = zero;  // m/s^2, of the normal velocity
-        if (r.bouncy) {
+        if (r.is_bouncy()) {
             F ga[8], gb[8];
             L::template gather8<motion_words>(motions, r.body_a, ga);
             L::template gather8<motion_words>(motions, r.body_b, gb);
@@ -141,7 +141,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             sum_t = sum_t + lt;
             wa = wa + (at * ln - an * lt);
             wb = wb + (bt * ln - bn * lt);
-            if (r.bouncy) {
+            if (r.is_bouncy()) {
                 // The normal velocity at the moment the surfaces will meet, gravity and forces included until then.
                 const F now = dvn + b[2] * bt - a[2] * at;
                 const F gap = max(m3[1 + i] + moved + turned, zero);
@@ -150,7 +150,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
                 L::store(r.peak[i], zero);
             }
         }
-        if (r.special) {
+        if (r.is_special()) {
             const F k = a[7] + b[7];
             L::store(r.rolling_mass, select(k > zero, L::load(live) * omega / k, zero));
             const F rolling = L::load(live) * warm * m3[0];
@@ -220,7 +220,7 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
             const F lambda = max(old + delta, zero);
             delta = lambda - old;
             L::store(p.normal_impulse, lambda);
-            if (r.bouncy) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
+            if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
             sum_n = sum_n + delta;
             total_n = total_n + lambda;
             vn = vn + mass * delta;
@@ -232,7 +232,7 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
         if (numbers.friction) {
             const F mu = L::load(r.friction);
             F vt = ny * vx - nx * vy;
-            if (r.special) vt = vt - L::load(r.tangent_speed);
+            if (r.is_special()) vt = vt - L::load(r.tangent_speed);
             for (std::uint32_t i = 0; i < points; ++i) {
                 typename Rows::Point& p = r.points[i];
                 const F an = L::load(p.an);
@@ -248,7 +248,7 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
                 wa = wa + a[7] * (an * delta);
                 wb = wb - b[7] * (bn * delta);
             }
-            if (r.special) {
+            if (r.is_special()) {
                 const F old = L::load(r.rolling_impulse);
                 const F bound = L::load(r.rolling_resistance) * total_n;
                 const F lambda = max(min(old - L::load(r.rolling_mass) * (wb - wa), bound), zero - bound);
@@ -274,7 +274,7 @@ void ContactKernel<L>::restitute(SolverBody* bodies_in, Rows* rows, std::uint32_
     const F threshold = L::splat(-threshold_in);
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
-        if (!r.bouncy) continue;
+        if (!r.is_bouncy()) continue;
         F a[8], b[8];
         L::template gather8<body_words>(bodies, r.body_a, a);
         L::template gather8<body_words>(bodies, r.body_b, b);

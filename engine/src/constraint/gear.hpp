@@ -30,7 +30,7 @@ struct GearSide {
 };
 
 inline float coordinate_of(const Joint& j, const JointPose& p) {
-    const auto type = static_cast<JointType>(j.type);
+    const auto type = j.joint_type();
     if (type == JointType::revolute) return unwrap(angle_of(p), j.coordinate);
     const Vec2 d = gap_of(p);
     if (type == JointType::distance) return length(d);
@@ -39,7 +39,7 @@ inline float coordinate_of(const Joint& j, const JointPose& p) {
 
 inline GearSide gear_side(const Joint& j, const JointPose& p) {
     const float c = coordinate_of(j, p);
-    if (static_cast<JointType>(j.type) == JointType::revolute) return {c, {0, 0}, 1, 1};
+    if (j.joint_type() == JointType::revolute) return {c, {0, 0}, 1, 1};
     const Vec2 u = {p.qa.c, p.qa.s};
     return {c, u, cross(gap_of(p) + p.ra, u), cross(p.rb, u)};
 }

@@ -41,6 +41,21 @@ enum class JointKernel : std::uint32_t {
 };
 inline constexpr std::uint32_t joint_kernel_count = 9;
 
+constexpr bool has_kernel(JointKernel kernel) {
+    switch (kernel) {
+        case JointKernel::point:
+        case JointKernel::hinge: return has_joint(JointType::revolute);
+        case JointKernel::slider: return has_joint(JointType::prismatic);
+        case JointKernel::distance: return has_joint(JointType::distance);
+        case JointKernel::weld: return has_joint(JointType::weld);
+        case JointKernel::wheel: return has_joint(JointType::wheel);
+        case JointKernel::drive: return has_joint(JointType::motor) || has_joint(JointType::mouse);
+        case JointKernel::pulley: return has_joint(JointType::pulley);
+        case JointKernel::gear: return has_joint(JointType::gear);
+    }
+    return false;
+}
+
 /// How one sweep treats joints.
 struct JointSweep {
     float h = 0, inv_h = 0;

@@ -13,7 +13,7 @@
 namespace islet::detail {
 
 inline JointKernel kernel_of(const Joint& j) {
-    switch (static_cast<JointType>(j.type)) {
+    switch (j.joint_type()) {
         case JointType::revolute: return revolute_kernel(j);
         case JointType::prismatic: return JointKernel::slider;
         case JointType::distance: return JointKernel::distance;
@@ -30,18 +30,36 @@ inline JointKernel kernel_of(const Joint& j) {
 /// Calls visit(rows) with a pointer to the blocks of the run's kind.
 template <std::uint32_t W, class Visit>
 ISLET_LANE auto visit_rows(JointKernel kernel, std::byte* rows, Visit&& visit) {
+    // A kernel whose joints are left out of the build is not even compiled.
     switch (kernel) {
-        case JointKernel::point: return visit(reinterpret_cast<PointRows<W>*>(rows));
-        case JointKernel::hinge: return visit(reinterpret_cast<HingeRows<W>*>(rows));
-        case JointKernel::slider: return visit(reinterpret_cast<SliderRows<W>*>(rows));
-        case JointKernel::distance: return visit(reinterpret_cast<DistanceRows<W>*>(rows));
-        case JointKernel::weld: return visit(reinterpret_cast<WeldRows<W>*>(rows));
-        case JointKernel::wheel: return visit(reinterpret_cast<WheelRows<W>*>(rows));
-        case JointKernel::drive: return visit(reinterpret_cast<DriveRows<W>*>(rows));
-        case JointKernel::pulley: return visit(reinterpret_cast<PulleyRows<W>*>(rows));
+        case JointKernel::point:
+            if constexpr (has_kernel(JointKernel::point)) return visit(reinterpret_cast<PointRows<W>*>(rows));
+            break;
+        case JointKernel::hinge:
+            if constexpr (has_kernel(JointKernel::hinge)) return visit(reinterpret_cast<HingeRows<W>*>(rows));
+            break;
+        case JointKernel::slider:
+            if constexpr (has_kernel(JointKernel::slider)) return visit(reinterpret_cast<SliderRows<W>*>(rows));
+            break;
+        case JointKernel::distance:
+            if constexpr (has_kernel(JointKernel::distance)) return visit(reinterpret_cast<DistanceRows<W>*>(rows));
+            break;
+        case JointKernel::weld:
+            if constexpr (has_kernel(JointKernel::weld)) return visit(reinterpret_cast<WeldRows<W>*>(rows));
+            break;
+        case JointKernel::wheel:
+            if constexpr (has_kernel(JointKernel::wheel)) return visit(reinterpret_cast<WheelRows<W>*>(rows));
+            break;
+        case JointKernel::drive:
+            if constexpr (has_kernel(JointKernel::drive)) return visit(reinterpret_cast<DriveRows<W>*>(rows));
+            break;
+        case JointKernel::pulley:
+            if constexpr (has_kernel(JointKernel::pulley)) return visit(reinterpret_cast<PulleyRows<W>*>(rows));
+            break;
         case JointKernel::gear: break;
     }
-    return visit(reinterpret_cast<GearRows<1>*>(rows));
+    if constexpr (has_kernel(JointKernel::gear) || !has_joints) return visit(reinterpret_cast<GearRows<1>*>(rows));
+    __builtin_unreachable();
 }
 
 template <std::uint32_t W>

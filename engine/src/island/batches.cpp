@@ -42,7 +42,7 @@ void plan_joints(const Core& core, Plan& plan, Edge* edges, BatchOf&& batch_of, 
         return (e.color == no_color ? 0u : e.color + 1) * joint_kernel_count + kernel;
     };
     std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * places);
-    if (plan.joint_count == 0) return;
+    if (!has_joints || plan.joint_count == 0) return;
     std::memset(next, 0, std::size_t{plan.batch_count} * places * 4);
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) {
         Edge& e = edges[k];
@@ -117,7 +117,8 @@ Plan make_plan(const Core& core, Arena& arena) {
     });
     plan.touching_count = edge_count;
     Edge* joint_edges = temporary.take<Edge>(joints);
-    core.awake_joints.for_each([&](std::uint32_t i) {
+    const BitSet awake_joints = has_joints ? core.awake_joints : BitSet{};
+    awake_joints.for_each([&](std::uint32_t i) {
         const Joint& j = core.joints[i];
         const Edge e{i, j.body_a != null_index ? plan.slot_of[j.body_a] : 0u, plan.slot_of[j.body_b], j.color()};
         const bool moves_a = island[e.a] != null_index, moves_b = island[e.b] != null_index;

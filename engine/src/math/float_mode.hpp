@@ -32,14 +32,21 @@ private:
 private:
     std::uint64_t saved_ = 0;
 #elif defined(__arm__) && defined(__ARM_FP)
+    // Only the bits of the mode: half precision, default NaN, flush to zero, rounding, traps. Others belong to vectors (the M55 faults on a wrong one).
     DefaultFloatMode() {
         __asm__ volatile("vmrs %0, fpscr" : "=r"(saved_));
-        __asm__ volatile("vmsr fpscr, %0" : : "r"(std::uint32_t{0}));
+        __asm__ volatile("vmsr fpscr, %0" : : "r"(saved_ & ~std::uint32_t{0x07c89f00u}));
     }
     ~DefaultFloatMode() { __asm__ volatile("vmsr fpscr, %0" : : "r"(saved_)); }
 
 private:
     std::uint32_t saved_ = 0;
+#elif defined(__riscv_flen)
+    DefaultFloatMode() { __asm__ volatile("csrrwi %0, frm, 0" : "=r"(saved_)); }
+    ~DefaultFloatMode() { __asm__ volatile("csrw frm, %0" : : "r"(saved_)); }
+
+private:
+    unsigned long saved_ = 0;
 #else
     DefaultFloatMode() {}
     ~DefaultFloatMode() {}

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "islet/config.hpp"
 #include "islet/math.hpp"
 #include "math/scalar.hpp"
 
@@ -13,7 +14,11 @@
 #include <immintrin.h>
 #endif
 
+#if ISLET_MAX_LANES == 1
+#define ISLET_LANE inline
+#else
 #define ISLET_LANE [[gnu::always_inline]] inline
+#endif
 
 namespace islet::detail {
 
@@ -51,7 +56,7 @@ struct Lane1 {
 
 // Four lanes by the compiler's vector extension: SSE2, NEON, wasm-simd128, or plain code where there is none.
 typedef float f4 __attribute__((vector_size(16)));
-typedef std::int32_t i4 __attribute__((vector_size(16)));
+typedef int i4 __attribute__((vector_size(16)));
 
 ISLET_LANE f4 select(i4 mask, f4 a, f4 b) { return reinterpret_cast<f4>((mask & reinterpret_cast<i4>(a)) | (~mask & reinterpret_cast<i4>(b))); }
 #if defined(__SSE2__)
@@ -129,7 +134,7 @@ struct Lane4 {
 #if defined(__AVX2__)
 // Eight lanes. This part is seen only by the translation units compiled for AVX2.
 typedef float f8 __attribute__((vector_size(32)));
-typedef std::int32_t i8 __attribute__((vector_size(32)));
+typedef int i8 __attribute__((vector_size(32)));
 
 ISLET_LANE f8 select(i8 mask, f8 a, f8 b) { return _mm256_blendv_ps(b, a, reinterpret_cast<f8>(mask)); }
 ISLET_LANE f8 min(f8 a, f8 b) { return _mm256_min_ps(a, b); }

@@ -31,7 +31,16 @@ struct BitSet {
     [[gnu::always_inline]] void for_each(Visit&& visit) const {
         for (std::uint32_t w = 0; w < word_count; ++w)
             for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1)
-                visit(w * 64 + static_cast<std::uint32_t>(__builtin_ctzll(bits)));
+                visit(w * 64 + lowest(bits));
+    }
+
+private:
+    // Without a call of the compiler's runtime where registers have 32 bits.
+    ISLET_INLINE static std::uint32_t lowest(std::uint64_t bits) {
+        if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(bits));
+        const auto low = static_cast<std::uint32_t>(bits);
+        const auto high = static_cast<std::uint32_t>(bits >> 32);
+        return static_cast<std::uint32_t>(low != 0 ? __builtin_ctz(low) : 32 + __builtin_ctz(high));
     }
 };
 

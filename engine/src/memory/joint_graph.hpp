@@ -9,7 +9,7 @@ namespace islet::detail {
 /// Calls visit(joint, side) for each joint of a body, newest first; `visit` may destroy that joint.
 template <class Visit>
 void for_each_joint(const Core& core, std::uint32_t body, Visit&& visit) {
-    for_each_edge(core.joints, core.bodies[body].joint_head, visit);
+    if constexpr (has_joints) for_each_edge(core.joints, core.bodies[body].joint_head, visit);
 }
 
 /// The body at the other end of a joint, or null_index if that is the world.
@@ -19,6 +19,7 @@ inline std::uint32_t other_joined(const Core& core, std::uint32_t joint, std::ui
 
 /// True if a joint between the two bodies forbids their shapes to collide.
 inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t body_2) {
+    if (!has_joints) return false;
     const bool first = core.bodies[body_1].joint_count < core.bodies[body_2].joint_count;
     const std::uint32_t body = first ? body_1 : body_2;
     const std::uint32_t other = first ? body_2 : body_1;

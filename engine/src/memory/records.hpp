@@ -7,6 +7,7 @@
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/types.hpp"
+#include "memory/features.hpp"
 #include "memory/pool.hpp"
 
 namespace islet::detail {
@@ -92,6 +93,8 @@ struct Geometry {
         std::uint32_t words[36];
     };
     Geometry() : words{} {}
+
+    ShapeType shape_type() const { return known(static_cast<ShapeType>(type)); }
 };
 
 enum ContactFlags : std::uint32_t {
@@ -180,6 +183,7 @@ struct Joint {
     float torque_impulse = 0;      // N m s on B about its anchor
     std::uint64_t user_data = 0;
 
+    JointType joint_type() const { return known(static_cast<JointType>(type)); }
     ISLET_INLINE std::uint32_t color() const { return flags >> joint_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << joint_color_shift)) | color << joint_color_shift; }
 };

@@ -1,12 +1,15 @@
 // The kernel for one lane, and for four where the target's baseline has vectors (SSE2, NEON, wasm-simd128).
 #include "constraint/contact.hpp"
+#if ISLET_MAX_LANES >= 4
 #include "constraint/joint_runs.hpp"
+#endif
 
 namespace islet::detail {
 
 template struct ContactKernel<Lane1>;
+#if ISLET_MAX_LANES >= 4
 template struct ContactKernel<Lane4>;
-template void solve_joints<Lane1>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+#endif
 
 }  // namespace islet::detail

@@ -4,21 +4,20 @@
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
 #include "constraint/contact.hpp"
-#include "constraint/joint_runs.hpp"
+#include "solver/joint_solve.hpp"
 
 namespace islet::detail {
 
 extern template struct ContactKernel<Lane1>;
+#if ISLET_MAX_LANES >= 4
 extern template struct ContactKernel<Lane4>;
-extern template void solve_joints<Lane1>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
-extern template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
-#if defined(__x86_64__)
+#endif
+#if ISLET_MAX_LANES >= 8
 // Eight lanes, from kernel_avx2.cpp; only the declarations can be seen here, where AVX2 is not assumed.
 void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count);
 void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers);
 void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, float threshold);
 void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count);
-void solve_joints_8(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep);
 
 struct Kernel8 {
     static constexpr std::uint32_t W = 8;
@@ -27,18 +26,8 @@ struct Kernel8 {
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& n) { solve_8(bodies, rows, count, n); }
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float t) { restitute_8(bodies, rows, count, t); }
     static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) { store_8(manifolds, rows, count); }
-    static void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
-        solve_joints_8(kernel, bodies, rows, blocks, sweep);
-    }
 };
 #endif
-
-template <class L>
-struct Kernel : ContactKernel<L> {
-    static void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
-        detail::solve_joints<L>(kernel, bodies, rows, blocks, sweep);
-    }
-};
 
 namespace {
 
@@ -238,7 +227,7 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
             const Shape& b = core.shapes[c.shape_b];
             const auto radius = [&](const Shape& shape) {
                 const Geometry& g = core.geometries[shape.geometry];
-                switch (static_cast<ShapeType>(g.type)) {
+                switch (g.shape_type()) {
                     case ShapeType::circle: return g.circle.radius;
                     case ShapeType::capsule: return g.capsule.radius;
                     case ShapeType::polygon: return g.polygon.radius;
@@ -258,13 +247,13 @@ void sweep(Solve& s, const Batch& batch, typename K::Rows* rows, const SweepNumb
     std::uint32_t run = batch.first_run;
     for (; run < batch.end_run && s.plan.runs[run].color == no_color; ++run) {
         const JointRun& r = s.plan.runs[run];
-        solve_joints<Lane1>(r.kernel, s.bodies, s.joint_rows + r.offset, r.blocks, joints);
+        solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
     ContactKernel<Lane1>::solve(s.bodies, s.overflow + batch.first_overflow, batch.end_overflow - batch.first_overflow, dynamic);
     for (std::uint32_t c = 0; c < color_count; ++c) {
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
-            K::solve_joints(r.kernel, s.bodies, s.joint_rows + r.offset, r.blocks, joints);
+            solve_joint_run(r, K::W, s.bodies, s.joint_rows + r.offset, joints);
         }
         const std::uint32_t first = batch.first_block[c];
         const std::uint32_t end = batch.first_block[c + 1];
@@ -294,11 +283,7 @@ void solve_batch(Solve& s, const Batch& batch) {
     const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers};
     for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
         const JointRun& r = s.plan.runs[i];
-        if (r.color == no_color) {
-            prepare_joints<1>(r.kernel, s.joint_rows + r.offset, r.blocks, s.plan.joints + r.first, joints);
-        } else {
-            prepare_joints<K::W>(r.kernel, s.joint_rows + r.offset, r.blocks, s.plan.joints + r.first, joints);
-        }
+        prepare_joint_run(r, K::W, s.joint_rows + r.offset, s.plan.joints + r.first, joints);
     }
 
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
@@ -320,22 +305,17 @@ void solve_batch(Solve& s, const Batch& batch) {
     const JointOutput joints_out{s.core.joints, s.core.bodies, s.bodies, s.numbers.h};
     for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
         const JointRun& r = s.plan.runs[i];
-        if (r.color == no_color) {
-            store_joints<1>(r.kernel, s.joint_rows + r.offset, r.blocks, joints_out);
-        } else {
-            store_joints<K::W>(r.kernel, s.joint_rows + r.offset, r.blocks, joints_out);
-        }
+        store_joint_run(r, K::W, s.joint_rows + r.offset, joints_out);
     }
 }
 
 // Room for the rows of every run.
-template <std::uint32_t W>
-std::byte* place_joint_rows(const Plan& plan, Arena& arena) {
+std::byte* place_joint_rows(const Plan& plan, std::uint32_t lanes, Arena& arena) {
     std::size_t bytes = 0;
     for (std::uint32_t i = 0; i < plan.run_count; ++i) {
         JointRun& r = plan.runs[i];
         r.offset = bytes;
-        bytes += r.blocks * (r.color == no_color ? joint_block_bytes<1>(r.kernel) : joint_block_bytes<W>(r.kernel));
+        bytes += joint_run_bytes_of(r, lanes);
         bytes = (bytes + 63) / 64 * 64;
     }
     return arena.take<std::byte>(bytes);
@@ -352,18 +332,16 @@ const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.motions[0] = SolverMotion{};
     s.blocks = arena.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
     s.overflow = arena.take<ContactRows<1>>(plan.overflow_count);
-    switch (core.lanes) {
-        case 8: s.joint_rows = place_joint_rows<8>(plan, arena); break;
-        case 4: s.joint_rows = place_joint_rows<4>(plan, arena); break;
-        default: s.joint_rows = place_joint_rows<1>(plan, arena); break;
-    }
+    s.joint_rows = place_joint_rows(plan, core.lanes, arena);
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         switch (core.lanes) {
-#if defined(__x86_64__)
+#if ISLET_MAX_LANES >= 8
             case 8: solve_batch<Kernel8>(s, plan.batches[b]); break;
 #endif
-            case 4: solve_batch<Kernel<Lane4>>(s, plan.batches[b]); break;
-            default: solve_batch<Kernel<Lane1>>(s, plan.batches[b]); break;
+#if ISLET_MAX_LANES >= 4
+            case 4: solve_batch<ContactKernel<Lane4>>(s, plan.batches[b]); break;
+#endif
+            default: solve_batch<ContactKernel<Lane1>>(s, plan.batches[b]); break;
         }
     }
     core.state->last_substep = s.numbers.h;

@@ -29,7 +29,8 @@ bool check_def(const Core& core, const BodyDef& d) {
     const bool finite = is_finite(d.position) && is_finite(d.angle) && is_finite(d.linear_velocity) && is_finite(d.angular_velocity) &&
                         is_finite(d.linear_damping) && is_finite(d.angular_damping) && is_finite(d.gravity_scale) && is_finite(d.sleep_threshold);
     return check(core, finite, Error::not_finite) && check_position(core, d.position) &&
-           check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range);
+           check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
+           check(core, has_sleep || d.awake, Error::feature_cut);
 }
 
 void destroy_contacts(Core& core, std::uint32_t body) {
@@ -91,7 +92,7 @@ void World::destroy_body(BodyId id) {
     Core& c = core();
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
-    remove_joints(c, i);
+    if (c.bodies[i].joint_head != 0) remove_joints(c, i);
     destroy_contacts(c, i);
     while (c.bodies[i].shape_head != null_index) remove_shape(c, c.bodies[i].shape_head);
     c.awake_bodies.clear(i);
@@ -244,7 +245,8 @@ void World::set_type(BodyId id, BodyType type) {
     // Colours depend on the types, so contacts go before the type changes, and joints get new ones after it.
     destroy_contacts(c, i);
     wake_island(c, i, c.arena());
-    release_joint_colors(c, i);
+    const bool joined = b.joint_head != 0;
+    if (joined) release_joint_colors(c, i);
     unrest_shapes(c, i);
     c.awake_bodies.clear(i);
     b.flags = (b.flags & ~static_cast<std::uint32_t>(body_type_mask)) | static_cast<std::uint32_t>(type);
@@ -258,8 +260,8 @@ void World::set_type(BodyId id, BodyType type) {
     } else {
         c.awake_bodies.set(i);
     }
-    hang_gears(c, i);
-    assign_joint_colors(c, i);
+    if (joined) hang_gears(c, i);
+    if (joined) assign_joint_colors(c, i);
     update_mass(c, i);
     update_boxes(c, i, true);
     if (type == BodyType::static_body) rest_shapes(c, i);

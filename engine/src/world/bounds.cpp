@@ -12,7 +12,7 @@ inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: sma
 
 Extent extent_of(const Geometry& g, Vec2 center) {
     const auto far = [&](Vec2 p) { return distance(p, center); };
-    switch (static_cast<ShapeType>(g.type)) {
+    switch (g.shape_type()) {
         case ShapeType::circle: return {far(g.circle.center) + g.circle.radius, g.circle.radius};
         case ShapeType::capsule: return {max(far(g.capsule.point1), far(g.capsule.point2)) + g.capsule.radius, g.capsule.radius};
         case ShapeType::segment: return {max(far(g.segment.point1), far(g.segment.point2)), 0};
@@ -31,7 +31,7 @@ Extent extent_of(const Geometry& g, Vec2 center) {
 }
 
 Vec2 middle_of(const Geometry& g) {
-    switch (static_cast<ShapeType>(g.type)) {
+    switch (g.shape_type()) {
         case ShapeType::circle: return g.circle.center;
         case ShapeType::capsule: return lerp(g.capsule.point1, g.capsule.point2, 0.5f);
         case ShapeType::segment: return lerp(g.segment.point1, g.segment.point2, 0.5f);
@@ -42,23 +42,32 @@ Vec2 middle_of(const Geometry& g) {
 }
 
 Aabb aabb_of(const Geometry& g, const Transform& t) {
-    switch (static_cast<ShapeType>(g.type)) {
+    switch (g.shape_type()) {
         case ShapeType::circle: return compute_aabb(g.circle, t);
-        case ShapeType::capsule: return compute_aabb(g.capsule, t);
-        case ShapeType::segment: return compute_aabb(g.segment, t);
-        case ShapeType::chain_segment: return compute_aabb(g.chain.segment, t);
+        case ShapeType::capsule:
+            if constexpr (has_shape(ShapeType::capsule)) return compute_aabb(g.capsule, t);
+            break;
+        case ShapeType::segment:
+            if constexpr (has_shape(ShapeType::segment)) return compute_aabb(g.segment, t);
+            break;
+        case ShapeType::chain_segment:
+            if constexpr (has_shape(ShapeType::chain_segment)) return compute_aabb(g.chain.segment, t);
+            break;
         case ShapeType::polygon: return compute_aabb(g.polygon, t);
     }
     return {};
 }
 
 MassData mass_of(const Geometry& g, float density) {
-    switch (static_cast<ShapeType>(g.type)) {
+    switch (g.shape_type()) {
         case ShapeType::circle: return compute_mass(g.circle, density);
-        case ShapeType::capsule: return compute_mass(g.capsule, density);
+        case ShapeType::capsule:
+            if constexpr (has_shape(ShapeType::capsule)) return compute_mass(g.capsule, density);
+            break;
         case ShapeType::polygon: return compute_mass(g.polygon, density);
-        default: return {};
+        default: break;
     }
+    return {};
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
 
 // The narrow phase function for the two types; A has the higher rank (see contacts.cpp).
 Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin) {
-    const auto type_b = static_cast<ShapeType>(b.type);
+    const auto type_b = b.shape_type();
     const auto against = [&](const auto& shape_a) {
         switch (type_b) {
             case ShapeType::circle: return collide(shape_a, b.circle, b_in_a, margin);
@@ -56,7 +56,7 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
             default: return Manifold{};
         }
     };
-    switch (static_cast<ShapeType>(a.type)) {
+    switch (a.shape_type()) {
         case ShapeType::circle: return collide(a.circle, b.circle, b_in_a, margin);
         case ShapeType::capsule:
             return type_b == ShapeType::circle ? collide(a.capsule, b.circle, b_in_a, margin) : collide(a.capsule, b.capsule, b_in_a, margin);

@@ -30,7 +30,7 @@ bool floats_are_finite(const Record& record, std::size_t first, std::size_t end)
 }
 
 bool is_valid_geometry(const Geometry& g) {
-    switch (static_cast<ShapeType>(g.type)) {
+    switch (g.shape_type()) {
         case ShapeType::circle: return is_valid(g.circle);
         case ShapeType::capsule: return is_valid(g.capsule);
         case ShapeType::segment: return is_valid(g.segment);
@@ -98,7 +98,7 @@ const char* fault_in_numbers(const Joint& j) {
     constexpr std::uint32_t known = joint_spring | joint_limit | joint_motor | joint_collide | 0xffu << joint_color_shift;
     if (j.type >= joint_type_count || (j.flags & ~known) != 0) return "a joint's type or flags are none";
     if (j.color() != no_color && j.color() >= color_count) return "a joint has a colour that is none";
-    const auto type = static_cast<JointType>(j.type);
+    const auto type = j.joint_type();
     if (type == JointType::gear && j.color() != no_color) return "a gear has a colour";
     if (!floats_are_finite(j, offsetof(Joint, local_a), offsetof(Joint, gear_count)) ||
         !floats_are_finite(j, offsetof(Joint, impulse), offsetof(Joint, user_data)))

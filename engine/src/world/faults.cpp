@@ -94,7 +94,7 @@ bool live_shape(const Core& c, std::uint32_t i) { return pool_live(c.state->shap
 bool live_joint(const Core& c, std::uint32_t i) { return pool_live(c.state->joint_pool, c.joints, i); }
 
 const char* fault_in_ends(const Core& c, const Joint& j) {
-    const auto type = static_cast<JointType>(j.type);
+    const auto type = j.joint_type();
     if (!live_body(c, j.body_b) || (type == JointType::mouse ? j.body_a != null_index : !live_body(c, j.body_a) || j.body_a == j.body_b))
         return "a joint's body is gone";
     if (type == JointType::gear && (!live_joint(c, j.joint1) || !live_joint(c, j.joint2))) return "a gear's joint is gone";
@@ -246,7 +246,7 @@ const char* fault_in_gear(const Core& c, const Joint& gear) {
     const Joint& j1 = c.joints[gear.joint1];
     const Joint& j2 = c.joints[gear.joint2];
     for (const Joint* j : {&j1, &j2}) {
-        const auto type = static_cast<JointType>(j->type);
+        const auto type = j->joint_type();
         if (type != JointType::revolute && type != JointType::prismatic) return "a gear couples the wrong joints";
     }
     const bool hangs_right = gear.body_a == moving_body(c, j1) && (gear.body_b == j2.body_a || gear.body_b == j2.body_b);
@@ -259,7 +259,7 @@ const char* fault_in_joint(const Core& c, std::uint32_t i) {
     const bool awake_a = has_a && c.is_awake(j.body_a), awake_b = c.is_awake(j.body_b);
     if (c.awake_joints.test(i) != (awake_a || awake_b)) return "a joint is awake though its bodies sleep, or the reverse";
     if (has_a && c.is_dynamic(j.body_a) && c.is_dynamic(j.body_b) && awake_a != awake_b) return "an island is half asleep";
-    return static_cast<JointType>(j.type) == JointType::gear ? fault_in_gear(c, j) : nullptr;
+    return j.joint_type() == JointType::gear ? fault_in_gear(c, j) : nullptr;
 }
 
 const char* fault_in_gear_counts(const Core& c, Arena scratch) {
@@ -267,7 +267,7 @@ const char* fault_in_gear_counts(const Core& c, Arena scratch) {
     std::uint32_t* gears = scratch.take<std::uint32_t>(pool.high_water);
     for (std::uint32_t i = 0; i < pool.high_water; ++i) gears[i] = 0;
     for (std::uint32_t i = 0; i < pool.high_water; ++i) {
-        if (!live_joint(c, i) || static_cast<JointType>(c.joints[i].type) != JointType::gear) continue;
+        if (!live_joint(c, i) || c.joints[i].joint_type() != JointType::gear) continue;
         ++gears[c.joints[i].joint1];
         ++gears[c.joints[i].joint2];
     }

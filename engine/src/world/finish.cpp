@@ -62,7 +62,7 @@ void finish_bodies(Core& core, const Plan& plan, const SolverBody* bodies, Arena
 
     // Who moved is reported in slot order of the pool; so is who falls asleep.
     core.awake_bodies.for_each([&](std::uint32_t body) { core.moved_events[core.moved_count++] = core.body_id(body); });
-    if (core.state->enable_sleep == 0) return;
+    if (!has_sleep || core.state->enable_sleep == 0) return;
     sleep_islands(core, plan, arena);
     for (std::uint32_t i = 0; i < core.moved_count; ++i) {
         const BodyId id = core.moved_events[i];

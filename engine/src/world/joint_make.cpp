@@ -10,6 +10,7 @@
 #include "world/checks.hpp"
 #include "world/joints.hpp"
 #include "world/sleep.hpp"
+#include "solver/joint_solve.hpp"
 
 namespace islet {
 
@@ -83,8 +84,10 @@ Bodies check_base(const Core& core, const JointBase& base) {
     return bodies;
 }
 
-/// Takes a slot for a joint. Call when all else is checked.
+/// Takes a slot for a joint. Call when all else is checked. Every joint is made through here, so here is where the program links what joints need.
 std::uint32_t take_joint(Core& core, JointType type) {
+    link_joint_solve();
+    link_joint_changes();
     const std::uint32_t i = pool_take(core.state->joint_pool, core.joints, core.capacity.joints);
     if (i == null_index) {
         core.fail(Error::joints_full);
@@ -101,7 +104,7 @@ std::uint32_t take_joint(Core& core, JointType type) {
 /// Ties the finished joint to its bodies, wakes them, and ends what it forbids.
 JointId tie(Core& core, std::uint32_t i) {
     Joint& j = core.joints[i];
-    if (static_cast<JointType>(j.type) != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
+    if (j.joint_type() != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
     link_joint(core, i, 0, j.body_a);
     link_joint(core, i, 1, j.body_b);
     if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
@@ -167,6 +170,7 @@ bool check_softness(const Core& core, const Def& def) {
 
 JointId World::create_joint(const RevoluteJointDef& def) {
     Core& c = core();
+    if (!check(c, has_joint(JointType::revolute), Error::feature_cut)) return {};
     return make(
         c, JointType::revolute, def.base, [&] { return check_coordinate(c, def) && check_not_negative(c, def.friction); },
         [&](Joint& j) {
@@ -178,6 +182,7 @@ JointId World::create_joint(const RevoluteJointDef& def) {
 
 JointId World::create_joint(const PrismaticJointDef& def) {
     Core& c = core();
+    if (!check(c, has_joint(JointType::prismatic), Error::feature_cut)) return {};
     return make(
         c, JointType::prismatic, def.base, [&] { return check_coordinate(c, def) && check_not_negative(c, def.friction); },
         [&](Joint& j) {
@@ -188,6 +193,7 @@ JointId World::create_joint(const PrismaticJointDef& def) {
 
 JointId World::create_joint(const DistanceJointDef& def) {
     Core& c = core();
+    if (!check(c, has_joint(JointType::distance), Error::feature_cut)) return {};
     return make(
         c, JointType::distance, def.base,
         [&] {
@@ -202,12 +208,14 @@ JointId World::create_joint(const DistanceJointDef& def) {
 
 JointId World::create_joint(const WeldJointDef& def) {
     Core& c = core();
+    if (!check(c, has_joint(JointType::weld), Error::feature_cut)) return {};
     return make(
         c, JointType::weld, def.base, [&] { return check_softness(c, def); }, [&](Joint& j) { fill_softness(j, def); });
 }
 
 JointId World::create_joint(const WheelJointDef& def) {
     Core& c = core();
+    if (!check(c, has_joint(JointType::wheel), Error::feature_cut)) return {};
     return make(
         c, JointType::wheel, def.base, [&] { return check_coordinate(c, def) && check_not_negative(c, def.friction); },
         [&](Joint& j) {
@@ -218,6 +226,7 @@ JointId World::create_joint(const WheelJointDef& def) {
 
 JointId World::create_joint(const MotorJointDef& def) {
     Core& c = core();
+    if (!check(c, has_joint(JointType::motor), Error::feature_cut)) return {};
     return make(
         c, JointType::motor, def.base,
         [&] {
@@ -235,6 +244,7 @@ JointId World::create_joint(const MotorJointDef& def) {
 
 JointId World::create_joint(const MouseJointDef& def) {
     Core& c = core();
+    if (!check(c, has_joint(JointType::mouse), Error::feature_cut)) return {};
     const DefaultFloatMode mode;
     const std::uint32_t body = find_body(c, def.body);
     if (body == null_index || !check(c, c.is_dynamic(body), Error::no_dynamic_body) || !check_position(c, def.target)) return {};
@@ -251,6 +261,7 @@ JointId World::create_joint(const MouseJointDef& def) {
 
 JointId World::create_joint(const PulleyJointDef& def) {
     Core& c = core();
+    if (!check(c, has_joint(JointType::pulley), Error::feature_cut)) return {};
     const auto rope = [&](BodyId body, const JointFrame& frame, Vec2 ground) {
         return distance(transform_point(transform(body), frame.position), ground);
     };
@@ -272,13 +283,14 @@ JointId World::create_joint(const PulleyJointDef& def) {
 
 JointId World::create_joint(const GearJointDef& def) {
     Core& c = core();
+    if (!check(c, has_joint(JointType::gear), Error::feature_cut)) return {};
     const DefaultFloatMode mode;
     const std::uint32_t joint1 = find_joint(c, def.joint1);
     if (joint1 == null_index) return {};
     const std::uint32_t joint2 = find_joint(c, def.joint2);
     if (joint2 == null_index) return {};
     const auto may_gear = [&](std::uint32_t joint) {
-        const auto type = static_cast<JointType>(c.joints[joint].type);
+        const auto type = c.joints[joint].joint_type();
         return type == JointType::revolute || type == JointType::prismatic;
     };
     if (!check(c, may_gear(joint1) && may_gear(joint2), Error::wrong_joint_type)) return {};

@@ -29,6 +29,12 @@ void untie(Core& core, std::uint32_t i) {
     pool_give(core.state->joint_pool, core.joints, i);
 }
 
+void remove_gear(Core& core, std::uint32_t i) {
+    --core.joints[core.joints[i].joint1].gear_count;
+    --core.joints[core.joints[i].joint2].gear_count;
+    untie(core, i);
+}
+
 // A gear hangs on a body of each of its joints.
 void remove_gears(Core& core, std::uint32_t joint) {
     for (const std::uint32_t body : {core.joints[joint].body_a, core.joints[joint].body_b}) {
@@ -37,21 +43,18 @@ void remove_gears(Core& core, std::uint32_t joint) {
             const std::uint32_t i = edge_of_key(key);
             const Joint& gear = core.joints[i];
             key = gear.next[side_of_key(key)];
-            if (static_cast<JointType>(gear.type) == JointType::gear && (gear.joint1 == joint || gear.joint2 == joint)) remove_joint(core, i);
+            if (gear.joint_type() == JointType::gear && (gear.joint1 == joint || gear.joint2 == joint)) remove_gear(core, i);
         }
     }
 }
 
 }  // namespace
 
+void link_joint_changes() {}
+
 void remove_joint(Core& core, std::uint32_t i) {
-    Joint& j = core.joints[i];
-    if (static_cast<JointType>(j.type) == JointType::gear) {
-        --core.joints[j.joint1].gear_count;
-        --core.joints[j.joint2].gear_count;
-    } else if (j.gear_count != 0) {
-        remove_gears(core, i);
-    }
+    if (core.joints[i].joint_type() == JointType::gear) return remove_gear(core, i);
+    if (core.joints[i].gear_count != 0) remove_gears(core, i);
     untie(core, i);
 }
 
@@ -72,7 +75,7 @@ void hang_gears(Core& core, std::uint32_t body) {
     if (!geared) return;
     for (std::uint32_t i = 0; i < core.state->joint_pool.high_water; ++i) {
         Joint& gear = core.joints[i];
-        if (!pool_live(core.state->joint_pool, core.joints, i) || static_cast<JointType>(gear.type) != JointType::gear) continue;
+        if (!pool_live(core.state->joint_pool, core.joints, i) || gear.joint_type() != JointType::gear) continue;
         const Joint& j1 = core.joints[gear.joint1];
         const Joint& j2 = core.joints[gear.joint2];
         if (j1.body_a != body && j1.body_b != body && j2.body_a != body && j2.body_b != body) continue;
@@ -100,7 +103,7 @@ void release_joint_colors(Core& core, std::uint32_t body) {
 void assign_joint_colors(Core& core, std::uint32_t body) {
     for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) {
         Joint& j = core.joints[joint];
-        if (static_cast<JointType>(j.type) != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
+        if (j.joint_type() != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
         core.awake_joints.assign(joint, (j.body_a != null_index && core.is_awake(j.body_a)) || core.is_awake(j.body_b));
     });
 }

@@ -29,7 +29,7 @@ float joint_coordinate(const Core& core, const Joint& j) { return coordinate_of(
 
 namespace {
 
-JointType type_of(const Joint& j) { return static_cast<JointType>(j.type); }
+JointType type_of(const Joint& j) { return j.joint_type(); }
 
 constexpr std::uint32_t bit(JointType type) { return 1u << static_cast<std::uint32_t>(type); }
 constexpr std::uint32_t with_coordinate = bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::distance) | bit(JointType::wheel);

@@ -53,15 +53,6 @@ void remove_shape(Core& core, std::uint32_t index) {
 
 namespace {
 
-bool check_def(const Core& core, const ShapeDef& d) {
-    const bool finite = is_finite(d.friction) && is_finite(d.restitution) && is_finite(d.rolling_resistance) && is_finite(d.tangent_speed) &&
-                        is_finite(d.density);
-    return check(core, finite, Error::not_finite) &&
-           check_range(core, d.friction, 0, max_coefficient) && check_range(core, d.restitution, 0, 1) &&
-           check_range(core, d.rolling_resistance, 0, max_coefficient) &&
-           check_range(core, d.tangent_speed, -max_speed_limit, max_speed_limit) && check_range(core, d.density, 0, no_limit);
-}
-
 void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32_t geometry, const ShapeDef& def) {
     Shape& s = core.shapes[index];
     Body& b = core.bodies[body];
@@ -84,7 +75,21 @@ void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32
     core.boxes[index] = {{1, 1}, {-1, -1}};  // holds nothing, so that update_boxes makes it anew
 }
 
-// After shapes were added to a body or taken from it: mass, boxes, the tree.
+}  // namespace
+
+namespace detail {
+
+bool check_shape_def(const Core& core, const ShapeDef& d) {
+    const bool finite = is_finite(d.friction) && is_finite(d.restitution) && is_finite(d.rolling_resistance) && is_finite(d.tangent_speed) &&
+                        is_finite(d.density);
+    return check(core, finite, Error::not_finite) &&
+           check_range(core, d.friction, 0, max_coefficient) && check_range(core, d.restitution, 0, 1) &&
+           check_range(core, d.rolling_resistance, 0, max_coefficient) &&
+           check_range(core, d.tangent_speed, -max_speed_limit, max_speed_limit) && check_range(core, d.density, 0, no_limit) &&
+           check(core, has_restitution || d.restitution == 0, Error::feature_cut) &&
+           check(core, has_surfaces || (d.rolling_resistance == 0 && d.tangent_speed == 0), Error::feature_cut);
+}
+
 void shapes_changed(Core& core, std::uint32_t body) {
     const DefaultFloatMode mode;
     update_mass(core, body);
@@ -101,49 +106,46 @@ std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& g, const
     return index;
 }
 
-ShapeId attach(Core& core, BodyId id, const Geometry& g, bool valid, const ShapeDef& def) {
+ShapeId attach_shape(Core& core, BodyId id, const Geometry& g, bool valid, const ShapeDef& def) {
     const std::uint32_t body = find_body(core, id);
-    if (body == null_index || !check(core, valid, Error::bad_geometry) || !check_def(core, def)) return {};
+    if (body == null_index || !check(core, valid, Error::bad_geometry) || !check_shape_def(core, def)) return {};
     const std::uint32_t index = add_shape(core, body, g, def);
     if (index == null_index) return {};
     shapes_changed(core, body);
     return core.shape_id(index);
 }
 
-Geometry blank(ShapeType type) {
+Geometry blank_geometry(ShapeType type) {
     Geometry g;
     g.type = static_cast<std::uint32_t>(type);
     return g;
 }
 
-}  // namespace
+}  // namespace detail
 
 ShapeId World::create_shape(BodyId body, const Circle& circle, const ShapeDef& def) {
-    Geometry g = blank(ShapeType::circle);
+    Geometry g = blank_geometry(ShapeType::circle);
     g.circle = circle;
-    return attach(core(), body, g, islet::is_valid(circle), def);
+    return attach_shape(core(), body, g, islet::is_valid(circle), def);
 }
 
 ShapeId World::create_shape(BodyId body, const Capsule& capsule, const ShapeDef& def) {
-    Geometry g = blank(ShapeType::capsule);
+    if (!check(core(), has_capsules, Error::feature_cut)) return {};
+    Geometry g = blank_geometry(ShapeType::capsule);
     g.capsule = capsule;
-    return attach(core(), body, g, islet::is_valid(capsule), def);
+    return attach_shape(core(), body, g, islet::is_valid(capsule), def);
 }
 
 ShapeId World::create_shape(BodyId body, const Segment& segment, const ShapeDef& def) {
-    Geometry g = blank(ShapeType::segment);
+    if (!check(core(), has_segments, Error::feature_cut)) return {};
+    Geometry g = blank_geometry(ShapeType::segment);
     g.segment = segment;
-    return attach(core(), body, g, islet::is_valid(segment), def);
-}
-
-ShapeId World::create_shape(BodyId body, const ChainSegment& segment, const ShapeDef& def) {
-    Geometry g = blank(ShapeType::chain_segment);
-    g.chain = segment;
-    return attach(core(), body, g, islet::is_valid(segment), def);
+    return attach_shape(core(), body, g, islet::is_valid(segment), def);
 }
 
 ShapeId World::create_shape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
-    Geometry g = blank(ShapeType::polygon);
+    if (!check(core(), has_polygons, Error::feature_cut)) return {};
+    Geometry g = blank_geometry(ShapeType::polygon);
     const bool valid = islet::is_valid(polygon);
     if (valid) {
         // Only what counts: equal polygons must be equal bit by bit.
@@ -155,47 +157,7 @@ ShapeId World::create_shape(BodyId body, const Polygon& polygon, const ShapeDef&
             g.polygon.normals[i] = polygon.normals[i];
         }
     }
-    return attach(core(), body, g, valid, def);
-}
-
-std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool loop, const ShapeDef& def, std::span<ShapeId> out) {
-    Core& c = core();
-    const std::uint32_t body = find_body(c, id);
-    if (body == null_index || !check_def(c, def)) return 0;
-    const std::size_t n = points.size();
-    if (!check(c, n >= (loop ? 3u : 2u) && n <= max_capacity, Error::bad_chain)) return 0;
-    const auto segments = static_cast<std::uint32_t>(loop ? n : n - 1);
-
-    // An open end goes on straight, so its ghost is the mirror image of the next point.
-    const auto segment_at = [&](std::uint32_t i) {
-        const Vec2 p1 = points[i];
-        const Vec2 p2 = points[(i + 1) % n];
-        const Vec2 before = i > 0 ? points[i - 1] : (loop ? points[n - 1] : p1 - (p2 - p1));
-        const Vec2 after = i + 2 < n ? points[i + 2] : (loop ? points[(i + 2) % n] : p2 + (p2 - p1));
-        return ChainSegment{before, {p1, p2}, after};
-    };
-    for (const Vec2 point : points)
-        if (!check_finite(c, point)) return 0;
-    for (std::uint32_t i = 0; i < segments; ++i)
-        if (!check(c, islet::is_valid(segment_at(i)), Error::bad_chain)) return 0;
-    if (!check(c, c.capacity.shapes - c.state->shape_pool.count >= segments, Error::shapes_full)) return 0;
-
-    const auto geometry_at = [&](std::uint32_t i) {
-        Geometry g = blank(ShapeType::chain_segment);
-        g.chain = segment_at(i);
-        return g;
-    };
-    // All or nothing, so count first. (A segment that the chain itself repeats is counted each time.)
-    std::uint32_t fresh = 0;
-    for (std::uint32_t i = 0; i < segments; ++i) fresh += find_geometry(c, geometry_at(i)) == null_index ? 1 : 0;
-    if (!check(c, geometry_capacity(c.capacity) - c.state->geometry_pool.count >= fresh, Error::geometries_full)) return 0;
-
-    for (std::uint32_t i = 0; i < segments; ++i) {
-        const std::uint32_t index = add_shape(c, body, geometry_at(i), def);
-        if (i < out.size()) out[i] = c.shape_id(index);
-    }
-    shapes_changed(c, body);
-    return segments;
+    return attach_shape(core(), body, g, valid, def);
 }
 
 void World::destroy_shape(ShapeId id) {
@@ -223,7 +185,7 @@ std::uint32_t World::shape_count() const { return core().state->shape_pool.count
     return value
 
 BodyId World::body(ShapeId id) const { ISLET_READ_SHAPE(c.body_id(c.shapes[i].body)); }
-ShapeType World::shape_type(ShapeId id) const { ISLET_READ_SHAPE(static_cast<ShapeType>(c.geometries[c.shapes[i].geometry].type)); }
+ShapeType World::shape_type(ShapeId id) const { ISLET_READ_SHAPE(c.geometries[c.shapes[i].geometry].shape_type()); }
 Aabb World::aabb(ShapeId id) const { ISLET_READ_SHAPE(shape_aabb(c, i)); }
 float World::friction(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].friction); }
 float World::restitution(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].restitution); }
@@ -240,7 +202,7 @@ const Geometry* geometry_if(const Core& c, ShapeId id, ShapeType type) {
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index) return nullptr;
     const Geometry& g = c.geometries[c.shapes[i].geometry];
-    return static_cast<ShapeType>(g.type) == type ? &g : nullptr;
+    return g.shape_type() == type ? &g : nullptr;
 }
 
 // Materials are mixed when a contact is made, so a change goes through the shape's contacts.
@@ -283,7 +245,7 @@ void World::set_friction(ShapeId id, float friction) {
 void World::set_restitution(ShapeId id, float restitution) {
     Core& c = core();
     const std::uint32_t i = find_shape(c, id);
-    if (i == null_index || !check_range(c, restitution, 0, 1)) return;
+    if (i == null_index || !check_range(c, restitution, 0, 1) || !check(c, has_restitution || restitution == 0, Error::feature_cut)) return;
     c.shapes[i].restitution = restitution;
     remix(c, i);
 }
@@ -291,7 +253,7 @@ void World::set_restitution(ShapeId id, float restitution) {
 void World::set_rolling_resistance(ShapeId id, float resistance) {
     Core& c = core();
     const std::uint32_t i = find_shape(c, id);
-    if (i == null_index || !check_range(c, resistance, 0, max_coefficient)) return;
+    if (i == null_index || !check_range(c, resistance, 0, max_coefficient) || !check(c, has_surfaces || resistance == 0, Error::feature_cut)) return;
     c.shapes[i].rolling_resistance = resistance;
     remix(c, i);
 }
@@ -300,6 +262,7 @@ void World::set_tangent_speed(ShapeId id, float speed) {
     Core& c = core();
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || !check_range(c, speed, -max_speed_limit, max_speed_limit)) return;
+    if (!check(c, has_surfaces || speed == 0, Error::feature_cut)) return;
     c.shapes[i].tangent_speed = speed;
     remix(c, i);
 }

@@ -7,4 +7,17 @@ namespace islet::detail {
 /// Takes a shape off its body and frees it, contacts first. The body's mass is left to the caller.
 void remove_shape(Core& core, std::uint32_t shape);
 
+// The parts of making a shape:
+
+/// True if the definition keeps its rules; else records the error.
+bool check_shape_def(const Core& core, const ShapeDef& def);
+/// A geometry whose every byte is decided by its type and what is then filled in: equal ones are shared.
+Geometry blank_geometry(ShapeType type);
+/// Takes a slot, and links it to its body and its geometry; null_index if there is no room, with the error recorded.
+std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& geometry, const ShapeDef& def);
+/// After shapes were added to a body or taken from it: mass, boxes, the tree.
+void shapes_changed(Core& core, std::uint32_t body);
+/// All of these in turn, with the body and the definition checked; `valid` says whether the geometry is.
+ShapeId attach_shape(Core& core, BodyId body, const Geometry& geometry, bool valid, const ShapeDef& def);
+
 }  // namespace islet::detail

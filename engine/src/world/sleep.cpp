@@ -35,7 +35,7 @@ void unrest_shapes(Core& core, std::uint32_t body) {
 
 void wake_island(Core& core, std::uint32_t body, Arena arena) {
     if (core.bodies[body].type() == BodyType::static_body) return;
-    if (core.is_awake(body)) {
+    if (!has_sleep || core.is_awake(body)) {
         core.motions[body].sleep_time = 0;
         return;
     }

@@ -2,11 +2,14 @@
 #include "islet/snapshot.hpp"
 
 #include "broadphase/contacts.hpp"
+#include "collide/manifold.hpp"
 #include "math/checksum.hpp"
+#include "solver/joint_solve.hpp"
 #include "world/checks.hpp"
 #include "world/faults.hpp"
 #include "world/geometry_pool.hpp"
 #include "world/image.hpp"
+#include "world/joints.hpp"
 
 namespace islet {
 
@@ -97,6 +100,23 @@ bool fits(const Capacity& c, const ImageHeader& h) {
 bool counts_agree(const ImageHeader& h, const State& s) {
     return h.bodies == s.body_pool.high_water && h.shapes == s.shape_pool.high_water && h.contacts == s.contact_pool.high_water &&
            h.joints == s.joint_pool.high_water && h.geometries == s.geometry_pool.high_water && h.tree_nodes == s.tree.high_water;
+}
+
+// What this build leaves out (islet/config.hpp) an image may not hold. Looks at slots only, and takes no type for known.
+bool needs_what_is_cut(const Core& c) {
+    const State& s = *c.state;
+    for (std::uint32_t i = 0; !has_all_joints && i < s.joint_pool.high_water; ++i)
+        if (pool_live(s.joint_pool, c.joints, i) && !has_joint(static_cast<JointType>(c.joints[i].type))) return true;
+    for (std::uint32_t i = 0; !has_all_shapes && i < s.geometry_pool.high_water; ++i)
+        if (c.geometries[i].references != 0 && !has_shape(static_cast<ShapeType>(c.geometries[i].type))) return true;
+    for (std::uint32_t i = 0; !(has_restitution && has_surfaces) && i < s.shape_pool.high_water; ++i) {
+        const Shape& shape = c.shapes[i];
+        if (!has_restitution && shape.restitution != 0) return true;
+        if (!has_surfaces && (shape.rolling_resistance != 0 || shape.tangent_speed != 0)) return true;
+    }
+    for (std::uint32_t i = 0; !has_sleep && i < s.body_pool.high_water; ++i)
+        if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i)) return true;
+    return !has_sleep && s.enable_sleep != 0;
 }
 
 // Bits beyond those copied belong to slots that the image never used.
@@ -190,6 +210,7 @@ bool World::restore(std::span<const std::byte> image) {
     ImageHeader h;
     const Error error = read_header(image, h);
     if (!check(c, error == Error::none, error) || !check(c, fits(c.capacity, h), Error::image_too_large)) return false;
+    if (!check(c, h.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
     take_over(c, h, image.data());
     return true;
 }
@@ -203,7 +224,11 @@ bool World::load(std::span<const std::byte> image) {
     if (!check(c, image_checksum(image) == h.head.checksum, Error::corrupt_image)) return false;
     if (!check(c, fits(c.capacity, h), Error::image_too_large)) return false;
     const Core view = view_of(c, h, image.data());
-    if (!check(c, counts_agree(h, *view.state) && find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;
+    if (!check(c, counts_agree(h, *view.state), Error::unsound_image) || !check(c, !needs_what_is_cut(view), Error::feature_cut)) return false;
+    if (!check(c, find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;
+    link_joint_solve();  // an image may bring what the program itself never makes
+    link_joint_changes();
+    link_chains();
     take_over(c, h, image.data());
     return true;
 }

@@ -56,7 +56,7 @@ void World::step(float dt) {
     const Plan plan = make_plan(c, arena);
     const SolverBody* bodies = detail::solve(c, plan, arena, dt);
     finish_bodies(c, plan, bodies, arena, dt);
-    break_joints(c);
+    if (c.state->joint_pool.count != 0) break_joints(c);
     fill_report(c, plan);
 }
 

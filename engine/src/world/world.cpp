@@ -109,7 +109,7 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     state.restitution_threshold = def.restitution_threshold;
     state.max_speed = def.max_speed;
     state.solver = pack(def.solver);
-    state.enable_sleep = def.enable_sleep ? 1 : 0;
+    state.enable_sleep = has_sleep && def.enable_sleep ? 1 : 0;
     return world;
 }
 
@@ -152,6 +152,7 @@ void World::set_solver(const SolverDef& solver) {
 
 void World::enable_sleep(bool enable) {
     Core& c = core();
+    if (!check(c, has_sleep || !enable, Error::feature_cut)) return;
     c.state->enable_sleep = enable ? 1 : 0;
     if (enable) return;
     for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)

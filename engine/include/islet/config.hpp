@@ -1,0 +1,77 @@
+// What a build of the engine has in it. All of this is for those who compile the engine (in CMake: ISLET_WITHOUT, a list of names); a program that uses
+// it needs to know only ISLET_MAX_LANES.
+//
+// First of all, what a program does not call it need not link: the engine's functions stand in sections of their own, for -Wl,--gc-sections, and
+// joints and chains as a whole come only with the functions that make them. The switches below leave out what a program that does call these, or
+// steps at all, would still link and never use. README.md says what each saves.
+//
+// A world has the same layout, hash and snapshots with and without them. What is left out is refused with Error::feature_cut.
+#pragma once
+
+/// The widest lanes that the constraint kernels are compiled for: 1, 4 or 8. Unless given, as wide as the target's baseline has vectors (on x86-64
+/// eight too, used where the processor turns out to have AVX2), and 1 where it has none. Decides the size of the scratch memory, so the engine and
+/// those who use it must agree. The bits are the same.
+#if !defined(ISLET_MAX_LANES)
+#if defined(__x86_64__) || defined(_M_X64)
+#define ISLET_MAX_LANES 8
+#elif defined(__SSE2__) || defined(__ARM_NEON) || defined(__wasm_simd128__)
+#define ISLET_MAX_LANES 4
+#else
+#define ISLET_MAX_LANES 1
+#endif
+#endif
+
+/// 1: there, 0: left out.
+#if !defined(ISLET_POLYGONS)
+#define ISLET_POLYGONS 1  // boxes and other convex polygons
+#endif
+#if !defined(ISLET_CAPSULES)
+#define ISLET_CAPSULES 1  // capsules
+#endif
+#if !defined(ISLET_SEGMENTS)
+#define ISLET_SEGMENTS 1  // segments
+#endif
+#if !defined(ISLET_CHAINS)
+#define ISLET_CHAINS 1  // chains and their segments
+#endif
+#if !defined(ISLET_RESTITUTION)
+#define ISLET_RESTITUTION 1  // bouncing
+#endif
+#if !defined(ISLET_SURFACES)
+#define ISLET_SURFACES 1  // rolling resistance and surfaces in motion
+#endif
+#if !defined(ISLET_SLEEP)
+#define ISLET_SLEEP 1  // islands falling asleep: without it a world is as after enable_sleep(false)
+#endif
+
+/// Joints of each type; ISLET_JOINTS is the default of all.
+#if !defined(ISLET_JOINTS)
+#define ISLET_JOINTS 1
+#endif
+#if !defined(ISLET_REVOLUTE_JOINTS)
+#define ISLET_REVOLUTE_JOINTS ISLET_JOINTS
+#endif
+#if !defined(ISLET_PRISMATIC_JOINTS)
+#define ISLET_PRISMATIC_JOINTS ISLET_JOINTS
+#endif
+#if !defined(ISLET_DISTANCE_JOINTS)
+#define ISLET_DISTANCE_JOINTS ISLET_JOINTS
+#endif
+#if !defined(ISLET_WELD_JOINTS)
+#define ISLET_WELD_JOINTS ISLET_JOINTS
+#endif
+#if !defined(ISLET_WHEEL_JOINTS)
+#define ISLET_WHEEL_JOINTS ISLET_JOINTS
+#endif
+#if !defined(ISLET_MOTOR_JOINTS)
+#define ISLET_MOTOR_JOINTS ISLET_JOINTS
+#endif
+#if !defined(ISLET_MOUSE_JOINTS)
+#define ISLET_MOUSE_JOINTS ISLET_JOINTS
+#endif
+#if !defined(ISLET_PULLEY_JOINTS)
+#define ISLET_PULLEY_JOINTS ISLET_JOINTS
+#endif
+#if !defined(ISLET_GEAR_JOINTS)
+#define ISLET_GEAR_JOINTS ISLET_JOINTS
+#endif

@@ -1,0 +1,82 @@
+// What this build has (islet/config.hpp), as constants; and hints by which the compiler leaves out what cannot happen in it.
+#pragma once
+
+#include "islet/config.hpp"
+#include "islet/geometry.hpp"
+#include "islet/joints.hpp"
+
+/// Before a declaration: whoever calls the function does not make the linker take it from an archive; someone else must. Callers have to know from the
+/// world's state that someone did.
+#if defined(__ELF__)
+#define ISLET_OPTIONAL [[gnu::weak]]
+#else
+#define ISLET_OPTIONAL
+#endif
+
+namespace islet::detail {
+
+inline constexpr bool has_polygons = ISLET_POLYGONS != 0;
+inline constexpr bool has_capsules = ISLET_CAPSULES != 0;
+inline constexpr bool has_segments = ISLET_SEGMENTS != 0;
+inline constexpr bool has_chains = ISLET_CHAINS != 0;
+inline constexpr bool has_restitution = ISLET_RESTITUTION != 0;
+inline constexpr bool has_surfaces = ISLET_SURFACES != 0;
+inline constexpr bool has_sleep = ISLET_SLEEP != 0;
+
+constexpr bool has_shape(ShapeType type) {
+    switch (type) {
+        case ShapeType::circle: return true;
+        case ShapeType::capsule: return has_capsules;
+        case ShapeType::segment: return has_segments;
+        case ShapeType::polygon: return has_polygons;
+        case ShapeType::chain_segment: return has_chains;
+    }
+    return false;
+}
+
+constexpr bool has_joint(JointType type) {
+    switch (type) {
+        case JointType::revolute: return ISLET_REVOLUTE_JOINTS != 0;
+        case JointType::prismatic: return ISLET_PRISMATIC_JOINTS != 0;
+        case JointType::distance: return ISLET_DISTANCE_JOINTS != 0;
+        case JointType::weld: return ISLET_WELD_JOINTS != 0;
+        case JointType::wheel: return ISLET_WHEEL_JOINTS != 0;
+        case JointType::motor: return ISLET_MOTOR_JOINTS != 0;
+        case JointType::mouse: return ISLET_MOUSE_JOINTS != 0;
+        case JointType::pulley: return ISLET_PULLEY_JOINTS != 0;
+        case JointType::gear: return ISLET_GEAR_JOINTS != 0;
+    }
+    return false;
+}
+
+inline constexpr bool has_joints = has_joint(JointType::revolute) || has_joint(JointType::prismatic) || has_joint(JointType::distance) ||
+                                   has_joint(JointType::weld) || has_joint(JointType::wheel) || has_joint(JointType::motor) ||
+                                   has_joint(JointType::mouse) || has_joint(JointType::pulley) || has_joint(JointType::gear);
+
+inline constexpr bool has_all_shapes = has_polygons && has_capsules && has_segments && has_chains;
+inline constexpr bool has_all_joints = has_joint(JointType::revolute) && has_joint(JointType::prismatic) && has_joint(JointType::distance) &&
+                                       has_joint(JointType::weld) && has_joint(JointType::wheel) && has_joint(JointType::motor) &&
+                                       has_joint(JointType::mouse) && has_joint(JointType::pulley) && has_joint(JointType::gear);
+
+/// The type itself; one that is left out cannot be met. (Type by type: of a table the compiler would learn nothing.)
+constexpr ShapeType known(ShapeType type) {
+    if (!has_capsules && type == ShapeType::capsule) __builtin_unreachable();
+    if (!has_segments && type == ShapeType::segment) __builtin_unreachable();
+    if (!has_polygons && type == ShapeType::polygon) __builtin_unreachable();
+    if (!has_chains && type == ShapeType::chain_segment) __builtin_unreachable();
+    return type;
+}
+constexpr JointType known(JointType type) {
+    if (!has_joint(JointType::revolute) && type == JointType::revolute) __builtin_unreachable();
+    if (!has_joint(JointType::prismatic) && type == JointType::prismatic) __builtin_unreachable();
+    if (!has_joint(JointType::distance) && type == JointType::distance) __builtin_unreachable();
+    if (!has_joint(JointType::weld) && type == JointType::weld) __builtin_unreachable();
+    if (!has_joint(JointType::wheel) && type == JointType::wheel) __builtin_unreachable();
+    if (!has_joint(JointType::motor) && type == JointType::motor) __builtin_unreachable();
+    if (!has_joint(JointType::mouse) && type == JointType::mouse) __builtin_unreachable();
+    if (!has_joint(JointType::pulley) && type == JointType::pulley) __builtin_unreachable();
+    if (!has_joint(JointType::gear) && type == JointType::gear) __builtin_unreachable();
+    return type;
+}
+
+}  // namespace islet::detail

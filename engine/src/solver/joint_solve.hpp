@@ -1,0 +1,33 @@
+// The joints' part of the solve, run by run, for any width of lanes.
+//
+// A program that makes no joints does not link it: everything here is referenced weakly, which takes nothing from an archive, and only making a joint
+// calls link_joint_solve, which takes it all. Where it is missing there are no joints, so nothing here is ever called. (Where a linker knows no weak
+// references, the functions are ordinary ones and always there.)
+#pragma once
+
+#include "constraint/joint_rows.hpp"
+#include "island/batches.hpp"
+
+namespace islet::detail {
+
+/// Bytes of the run's rows when solved in `lanes` at a time.
+ISLET_OPTIONAL std::size_t joint_run_bytes_of(const JointRun& run, std::uint32_t lanes);
+/// Fills the rows from the joints listed and adds their warm starts to the bodies.
+ISLET_OPTIONAL void prepare_joint_run(const JointRun& run, std::uint32_t lanes, std::byte* rows, const std::uint32_t* joints, const JointInput& in);
+/// One sweep.
+ISLET_OPTIONAL void solve_joint_run(const JointRun& run, std::uint32_t lanes, SolverBody* bodies, std::byte* rows, const JointSweep& sweep);
+/// Writes the impulses back for the next step.
+ISLET_OPTIONAL void store_joint_run(const JointRun& run, std::uint32_t lanes, std::byte* rows, const JointOutput& out);
+
+/// Does nothing, but whoever refers to it links the functions above.
+void link_joint_solve();
+/// True if anybody did.
+inline bool joint_solve_is_linked() {
+#if defined(__ELF__)
+    return solve_joint_run != nullptr;
+#else
+    return true;
+#endif
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,61 @@
+// Making chains, in a file of its own: a program that makes none does not link what they collide by (see link_chains).
+#include "collide/manifold.hpp"
+#include "world/checks.hpp"
+#include "world/geometry_pool.hpp"
+#include "world/shapes.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+ShapeId World::create_shape(BodyId body, const ChainSegment& segment, const ShapeDef& def) {
+    if (!check(core(), has_chains, Error::feature_cut)) return {};
+    link_chains();
+    Geometry g = blank_geometry(ShapeType::chain_segment);
+    g.chain = segment;
+    return attach_shape(core(), body, g, islet::is_valid(segment), def);
+}
+
+std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool loop, const ShapeDef& def, std::span<ShapeId> out) {
+    Core& c = core();
+    if (!check(c, has_chains, Error::feature_cut)) return 0;
+    const std::uint32_t body = find_body(c, id);
+    if (body == null_index || !check_shape_def(c, def)) return 0;
+    const std::size_t n = points.size();
+    if (!check(c, n >= (loop ? 3u : 2u) && n <= max_capacity, Error::bad_chain)) return 0;
+    const auto segments = static_cast<std::uint32_t>(loop ? n : n - 1);
+
+    // An open end goes on straight, so its ghost is the mirror image of the next point.
+    const auto segment_at = [&](std::uint32_t i) {
+        const Vec2 p1 = points[i];
+        const Vec2 p2 = points[(i + 1) % n];
+        const Vec2 before = i > 0 ? points[i - 1] : (loop ? points[n - 1] : p1 - (p2 - p1));
+        const Vec2 after = i + 2 < n ? points[i + 2] : (loop ? points[(i + 2) % n] : p2 + (p2 - p1));
+        return ChainSegment{before, {p1, p2}, after};
+    };
+    for (const Vec2 point : points)
+        if (!check_finite(c, point)) return 0;
+    for (std::uint32_t i = 0; i < segments; ++i)
+        if (!check(c, islet::is_valid(segment_at(i)), Error::bad_chain)) return 0;
+    if (!check(c, c.capacity.shapes - c.state->shape_pool.count >= segments, Error::shapes_full)) return 0;
+
+    const auto geometry_at = [&](std::uint32_t i) {
+        Geometry g = blank_geometry(ShapeType::chain_segment);
+        g.chain = segment_at(i);
+        return g;
+    };
+    // All or nothing, so count first. (A segment that the chain itself repeats is counted each time.)
+    std::uint32_t fresh = 0;
+    for (std::uint32_t i = 0; i < segments; ++i) fresh += find_geometry(c, geometry_at(i)) == null_index ? 1 : 0;
+    if (!check(c, geometry_capacity(c.capacity) - c.state->geometry_pool.count >= fresh, Error::geometries_full)) return 0;
+
+    link_chains();
+    for (std::uint32_t i = 0; i < segments; ++i) {
+        const std::uint32_t index = add_shape(c, body, geometry_at(i), def);
+        if (i < out.size()) out[i] = c.shape_id(index);
+    }
+    shapes_changed(c, body);
+    return segments;
+}
+
+}  // namespace islet

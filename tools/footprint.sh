@@ -1,0 +1,163 @@
+#!/usr/bin/env bash
+# What Islet costs on small machines: flash, memory, stack, and instructions a step, each measured on the firmware of samples/firmware, which is
+# built for every target and run in QEMU. Its hashes must be the host's.
+#   tools/footprint.sh               a table
+#   tools/footprint.sh --json        the same as JSON
+#   tools/footprint.sh --check       the table, and whether every figure keeps its limit: part of tools/test.sh --all
+#   tools/footprint.sh --options     what each part that ISLET_WITHOUT can leave out saves on a Cortex-M4F
+# Installs the cross compilers and QEMU with apt if they are missing.
+set -euo pipefail
+# shellcheck source=tools/lib.sh
+. "$(dirname "$0")/lib.sh"
+
+targets=(cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 riscv32)
+
+# Limits, so that nothing grows unseen: of flash for each target, bytes (whole engine, smallest program); of the rest for all, on the Cortex-M4F.
+declare -A most_whole=([cortex-m3]=101000 [cortex-m4f]=88000 [cortex-m7]=88000 [cortex-m33]=88000 [cortex-m55]=88000 [riscv32]=94000)
+declare -A most_smallest=([cortex-m3]=49000 [cortex-m4f]=41000 [cortex-m7]=41000 [cortex-m33]=41000 [cortex-m55]=41000 [riscv32]=45000)
+most_stack=4096          # bytes
+most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
+
+mode=table
+for argument in "$@"; do
+    case $argument in
+    --json) mode=json ;;
+    --check) mode=check ;;
+    --options) mode=options ;;
+    -h | --help)
+        sed -n '2,9s/^# \{0,1\}//p' "$0"
+        exit 0
+        ;;
+    *) die "$0: unknown option $argument; there are --json, --check and --options" ;;
+    esac
+done
+
+need_build_tools
+need_firmware_tools
+install_missing
+
+# nm and size of whichever compiler makes the target's code.
+tool() {
+    case $1 in
+    riscv*) echo "riscv64-unknown-elf-$2" ;;
+    *) echo "arm-none-eabi-$2" ;;
+    esac
+}
+
+# build_firmware FOLDER TARGET [OPTION...]: the programs, in build/firmware/FOLDER.
+build_firmware() {
+    local folder=$root/build/firmware/$1 target=$2
+    shift 2
+    cmake -S "$root/samples/firmware" -B "$folder" --toolchain "$root/tools/toolchains/$target.cmake" "$@" >&2
+    cmake --build "$folder" --parallel "$(jobs)" >&2
+}
+
+# flash TARGET FILE: bytes of code, constants and initial values.
+flash() { "$(tool "$1" size)" "$2" | awk 'NR == 2 { print $1 + $2 }'; }
+
+# What a program on the host prints, without what only a board can tell.
+hashes() { sed -n 's/^\([a-z]*\) steps \([0-9]*\) hash \([0-9a-f]*\).*/\1 \2 \3/p'; }
+
+# deepest_stack FOLDER...: bytes that any function compiled there needs, and through which calls.
+deepest_stack() {
+    find "$@" -name '*.ci' -print0 | sort -z | xargs -0 awk -v root="$root" -f "$root/tools/footprint/stack.awk"
+}
+
+if [ "$mode" = options ]; then
+    parts=(capsules segments chains restitution surfaces sleep joints)
+    for joint in revolute prismatic distance weld wheel motor mouse pulley gear; do parts+=("${joint}_joints"); done
+    parts+=(polygons)
+    build_firmware cortex-m4f cortex-m4f
+    all=$(flash cortex-m4f "$root/build/firmware/cortex-m4f/whole.elf")
+    least=$(flash cortex-m4f "$root/build/firmware/cortex-m4f/smallest.elf")
+    printf '%-18s %22s %22s\n' 'without' 'whole engine saves' 'smallest program saves'
+    for part in "${parts[@]}"; do
+        say "without $part"
+        build_firmware option cortex-m4f "-DISLET_WITHOUT=$part"
+        printf '%-18s %22d %22d\n' "$part" $((all - $(flash cortex-m4f "$root/build/firmware/option/whole.elf"))) \
+            $((least - $(flash cortex-m4f "$root/build/firmware/option/smallest.elf")))
+    done
+    exit 0
+fi
+
+say "the host"
+[ -e "$root/build/release/CMakeCache.txt" ] || configure release -DISLET_BUILD_TESTS=OFF -DISLET_BUILD_TOOLS=OFF -DISLET_WERROR=OFF
+build release --target firmware
+wanted=$("$root/build/release/samples/firmware/firmware" | hashes)
+
+failed=false
+complaints=()
+complain() {
+    failed=true
+    complaints+=("$*")
+}
+
+# at_most TARGET WHAT VALUE LIMIT
+at_most() { [ "$3" -le "$4" ] || complain "$1: $2 is $3, more than $4"; }
+
+rows=()   # the table
+items=()  # the JSON
+worlds=
+for target in "${targets[@]}"; do
+    say "$target"
+    folder=$root/build/firmware/$target
+    build_firmware "$target" "$target"
+
+    # "firmware" prints what its scenes came to; ctest knows how to run it.
+    status=0
+    log=$(ctest --test-dir "$folder" --verbose 2>&1) || status=$?
+    printed=$(sed -n 's/^1: //p' <<<"$log")
+    [ "$status" -eq 0 ] || complain "$target: the firmware fails: $(grep -E 'fault|\*\*\*' <<<"$log" | head -n 3)"
+    [ "$(hashes <<<"$printed")" = "$wanted" ] || complain "$target: the hashes are not the host's: $(hashes <<<"$printed" | tr '\n' ' ')"
+
+    whole=$(flash "$target" "$folder/whole.elf")
+    smallest=$(flash "$target" "$folder/smallest.elf")
+    stack=$(deepest_stack "$folder/engine") || complain "$target: nothing bounds the engine's stack"
+    deepest=${stack%% *}
+    stack=$(deepest_stack "$folder/engine" "$folder/CMakeFiles/firmware.dir") || complain "$target: nothing bounds the firmware's stack"
+    bound=${stack%% *}
+    per_step() { sed -n "s/^$1 .* instructions \([0-9]*\) .*/\1/p" <<<"$printed"; }
+    pyramid=$(per_step pyramid) ragdoll=$(per_step ragdoll) circles=$(per_step circles)
+    worlds=$(sed -n 's/^world //p' <<<"$printed")
+
+    at_most "$target" 'flash of the whole engine' "$whole" "${most_whole[$target]}"
+    at_most "$target" 'flash of the smallest program' "$smallest" "${most_smallest[$target]}"
+    at_most "$target" 'the deepest stack' "$deepest" "$most_stack"
+    at_most "$target" "the stack that the firmware used" "$(sed -n 's/^stack //p' <<<"$printed")" "$bound"
+    if [ "$target" = cortex-m3 ]; then scale=10; else scale=1; fi
+    at_most "$target" 'instructions a step of the pyramid' "$pyramid" $((scale * most_instructions))
+
+    rows+=("$(printf '%-12s %9d %9d %7d %10d %10d %10d' "$target" "$whole" "$smallest" "$deepest" "$pyramid" "$ragdoll" "$circles")")
+    items+=("$(printf '{"target": "%s", "flash_whole": %d, "flash_smallest": %d, "stack": %d, "instructions": {"pyramid": %d, "ragdoll": %d, "circles": %d}}' \
+        "$target" "$whole" "$smallest" "$deepest" "$pyramid" "$ragdoll" "$circles")")
+done
+
+if [ "$mode" = json ]; then
+    separator=
+    printf '{"targets": ['
+    for item in "${items[@]}"; do
+        printf '%s\n  %s' "$separator" "$item"
+        separator=,
+    done
+    separator=
+    printf '],\n "worlds": ['
+    while read -r bodies shapes contacts joints geometries bytes; do
+        printf '%s\n  {"bodies": %d, "shapes": %d, "contacts": %d, "joints": %d, "geometries": %d, "bytes": %d}' \
+            "$separator" "$bodies" "$shapes" "$contacts" "$joints" "$geometries" "$bytes"
+        separator=,
+    done <<<"$worlds"
+    printf ']}\n'
+else
+    printf '%-12s %19s %7s %32s\n' '' 'flash, bytes' 'stack,' 'instructions a step'
+    printf '%-12s %9s %9s %7s %10s %10s %10s\n' 'target' 'whole' 'smallest' 'bytes' 'pyramid' 'ragdoll' '64 balls'
+    printf '%s\n' "${rows[@]}"
+    printf '\n%8s %8s %8s %8s %10s %14s\n' 'bodies' 'shapes' 'contacts' 'joints' 'geometries' 'memory, bytes'
+    while read -r bodies shapes contacts joints geometries bytes; do
+        printf '%8d %8d %8d %8d %10d %14d\n' "$bodies" "$shapes" "$contacts" "$joints" "$geometries" "$bytes"
+    done <<<"$worlds"
+fi
+if $failed && [ "$mode" != table ]; then
+    printf '%s\n' "${complaints[@]}" >&2
+    exit 1
+fi
+[ ${#complaints[@]} -eq 0 ] || printf '%s\n' "${complaints[@]}" >&2
