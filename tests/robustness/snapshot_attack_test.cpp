@@ -49,7 +49,7 @@ TEST_F(Attack, EveryWordMayLie) {
     for (std::size_t i = 0; i < words; i += stride) {
         const std::uint32_t good = word(image_, i);
         // No slot, the last slot, the next one, no number, an infinite one, a huge one, the other sign, another bit.
-        for (const std::uint32_t lie : {0u, 0xffffffffu, good + 1, good - 1, 0x7fc00000u, 0x7f800000u, 0x7f000000u, good ^ 0x80000000u, good ^ 0x100u}) {
+        for (const std::uint32_t lie : {0u, 0xffffffffu, good + 1, good - 1, 0x7fc00000u, 0x7f800000u, 0x7f000000u, 0x7f7fffffu, good ^ 0x80000000u, good ^ 0x100u}) {
             if (lie == good) continue;
             Image forged = image_;
             set_word(forged, i, lie);
