@@ -162,8 +162,7 @@ const World& IsletEngine::world() const { return *impl_->world; }
 std::size_t IsletEngine::world_bytes() const { return islet::world_bytes(impl_->capacity); }
 
 std::size_t IsletEngine::snapshot_bytes() const {
-    const detail::Layout layout = detail::layout_of(impl_->capacity);
-    return layout.persistent_end - layout.state;
+    return world().snapshot_bytes();
 }
 
 void IsletEngine::step(float dt) { world().step(dt); }

@@ -323,6 +323,24 @@ TEST(NoHeap, ErrorsAndFullPoolsAllocateNothing) {
     EXPECT_EQ(w.validate(), nullptr);
 }
 
+TEST(NoHeap, GoingBackAllocatesNothing) {
+    World& w = build();
+    alignas(snapshot_alignment) static std::byte first[1 << 18], second[1 << 18], packed[1 << 19];
+    for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
+    const Watch watch;
+    const std::size_t n = w.save(first);
+    w.step(1.0f / 60);
+    const std::size_t m = w.save(second);
+    const std::size_t k = delta({first, n}, {second, m}, packed);
+    const bool back = w.restore({first, n});
+    const std::size_t applied = apply({first, n}, {packed, k}, second);
+    const bool forth = w.load({second, applied});
+    const bool refused = !w.load({packed, k});
+    EXPECT_EQ(watch.stop(), 0);
+    EXPECT_TRUE(back && forth && refused);
+    EXPECT_EQ(applied, m);
+}
+
 TEST(NoHeap, DestroyingEverythingAllocatesNothing) {
     World& w = build();
     for (int i = 0; i < 60; ++i) w.step(1.0f / 60);

@@ -5,5 +5,6 @@
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/math.hpp"
+#include "islet/snapshot.hpp"
 #include "islet/types.hpp"
 #include "islet/world.hpp"

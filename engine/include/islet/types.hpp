@@ -65,6 +65,16 @@ enum class Error : std::uint8_t {
     same_body,           ///< a joint needs two different bodies
     no_dynamic_body,     ///< a joint needs at least one dynamic body
     wrong_joint_type,    ///< joints of this type have no such property, or cannot be geared
+    image_too_small,     ///< the memory given for a snapshot or a delta is too small
+    image_misaligned,    ///< the image is not aligned to snapshot_alignment
+    not_an_image,        ///< the bytes are no snapshot (or no delta)
+    other_byte_order,    ///< the image comes from a machine of the other byte order
+    other_version,       ///< the image comes from another version of Islet
+    truncated_image,     ///< the image is shorter or longer than it says
+    corrupt_image,       ///< the image's bytes are not those that were saved
+    unsound_image,       ///< the image's checksum is right, but what it holds is no world
+    image_too_large,     ///< the world has less capacity than the image uses
+    wrong_delta,         ///< the delta does not start from the image given
     feature_cut,         ///< this build of the engine was made without what the call needs (islet/config.hpp)
 };
 

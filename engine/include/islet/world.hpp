@@ -37,7 +37,7 @@ public:
 
     Vec2 gravity() const;
     void set_gravity(Vec2 gravity);
-    const SolverDef& solver() const;
+    SolverDef solver() const;
     /// Out of range values are refused (out_of_range) and nothing changes.
     void set_solver(const SolverDef& solver);
     /// Turning sleep off wakes everything.
@@ -51,6 +51,20 @@ public:
     void clear_error();
     /// Hash of all persistent state that affects the future, and nothing else: equal worlds have equal futures.
     std::uint64_t hash() const;
+    // -- snapshots (snapshot.hpp) ------------------------------------------------------------------------------------------------
+
+    /// Bytes that save() needs now.
+    std::size_t snapshot_bytes() const;
+    /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
+    std::size_t save(std::span<std::byte> out) const;
+    /// Goes back to an image that this program made. What the image uses must fit this world's capacity (image_too_large), which need not be that
+    /// of the world it was taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host:
+    /// lanes and the error hook. Events and the report are empty until the next step. Returns false and changes nothing on an error.
+    /// (Where a program neither makes joints nor calls load, joints are not linked, and an image with joints is refused: feature_cut.)
+    bool restore(std::span<const std::byte> image);
+    /// As restore, for an image from outside, which may be truncated, corrupt or hostile: nothing of it is used before all of it is found sound.
+    bool load(std::span<const std::byte> image);
+
     /// Steps taken since creation.
     std::uint64_t step_count() const;
     /// Checks every internal invariant (links, pools, trees, colours). Slow; for tests. Returns null or a sentence naming what is broken.

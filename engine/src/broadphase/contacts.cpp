@@ -45,13 +45,17 @@ bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2)
     return !joint_forbids(core, s1.body, s2.body);
 }
 
+bool in_contact_order(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    const std::uint32_t rank_1 = rank(core, shape_1);
+    const std::uint32_t rank_2 = rank(core, shape_2);
+    return rank_1 != rank_2 ? rank_1 > rank_2 : shape_1 < shape_2;
+}
+
 bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     const std::uint32_t index = pool_take(core.state->contact_pool, core.contacts, core.capacity.contacts);
     if (index == null_index) return false;
 
-    const std::uint32_t rank_1 = rank(core, shape_1);
-    const std::uint32_t rank_2 = rank(core, shape_2);
-    const bool in_order = rank_1 != rank_2 ? rank_1 > rank_2 : shape_1 < shape_2;
+    const bool in_order = in_contact_order(core, shape_1, shape_2);
     Contact& c = core.contacts[index];
     c.shape_a = in_order ? shape_1 : shape_2;
     c.shape_b = in_order ? shape_2 : shape_1;

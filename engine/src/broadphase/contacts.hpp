@@ -21,6 +21,9 @@ inline std::uint32_t other_body(const Core& core, std::uint32_t contact, std::ui
 /// True if the two shapes may have a contact: other bodies, one dynamic, geometry that collides, filters that agree, no joint that forbids it.
 bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 
+/// True if the first of two shapes is the one that their contact calls A.
+bool in_contact_order(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+
 /// Adds a contact, not yet touching. False if the pool is full.
 bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 

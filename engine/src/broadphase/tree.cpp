@@ -135,8 +135,22 @@ void tree_remove(Tree t, std::uint32_t leaf) {
 }
 
 const char* tree_validate(Tree t) {
-    if (t.state->root == null_index) return t.state->leaf_count == 0 ? nullptr : "an empty tree counts leaves";
-    if (t.nodes[t.state->root].parent != null_index) return "the root of the tree has a parent";
+    const std::uint32_t high_water = t.state->high_water;
+    const std::uint32_t leaves_wanted = t.state->leaf_count;
+    if (leaves_wanted > high_water) return "the tree counts more leaves than nodes";
+    const std::uint32_t live = leaves_wanted == 0 ? 0 : 2 * leaves_wanted - 1;
+
+    // A free node has no child of either kind, so the two walks never meet.
+    std::uint32_t free = 0;
+    for (std::uint32_t i = t.state->free_head; i != null_index; i = t.nodes[i].parent) {
+        if (i >= high_water || t.nodes[i].child1 != null_index || t.nodes[i].child2 != null_index) return "the tree's free list holds a live node";
+        if (++free > high_water) return "the tree's free list has a cycle";
+    }
+    if (live + free != high_water) return "the tree lost a node";
+    if (t.state->root == null_index) return leaves_wanted == 0 ? nullptr : "an empty tree counts leaves";
+    if (t.state->root >= high_water || t.nodes[t.state->root].parent != null_index) return "the root of the tree has a parent";
+
+    // Heights fall from node to child and each child knows its one parent, so the walk ends and meets no node twice.
     std::uint32_t stack[2 * tree_stack];
     std::uint32_t top = 0;
     std::uint32_t leaves = 0;
@@ -145,20 +159,22 @@ const char* tree_validate(Tree t) {
         const std::uint32_t index = stack[--top];
         const TreeNode& node = t.nodes[index];
         if (is_leaf(node)) {
+            if (node.child2 == null_index || node.height != 0) return "a leaf of the tree has no shape";
             ++leaves;
             continue;
         }
+        if (node.child1 >= high_water || node.child2 >= high_water || node.child1 == node.child2) return "a tree node has no two children";
         const TreeNode& a = t.nodes[node.child1];
         const TreeNode& b = t.nodes[node.child2];
         if (a.parent != index || b.parent != index) return "a tree node does not know its parent";
-        if (!contains(node.box, a.box) || !contains(node.box, b.box)) return "a tree node does not contain its children";
+        if (a.height >= tree_stack || b.height >= tree_stack || node.height >= tree_stack) return "the tree is too deep";
         if (node.height != 1 + (a.height > b.height ? a.height : b.height)) return "a tree node has the wrong height";
         if (a.height > b.height + 1 || b.height > a.height + 1) return "a tree node is out of balance";
-        if (node.height >= tree_stack) return "the tree is too deep";
+        if (node.box != merge(a.box, b.box)) return "a tree node is not as large as its children";
         stack[top++] = node.child1;
         stack[top++] = node.child2;
     }
-    return leaves == t.state->leaf_count ? nullptr : "the tree lost or gained a leaf";
+    return leaves == leaves_wanted ? nullptr : "the tree lost or gained a leaf";
 }
 
 }  // namespace islet::detail

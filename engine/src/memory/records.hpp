@@ -204,6 +204,28 @@ struct TreeState {
     std::uint32_t leaf_count = 0;
 };
 
+/// SolverDef in words of fixed width, without padding.
+struct SolverState {
+    std::uint32_t schedule = 0;  // Schedule
+    std::uint32_t substeps = 0, iterations = 0, relax_iterations = 0;
+    float contact_hertz = 0, contact_damping_ratio = 0, contact_push_speed = 0;
+    float joint_hertz = 0, joint_damping_ratio = 0;
+    float baumgarte = 0, omega = 0;
+    std::uint32_t warm_start = 0;
+};
+
+inline SolverState pack(const SolverDef& d) {
+    return {static_cast<std::uint32_t>(d.schedule), d.substeps, d.iterations, d.relax_iterations,
+            d.contact_hertz, d.contact_damping_ratio, d.contact_push_speed, d.joint_hertz, d.joint_damping_ratio,
+            d.baumgarte, d.omega, d.warm_start ? 1u : 0u};
+}
+
+inline SolverDef unpack(const SolverState& s) {
+    return {static_cast<Schedule>(s.schedule), s.substeps, s.iterations, s.relax_iterations,
+            s.contact_hertz, s.contact_damping_ratio, s.contact_push_speed, s.joint_hertz, s.joint_damping_ratio,
+            s.baumgarte, s.omega, s.warm_start != 0};
+}
+
 /// Everything persistent that is not in an array.
 struct State {
     PoolState body_pool, shape_pool, contact_pool, geometry_pool, joint_pool;  // 60
@@ -211,7 +233,7 @@ struct State {
     Vec2 gravity;
     float restitution_threshold = 1;
     float max_speed = 400;                                         // 16
-    SolverDef solver;                                              // 48
+    SolverState solver = pack(SolverDef{});                        // 48
     std::uint32_t enable_sleep = 1;
     std::uint64_t steps = 0;
     std::uint32_t moved_count = 0;                                 // shapes whose fat box changed since pairs were last found

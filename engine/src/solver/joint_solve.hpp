@@ -21,5 +21,13 @@ ISLET_OPTIONAL void store_joint_run(const JointRun& run, std::uint32_t lanes, st
 
 /// Does nothing, but whoever refers to it links the functions above.
 void link_joint_solve();
+/// True if anybody did.
+inline bool joint_solve_is_linked() {
+#if defined(__ELF__)
+    return solve_joint_run != nullptr;
+#else
+    return true;
+#endif
+}
 
 }  // namespace islet::detail

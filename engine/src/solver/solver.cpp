@@ -58,7 +58,7 @@ SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, floa
 
 void choose_numbers(Solve& s, float dt) {
     const State& state = *s.core.state;
-    const SolverDef& def = state.solver;
+    const SolverDef def = unpack(state.solver);
     StepNumbers& n = s.numbers;
     n.dt = dt;
     n.h = dt / static_cast<float>(def.substeps);
@@ -265,7 +265,7 @@ void sweep(Solve& s, const Batch& batch, typename K::Rows* rows, const SweepNumb
 template <class K>
 void solve_batch(Solve& s, const Batch& batch) {
     typename K::Rows* rows = reinterpret_cast<typename K::Rows*>(s.blocks);
-    const SolverDef& def = s.core.state->solver;
+    const SolverDef def = unpack(s.core.state->solver);
     const std::uint32_t first_block = batch.first_block[0];
     const std::uint32_t blocks = batch.first_block[color_count] - first_block;
     const std::uint32_t overflow = batch.end_overflow - batch.first_overflow;

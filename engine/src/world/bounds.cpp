@@ -10,12 +10,6 @@ namespace {
 inline constexpr float max_box_margin = 0.05f;       // m, so that a body can move a little before its pairs are found anew
 inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: small things get small margins
 
-// Farthest distance of the shape's points from `center`, and the smallest half-thickness.
-struct Extent {
-    float max = 0;
-    float min = 0;
-};
-
 Extent extent_of(const Geometry& g, Vec2 center) {
     const auto far = [&](Vec2 p) { return distance(p, center); };
     switch (g.shape_type()) {
@@ -85,6 +79,26 @@ Aabb shape_aabb(const Core& core, std::uint32_t shape) {
     return aabb_of(core.geometries[s.geometry], body_transform(core, s.body));
 }
 
+namespace {
+
+// Contacts are made a little before surfaces meet; each of the two boxes makes room for half of that.
+Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g, t), 0.5f * speculative_distance); }
+
+// How far the inner box may move before it leaves the outer one.
+float room_in(const Aabb& outer, const Aabb& inner) {
+    return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
+}
+
+}  // namespace
+
+float slack_of(const Core& core, std::uint32_t body) {
+    const Transform t = body_transform(core, body);
+    float slack = 3.0e38f;
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
+        slack = min(slack, room_in(core.boxes[s], tight_box(core.geometries[core.shapes[s].geometry], t)));
+    return slack;
+}
+
 void update_boxes(Core& core, std::uint32_t body, bool force) {
     const bool is_static = core.bodies[body].type() == BodyType::static_body;
     const Transform t = body_transform(core, body);
@@ -92,30 +106,26 @@ void update_boxes(Core& core, std::uint32_t body, bool force) {
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
         Shape& shape = core.shapes[s];
         const Geometry& g = core.geometries[shape.geometry];
-        // Contacts are made a little before surfaces meet; each of the two boxes makes room for half of that.
-        const Aabb tight = expand(aabb_of(g, t), 0.5f * speculative_distance);
+        const Aabb tight = tight_box(g, t);
         Aabb& fat = core.boxes[s];
         if (force || !contains(fat, tight)) {
             shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
             fat = expand(tight, shape.margin);
             mark_moved(core, s);
         }
-        slack = min(slack, min(min(tight.lower.x - fat.lower.x, tight.lower.y - fat.lower.y),
-                               min(fat.upper.x - tight.upper.x, fat.upper.y - tight.upper.y)));
+        slack = min(slack, room_in(fat, tight));
     }
     core.motions[body].slack = slack;
 }
 
-void update_extents(Core& core, std::uint32_t body) {
-    Body& b = core.bodies[body];
-    Pose& pose = core.poses[body];
-    pose.max_extent = 0;
-    b.min_extent = 3.0e38f;
+Extent body_extent(const Core& core, std::uint32_t body) {
+    const Body& b = core.bodies[body];
+    Extent all{0, 3.0e38f};
     for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
         const Extent e = extent_of(core.geometries[core.shapes[s].geometry], b.local_center);
-        pose.max_extent = max(pose.max_extent, e.max);
-        b.min_extent = min(b.min_extent, e.min);
+        all = {max(all.max, e.max), min(all.min, e.min)};
     }
+    return all;
 }
 
 void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
@@ -139,7 +149,9 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     b.local_center = mass.center;
     pose.center = transform_point(body_transform(core, body), mass.center);
     motion.v += cross(motion.w, pose.center - old_center);
-    update_extents(core, body);
+    const Extent extent = body_extent(core, body);
+    pose.max_extent = extent.max;
+    b.min_extent = extent.min;
 }
 
 void update_mass(Core& core, std::uint32_t body) {

@@ -20,7 +20,14 @@ void update_boxes(Core& core, std::uint32_t body, bool force);
 void update_mass(Core& core, std::uint32_t body);
 /// Sets mass data as given and all that follows from it.
 void apply_mass(Core& core, std::uint32_t body, const MassData& mass);
-/// Largest and smallest extent from the shapes.
-void update_extents(Core& core, std::uint32_t body);
+/// Farthest distance of any point from a centre, and the smallest half-thickness, m.
+struct Extent {
+    float max = 0;
+    float min = 0;
+};
+/// Of the body's shapes about its centre of mass.
+Extent body_extent(const Core& core, std::uint32_t body);
+/// How far the body may move now without one of its shapes leaving its fat box, m.
+float slack_of(const Core& core, std::uint32_t body);
 
 }  // namespace islet::detail

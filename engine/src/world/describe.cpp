@@ -24,6 +24,16 @@ const char* describe(Error e) {
         case Error::same_body: return "A joint needs two different bodies.";
         case Error::no_dynamic_body: return "A joint needs at least one dynamic body: the others do not move by joints.";
         case Error::wrong_joint_type: return "Joints of this type have no such property; gears couple revolute and prismatic joints only.";
+        case Error::image_too_small: return "The memory given for the image is too small: snapshot_bytes or max_delta_bytes says how much is needed.";
+        case Error::image_misaligned: return "An image to load must be aligned to snapshot_alignment bytes: copy it to memory that is.";
+        case Error::not_an_image: return "These bytes are no image of this kind: snapshots come from World::save, deltas from delta.";
+        case Error::other_byte_order: return "The image comes from a machine of the other byte order (big- and little-endian): step the world there, or here.";
+        case Error::other_version: return "The image comes from a version of Islet that lays its state out in another way: use the same version at both ends.";
+        case Error::truncated_image: return "The image is shorter or longer than it says: give all of it, and nothing else.";
+        case Error::corrupt_image: return "The image is not as it was saved: its checksum is wrong. Get it again.";
+        case Error::unsound_image: return "The image has a right checksum but holds no sound world: whoever made it is not to be trusted.";
+        case Error::image_too_large: return "The world is too small for the image: read_snapshot says which capacity it needs.";
+        case Error::wrong_delta: return "The delta does not start from the image given: apply it to the one it was made from.";
         case Error::feature_cut: return "This build of the engine leaves that out: build it without the switch that does (islet/config.hpp).";
     }
     return "Unknown error.";

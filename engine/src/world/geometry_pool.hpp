@@ -11,4 +11,9 @@ std::uint32_t share_geometry(Core& core, const Geometry& g);
 std::uint32_t find_geometry(const Core& core, const Geometry& g);
 void release_geometry(Core& core, std::uint32_t index);
 
+std::uint32_t geometry_hash(const Geometry& g);
+
+/// Puts every geometry in use into its bucket anew, in order.
+void rebuild_buckets(Core& core);
+
 }  // namespace islet::detail

@@ -1,4 +1,5 @@
-// The state hash: all persistent state that affects the future, word by word, so that it does not depend on the byte order of the machine.
+// The state hash: all persistent state that affects the future, word by word, so that it does not depend on the byte order of the machine, nor on
+// the capacity.
 #include "world/checks.hpp"
 
 namespace islet {
@@ -35,8 +36,9 @@ struct Hasher {
             word(w);
         }
     }
-    void bits(const BitSet& set) {
-        for (std::uint32_t i = 0; i < set.word_count; ++i) long_word(set.words[i]);
+    /// As many words as the first `count` bits need: what lies beyond depends on the capacity.
+    void bits(const BitSet& set, std::uint32_t count) {
+        for (std::uint32_t i = 0; i < words_for(count); ++i) long_word(set.words[i]);
     }
     void pool(const PoolState& p) { records(&p, 1); }
 };
@@ -61,19 +63,7 @@ std::uint64_t World::hash() const {
     h.number(s.last_substep);
     h.word(s.moved_count);
 
-    const SolverDef& d = s.solver;
-    h.word(static_cast<std::uint32_t>(d.schedule));
-    h.word(d.substeps);
-    h.word(d.iterations);
-    h.word(d.relax_iterations);
-    h.number(d.contact_hertz);
-    h.number(d.contact_damping_ratio);
-    h.number(d.contact_push_speed);
-    h.number(d.joint_hertz);
-    h.number(d.joint_damping_ratio);
-    h.number(d.baumgarte);
-    h.number(d.omega);
-    h.word(d.warm_start ? 1 : 0);
+    h.records(&s.solver, 1);
 
     h.records(c.poses, s.body_pool.high_water);
     h.records(c.motions, s.body_pool.high_water);
@@ -94,14 +84,19 @@ std::uint64_t World::hash() const {
         h.records(&j, 1);
     }
     h.records(c.boxes, s.shape_pool.high_water);
-    h.records(c.geometries, s.geometry_pool.high_water);
+    for (std::uint32_t i = 0; i < s.geometry_pool.high_water; ++i) {
+        // Where a geometry in use stands in its bucket depends on the number of buckets, which is the capacity's.
+        Geometry g = c.geometries[i];
+        if (g.references != 0) g.next = null_index;
+        h.records(&g, 1);
+    }
     h.records(c.contacts, s.contact_pool.high_water);
     h.records(c.manifolds, s.contact_pool.high_water);
     h.records(c.tree, s.tree.high_water);
-    h.bits(c.awake_bodies);
-    h.bits(c.awake_contacts);
-    h.bits(c.awake_joints);
-    h.bits(c.moved_shapes);
+    h.bits(c.awake_bodies, s.body_pool.high_water);
+    h.bits(c.awake_contacts, s.contact_pool.high_water);
+    h.bits(c.awake_joints, s.joint_pool.high_water);
+    h.bits(c.moved_shapes, s.shape_pool.high_water);
     return h.h;
 }
 

@@ -4,6 +4,7 @@
 #include "world/checks.hpp"
 #include "world/contact_update.hpp"
 #include "world/cpu.hpp"
+#include "world/geometry_pool.hpp"
 #include "world/sleep.hpp"
 
 // A placement new without <new>: the engine needs no C++ runtime.
@@ -99,12 +100,12 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     // Persistent memory starts as zeros, so that no byte of a world depends on what the block held before.
     const Layout l = layout_of(capacity);
     std::memset(block.data() + l.state, 0, l.persistent_end - l.state);
-    std::memset(core.geometry_buckets, 0xff, std::size_t{next_power_of_two(geometry_capacity(capacity))} * 4);
     State& state = *new (core.state, IsletPlace{}) State;
+    rebuild_buckets(core);
     state.gravity = def.gravity;
     state.restitution_threshold = def.restitution_threshold;
     state.max_speed = def.max_speed;
-    state.solver = def.solver;
+    state.solver = pack(def.solver);
     state.enable_sleep = has_sleep && def.enable_sleep ? 1 : 0;
     return world;
 }
@@ -138,12 +139,12 @@ void World::set_gravity(Vec2 gravity) {
     if (check_finite(core(), gravity)) core().state->gravity = gravity;
 }
 
-const SolverDef& World::solver() const { return core().state->solver; }
+SolverDef World::solver() const { return unpack(core().state->solver); }
 
 void World::set_solver(const SolverDef& solver) {
     Error error = Error::none;
     if (!check_solver(solver, error)) return core().fail(error);
-    core().state->solver = solver;
+    core().state->solver = pack(solver);
 }
 
 void World::enable_sleep(bool enable) {

@@ -1,0 +1,85 @@
+// Images and deltas from an attacker, who gets every checksum right: each is refused with the world untouched, or accepted and then a world in
+// which every invariant holds and goes on holding. (tests/fuzz does the same with millions of images.)
+#include <gtest/gtest.h>
+
+#include "physics/measure.hpp"
+#include "support/busy_world.hpp"
+#include "support/forge.hpp"
+#include "support/random.hpp"
+#include "support/test_world.hpp"
+
+namespace islet::test {
+namespace {
+
+class Attack : public testing::Test {
+protected:
+    Attack() {
+        TestWorld source(busy_capacity);
+        fill_busy(*source);
+        image_ = save(*source);
+        TestWorld victim(busy_capacity);
+        EXPECT_TRUE(victim->load(image_.bytes()));
+    }
+
+    /// Loads a forged image. If it is taken, the world must be sound and stay so.
+    void attack(Image& forged, const char* what, std::size_t where) {
+        seal(forged.bytes());
+        const std::uint64_t before = victim_->hash();
+        if (!victim_->load(forged.bytes())) {
+            ++refused_;
+            ASSERT_EQ(victim_->hash(), before) << what << ", word " << where;
+            return;
+        }
+        ++accepted_;
+        const char* broken = victim_->validate();
+        ASSERT_EQ(broken, nullptr) << broken << ": " << what << ", word " << where << ", at once";
+        for (int i = 0; i < 10; ++i) victim_->step(1.0f / 60);
+        broken = victim_->validate();
+        ASSERT_EQ(broken, nullptr) << broken << ": " << what << ", word " << where << ", 10 steps later";
+    }
+
+    Image image_;
+    TestWorld victim_{busy_capacity};
+    int accepted_ = 0, refused_ = 0;
+};
+
+TEST_F(Attack, EveryWordMayLie) {
+    const std::size_t words = image_.bytes().size() / 4;
+    const std::size_t stride = slow_build ? 5 : 1;
+    for (std::size_t i = 0; i < words; i += stride) {
+        const std::uint32_t good = word(image_, i);
+        // No slot, the last slot, the next one, no number, an infinite one, a huge one, the other sign, another bit.
+        for (const std::uint32_t lie : {0u, 0xffffffffu, good + 1, good - 1, 0x7fc00000u, 0x7f800000u, 0x7f000000u, 0x7f7fffffu, good ^ 0x80000000u, good ^ 0x100u}) {
+            if (lie == good) continue;
+            Image forged = image_;
+            set_word(forged, i, lie);
+            ASSERT_NO_FATAL_FAILURE(attack(forged, "a lie", i));
+        }
+    }
+    EXPECT_GT(accepted_, 1000) << "hardly any lie was harmless: the test does not reach behind the gate";
+    EXPECT_GT(refused_, 1000);
+}
+
+TEST_F(Attack, TwoWordsMayBeExchangedAndRecordsRepeated) {
+    Random random(7);
+    const auto words = static_cast<std::uint32_t>(image_.bytes().size() / 4);
+    for (int i = 0; i < (slow_build ? 3000 : 30000); ++i) {
+        Image forged = image_;
+        const std::uint32_t at = random.below(words);
+        if (i % 2 == 0) {
+            const std::uint32_t with = random.below(words);
+            set_word(forged, at, word(image_, with));
+            set_word(forged, with, word(image_, at));
+        } else {
+            const std::uint32_t lengths[] = {8, 18, 24, 32, 58};
+            const std::uint32_t length = lengths[random.below(5)];
+            for (std::uint32_t k = 0; k < length && at + length + k < words; ++k) set_word(forged, at + length + k, word(image_, at + k));
+        }
+        ASSERT_NO_FATAL_FAILURE(attack(forged, "an exchange", at));
+    }
+    EXPECT_GT(accepted_, 100);
+    EXPECT_GT(refused_, 1000);
+}
+
+}  // namespace
+}  // namespace islet::test
