@@ -15,8 +15,8 @@ targets=(cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 riscv32)
 
 # Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
 declare -A most_flash=(
-    [cortex-m3]='99000 79500 47500' [cortex-m4f]='83500 65500 39000' [cortex-m7]='83500 65500 39000' [cortex-m33]='83500 65500 39000'
-    [cortex-m55]='83500 65500 39000' [riscv32]='89500 71500 42000'
+    [cortex-m3]='109000 78000 46500' [cortex-m4f]='96500 65536 38700' [cortex-m7]='96500 65536 38700' [cortex-m33]='96500 65536 38700'
+    [cortex-m55]='96500 65536 38700' [riscv32]='102000 69700 41500'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
