@@ -87,4 +87,42 @@ void build_circles(World& world) {
     }
 }
 
+void build_machine(World& world) {
+    // A valley of chain, with a bump and a ramp in it that carries things along.
+    const BodyId ground = world.create_body({});
+    const Vec2 valley[] = {{8, 3}, {6, 0}, {2, -0.5f}, {-2, -0.5f}, {-6, 0}, {-8, 3}};
+    world.create_chain(ground, valley, false);
+    world.create_shape(ground, Segment{{-5, 1}, {-3, 0.2f}}, {.tangent_speed = 1});
+    const BodyId lift = world.create_body({.type = BodyType::kinematic, .position = {5, 0}, .linear_velocity = {-0.5f, 0.2f}});
+    world.create_shape(lift, make_rounded_box(0.6f, 0.1f, 0.05f));
+
+    // Two rows of bodies of all kinds; each joint ties one of the upper row to one of the lower.
+    BodyId upper[9], lower[9];
+    const Vec2 corners[] = {{-0.2f, -0.2f}, {0.25f, -0.15f}, {0.1f, 0.25f}};
+    for (int i = 0; i < 9; ++i) {
+        const float x = static_cast<float>(i) - 4.0f;
+        upper[i] = add_dynamic(world, {x, 3.5f});
+        lower[i] = add_dynamic(world, {x, 2.5f});
+        world.create_shape(upper[i], make_box(0.2f, 0.15f), {.restitution = 0.3f});
+        switch (i % 3) {
+            case 0: world.create_shape(lower[i], Circle{{}, 0.2f}, {.rolling_resistance = 0.05f}); break;
+            case 1: world.create_shape(lower[i], Capsule{{-0.1f, 0}, {0.1f, 0}, 0.12f}); break;
+            default: world.create_shape(lower[i], make_polygon(compute_hull(corners))); break;
+        }
+    }
+    const auto tie = [&](int i) {
+        return JointBase{.body_a = upper[i], .body_b = lower[i], .frame_a = {{0, -0.5f}, -0.5f * pi}, .frame_b = {{0, 0.5f}, -0.5f * pi}};
+    };
+    const JointId hinge = world.create_joint(RevoluteJointDef{.base = tie(0), .motor = {.enable = true, .speed = 3, .max_force = 1}});
+    const JointId slider = world.create_joint(PrismaticJointDef{.base = tie(1), .limit = {.enable = true, .lower = -0.1f, .upper = 0.4f}});
+    world.create_joint(DistanceJointDef{.base = tie(2), .length = 0.5f, .spring = {.enable = true, .hertz = 3, .damping_ratio = 0.2f}});
+    world.create_joint(WeldJointDef{.base = tie(3), .angular_hertz = 4});
+    world.create_joint(WheelJointDef{.base = tie(4), .motor = {.enable = true, .speed = 5, .max_force = 2}});
+    world.create_joint(MotorJointDef{.base = tie(5), .angular_velocity = 1, .max_force = 20, .max_torque = 1});
+    world.create_joint(MouseJointDef{.body = lower[6], .target = {2.5f, 4}, .max_force = 30});
+    world.create_joint(PulleyJointDef{.base = tie(7), .ground_a = {2.8f, 5}, .ground_b = {3.2f, 5}});
+    world.create_joint(RevoluteJointDef{.base = tie(8)});
+    world.create_joint(GearJointDef{.joint1 = hinge, .joint2 = slider, .ratio = 0.5f});
+}
+
 }  // namespace firmware

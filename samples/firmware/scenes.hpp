@@ -1,4 +1,4 @@
-// Three small worlds. All numbers are written out: nothing here is computed differently on another machine.
+// Small worlds. All numbers are written out: nothing here is computed differently on another machine.
 #pragma once
 
 #include <islet/islet.hpp>
@@ -14,5 +14,7 @@ void build_pyramid(islet::World& world);
 void build_ragdoll(islet::World& world);
 /// Sixty-four balls that fall into a trough.
 void build_circles(islet::World& world);
+/// Every kind of shape, joint and surface: that all of it comes to the same everywhere, and how large a program is that uses it all.
+void build_machine(islet::World& world);
 
 }  // namespace firmware

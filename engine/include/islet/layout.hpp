@@ -50,6 +50,8 @@ inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t batch_bytes = 156;
 inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are found
+inline constexpr std::uint32_t sort_digit_bits = max_lanes > 1 ? 11 : 8;  // of the sort by which pairs are found: three passes, or four in little memory
+inline constexpr std::uint32_t sort_digits = 1u << sort_digit_bits;
 inline constexpr std::uint32_t color_count = 32;  // constraint colours: bits of a body's mask
 inline constexpr std::uint32_t batch_contacts = 2048;  // a batch of islands closes at this many contacts and joints
 
@@ -98,7 +100,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     // Finding pairs: sort keys and the boxes as columns. Collide: which contacts changed, whom to wake. Plan: bodies and contacts in batch order, kept
     // while the solve uses what is left for bodies and contact rows, and planning before it for islands and edges.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
-    const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + 2048 * 4 + 20 * 64;
+    const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + sort_digits * 4 + 20 * 64;
     const std::size_t collide = words_for(c.contacts) * 8 * 2 + words_for(c.bodies) * 8 + bodies * 4 + 4 * 64;
     const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
                              joint_run_capacity(c) * joint_run_bytes + 7 * 64;

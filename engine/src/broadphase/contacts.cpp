@@ -99,7 +99,8 @@ void mix_materials(Core& core, std::uint32_t contact) {
     m.friction = sqrt(a.friction * b.friction);
     const bool bouncy = has_restitution && (a.restitution > 0 || b.restitution > 0);
     const bool special = has_surfaces && (a.rolling_resistance > 0 || b.rolling_resistance > 0 || a.tangent_speed != 0 || b.tangent_speed != 0);
-    m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy)) | (special ? contact_special : 0u) | (bouncy ? contact_bouncy : 0u);
+    m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy)) | (special ? std::uint32_t{contact_special} : 0u) |
+              (bouncy ? std::uint32_t{contact_bouncy} : 0u);
 }
 
 void record_end_event(Core& core, std::uint32_t contact) {

@@ -28,17 +28,20 @@ void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     if (!create_contact(core, shape_1, shape_2)) ++core.report.dropped_contacts;
 }
 
-// Most pairs found have a contact already. Asking in small batches hides the time that the pair set takes to come from memory.
+// Most pairs found have a contact already. Asking in small batches hides the time that the pair set takes to come from memory; where it does not
+// have to (a processor without vectors has no cache worth the name either), a batch is one pair.
 struct PairBuffer {
+    static constexpr std::uint32_t size = max_lanes > 1 ? 64 : 1;
     Core& core;
-    std::uint32_t pairs[64][2];
+    std::uint32_t pairs[size][2];
     std::uint32_t count = 0;
 
     void push(std::uint32_t shape_1, std::uint32_t shape_2) {
+        if constexpr (size == 1) return add_pair(core, shape_1, shape_2);
         core.pairs.prefetch(PairSet::key(shape_1, shape_2));
         pairs[count][0] = shape_1;
         pairs[count][1] = shape_2;
-        if (++count == 64) flush();
+        if (++count == size) flush();
     }
     void flush() {
         for (std::uint32_t i = 0; i < count; ++i) add_pair(core, pairs[i][0], pairs[i][1]);
@@ -53,21 +56,21 @@ std::uint32_t sort_key(float x) {
     return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
 }
 
-// Least significant digit radix sort, three digits of 11 bits; stable, so equal keys stay in slot order.
+// Least significant digit radix sort; stable, so equal keys stay in slot order.
 std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint32_t* keys2, std::uint32_t* order2, std::uint32_t n,
                            std::uint32_t* counts) {
     for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
-    for (std::uint32_t shift = 0; shift < 33; shift += 11) {
-        std::memset(counts, 0, 2048 * 4);
-        for (std::uint32_t i = 0; i < n; ++i) ++counts[keys[i] >> shift & 2047u];
+    for (std::uint32_t shift = 0; shift < 32; shift += sort_digit_bits) {
+        std::memset(counts, 0, sort_digits * 4);
+        for (std::uint32_t i = 0; i < n; ++i) ++counts[keys[i] >> shift & (sort_digits - 1)];
         std::uint32_t sum = 0;
-        for (std::uint32_t d = 0; d < 2048; ++d) {
+        for (std::uint32_t d = 0; d < sort_digits; ++d) {
             const std::uint32_t c = counts[d];
             counts[d] = sum;
             sum += c;
         }
         for (std::uint32_t i = 0; i < n; ++i) {
-            const std::uint32_t to = counts[keys[i] >> shift & 2047u]++;
+            const std::uint32_t to = counts[keys[i] >> shift & (sort_digits - 1)]++;
             keys2[to] = keys[i];
             order2[to] = order[i];
         }
@@ -129,7 +132,7 @@ Motioned sorted_columns(Core& core, Arena& arena) {
     std::uint32_t* keys2 = arena.take<std::uint32_t>(n);
     std::uint32_t* order = arena.take<std::uint32_t>(n);
     std::uint32_t* order2 = arena.take<std::uint32_t>(n);
-    std::uint32_t* counts = arena.take<std::uint32_t>(2048);
+    std::uint32_t* counts = arena.take<std::uint32_t>(sort_digits);
     for (std::uint32_t i = 0; i < n; ++i) keys[i] = sort_key(along_x ? core.boxes[list[i]].lower.x : core.boxes[list[i]].lower.y);
     const std::uint32_t* sorted = sort_by_key(keys, order, keys2, order2, n, counts);
 

@@ -30,8 +30,8 @@ inline constexpr float no_bound = 1.0e12f;  // m or rad: what is farther is out 
 inline float within_bound(float a) { return clamp(a, -no_bound, no_bound); }
 
 inline std::uint32_t coordinate_parts(const Joint& j) {
-    return ((j.flags & joint_spring) != 0 ? part_spring : 0u) | ((j.flags & joint_motor) != 0 ? part_motor : 0u) |
-           (j.friction > 0 ? part_friction : 0u) | ((j.flags & joint_limit) != 0 ? part_limit : 0u);
+    return ((j.flags & joint_spring) != 0 ? std::uint32_t{part_spring} : 0u) | ((j.flags & joint_motor) != 0 ? std::uint32_t{part_motor} : 0u) |
+           (j.friction > 0 ? std::uint32_t{part_friction} : 0u) | ((j.flags & joint_limit) != 0 ? std::uint32_t{part_limit} : 0u);
 }
 
 /// The sum of the impulses, which warm starting applies.

@@ -12,9 +12,9 @@ struct BitSet {
     std::uint64_t* words = nullptr;
     std::uint32_t word_count = 0;
 
-    bool test(std::uint32_t i) const { return (words[i / 64] >> (i % 64) & 1) != 0; }
-    void set(std::uint32_t i) const { words[i / 64] |= std::uint64_t{1} << (i % 64); }
-    void clear(std::uint32_t i) const { words[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
+    bool test(std::uint32_t i) const { return (part(i) >> (i % part_bits) & 1) != 0; }
+    void set(std::uint32_t i) const { part(i) |= Part{1} << (i % part_bits); }
+    void clear(std::uint32_t i) const { part(i) &= ~(Part{1} << (i % part_bits)); }
     void assign(std::uint32_t i, bool on) const { on ? set(i) : clear(i); }
     void clear_all() const { std::memset(words, 0, std::size_t{word_count} * 8); }
 
@@ -35,6 +35,17 @@ struct BitSet {
     }
 
 private:
+    // A word, or the half of one that a register holds.
+#if UINTPTR_MAX > 0xffffffffu
+    using Part = std::uint64_t;
+#else
+    typedef std::uint32_t Part __attribute__((may_alias));
+#endif
+    static constexpr std::uint32_t part_bits = sizeof(Part) * 8;
+    static constexpr std::uint32_t first_part = sizeof(Part) < 8 && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__ ? 1 : 0;  // of a word in memory
+
+    Part& part(std::uint32_t i) const { return reinterpret_cast<Part*>(words)[(i / part_bits) ^ first_part]; }
+
     // Without a call of the compiler's runtime where registers have 32 bits.
     ISLET_INLINE static std::uint32_t lowest(std::uint64_t bits) {
         if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(bits));

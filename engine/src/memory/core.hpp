@@ -60,11 +60,23 @@ struct Core {
     bool is_awake(std::uint32_t body) const { return awake_bodies.test(body); }
     bool is_dynamic(std::uint32_t body) const { return bodies[body].type() == BodyType::dynamic; }
 
-    static Core& of(World& world) { return world.core(); }
-    static const Core& of(const World& world) { return world.core(); }
+    static Core& of(World& world);
+    static const Core& of(const World& world);
 };
 
 static_assert(sizeof(Core) <= core_bytes);
 static_assert(sizeof(State) == state_bytes);
 
 }  // namespace islet::detail
+
+namespace islet {
+
+[[gnu::always_inline]] inline detail::Core& World::core() { return *reinterpret_cast<detail::Core*>(core_); }
+[[gnu::always_inline]] inline const detail::Core& World::core() const { return *reinterpret_cast<const detail::Core*>(core_); }
+
+namespace detail {
+inline Core& Core::of(World& world) { return world.core(); }
+inline const Core& Core::of(const World& world) { return world.core(); }
+}  // namespace detail
+
+}  // namespace islet

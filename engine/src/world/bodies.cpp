@@ -71,7 +71,8 @@ BodyId World::create_body(const BodyDef& def) {
     b.angular_damping = def.angular_damping;
     b.gravity_scale = def.gravity_scale;
     b.sleep_threshold = def.sleep_threshold;
-    b.flags = static_cast<std::uint32_t>(def.type) | (def.fixed_rotation ? body_fixed_rotation : 0u) | (def.enable_sleep ? body_may_sleep : 0u);
+    b.flags = static_cast<std::uint32_t>(def.type) | (def.fixed_rotation ? std::uint32_t{body_fixed_rotation} : 0u) |
+              (def.enable_sleep ? std::uint32_t{body_may_sleep} : 0u);
     b.user_data = def.user_data;
     c.poses[i] = Pose{};
     c.poses[i].center = def.position;

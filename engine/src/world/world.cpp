@@ -15,9 +15,6 @@ namespace islet {
 
 using namespace detail;
 
-Core& World::core() { return *reinterpret_cast<Core*>(core_); }
-const Core& World::core() const { return *reinterpret_cast<const Core*>(core_); }
-
 namespace {
 
 Error check_capacity(const Capacity& c) {

@@ -1,0 +1,77 @@
+// For a build without capsules, segments, chains, joints, bouncing, surfaces and sleep: each is refused, by name and at no cost to the world, and what is
+// left comes to the same. Prints the pyramid's line as firmware.cpp does; fails if anything is not refused.
+#include "board.hpp"
+#include "console.hpp"
+#include "scenes.hpp"
+
+namespace firmware {
+namespace {
+
+using namespace islet;
+
+StaticWorld<scene_capacity> storage;
+bool good = true;
+
+/// The call just made must have failed for want of `what`.
+void expect_refused(World& world, bool refused, const char* what) {
+    const bool named = world.last_error() == Error::feature_cut;
+    world.clear_error();
+    if (refused && named) return;
+    print("not refused: ");
+    print(what);
+    print("\n");
+    good = false;
+}
+
+}  // namespace
+
+int run() {
+    World& world = storage.create();
+    build_pyramid(world);
+    const BodyId body = world.create_body({.type = BodyType::dynamic, .position = {0, 100}});
+    const BodyId other = world.create_body({.type = BodyType::dynamic, .position = {2, 100}});
+    const ShapeId box = world.create_shape(body, make_box(1, 1));
+    const Vec2 points[] = {{0, 0}, {1, 0}, {2, 0}};
+    const JointBase base = {.body_a = body, .body_b = other};
+    const std::uint64_t before = world.hash();
+
+    expect_refused(world, !world.create_shape(body, Capsule{{0, 0}, {1, 0}, 1}), "capsules");
+    expect_refused(world, !world.create_shape(body, Segment{{0, 0}, {1, 0}}), "segments");
+    expect_refused(world, !world.create_shape(body, ChainSegment{{-1, 0}, {{0, 0}, {1, 0}}, {2, 0}}), "segments of chains");
+    expect_refused(world, world.create_chain(body, points, false) == 0, "chains");
+    expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.restitution = 1}), "restitution");
+    expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.rolling_resistance = 1}), "rolling resistance");
+    expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.tangent_speed = 1}), "tangent speed");
+    world.set_restitution(box, 1);
+    expect_refused(world, world.restitution(box) == 0, "set_restitution");
+    world.set_rolling_resistance(box, 1);
+    expect_refused(world, world.rolling_resistance(box) == 0, "set_rolling_resistance");
+    world.set_tangent_speed(box, 1);
+    expect_refused(world, world.tangent_speed(box) == 0, "set_tangent_speed");
+    world.enable_sleep(true);
+    expect_refused(world, true, "enable_sleep");
+    expect_refused(world, !world.create_body({.type = BodyType::dynamic, .awake = false}), "a body asleep");
+    expect_refused(world, !world.create_joint(RevoluteJointDef{.base = base}), "revolute joints");
+    expect_refused(world, !world.create_joint(PrismaticJointDef{.base = base}), "prismatic joints");
+    expect_refused(world, !world.create_joint(DistanceJointDef{.base = base}), "distance joints");
+    expect_refused(world, !world.create_joint(WeldJointDef{.base = base}), "weld joints");
+    expect_refused(world, !world.create_joint(WheelJointDef{.base = base}), "wheel joints");
+    expect_refused(world, !world.create_joint(MotorJointDef{.base = base}), "motor joints");
+    expect_refused(world, !world.create_joint(MouseJointDef{.body = body, .max_force = 1}), "mouse joints");
+    expect_refused(world, !world.create_joint(PulleyJointDef{.base = base, .ground_a = {0, 200}, .ground_b = {2, 200}}), "pulley joints");
+    expect_refused(world, !world.create_joint(GearJointDef{}), "gear joints");
+    if (world.hash() != before) {
+        print("a refused call changed the world\n");
+        good = false;
+    }
+
+    World& fresh = storage.create();
+    build_pyramid(fresh);
+    for (int i = 0; i < 60; ++i) fresh.step(1.0f / 60);
+    print("pyramid steps 60 hash ");
+    print_hash(fresh.hash());
+    print("\n");
+    return good ? 0 : 1;
+}
+
+}  // namespace firmware
