@@ -106,7 +106,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     // while the solve uses what is left for bodies and contact rows, and planning before it for islands and edges.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + 2048 * 4 + 20 * 64;
-    const std::size_t collide = words_for(c.contacts) * 8 * 2 + words_for(c.bodies) * 8 + bodies * 4 + 4 * 64;
+    const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;
     const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
                              joint_run_capacity(c) * joint_run_bytes + 7 * 64;
     const std::size_t planning = bodies * 4 * 4 + (std::size_t{c.contacts} + c.joints) * 16 + std::size_t{batch_capacity(c)} * color_count * 4 +

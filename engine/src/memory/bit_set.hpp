@@ -29,7 +29,12 @@ struct BitSet {
     /// bits freely; bits set in later words are visited, those set in the current one are not.
     template <class Visit>
     [[gnu::always_inline]] void for_each(Visit&& visit) const {
-        for (std::uint32_t w = 0; w < word_count; ++w)
+        for_each_in(0, word_count, visit);
+    }
+    /// The same for the words first <= w < end only.
+    template <class Visit>
+    [[gnu::always_inline]] void for_each_in(std::uint32_t first, std::uint32_t end, Visit&& visit) const {
+        for (std::uint32_t w = first; w < end; ++w)
             for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1)
                 visit(w * 64 + static_cast<std::uint32_t>(__builtin_ctzll(bits)));
     }
