@@ -435,12 +435,13 @@ const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.motions = arena.take<SolverMotion>(plan.slot_count);
     s.bodies[0] = SolverBody{};
     s.motions[0] = SolverMotion{};
-    s.blocks = arena.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
-    s.overflow = arena.take<ContactRows<1>>(plan.overflow_count);
+    Arena rows = arena;  // nobody asks for the rows afterwards
+    s.blocks = rows.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
+    s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
     switch (core.lanes) {
-        case 8: s.joint_rows = place_joint_rows<8>(plan, arena); break;
-        case 4: s.joint_rows = place_joint_rows<4>(plan, arena); break;
-        default: s.joint_rows = place_joint_rows<1>(plan, arena); break;
+        case 8: s.joint_rows = place_joint_rows<8>(plan, rows); break;
+        case 4: s.joint_rows = place_joint_rows<4>(plan, rows); break;
+        default: s.joint_rows = place_joint_rows<1>(plan, rows); break;
     }
     switch (core.lanes) {
 #if defined(__x86_64__)
