@@ -1,5 +1,7 @@
 #include "bench.hpp"
 
+#include "thread_pool.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -34,8 +36,9 @@ std::vector<Contender> contenders(const SceneInfo& info, const BenchOptions& opt
 }
 
 /// A scene of its own for each run: scripts keep state.
-BenchRun run_once(const EngineInfo& engine_info, const SceneInfo& info, int steps, const std::function<void()>& stepped) {
-    const Scene scene = info.make();
+BenchRun run_once(const EngineInfo& engine_info, const SceneInfo& info, int steps, const TaskSystem& tasks, const std::function<void()>& stepped) {
+    Scene scene = info.make();
+    scene.world.tasks = tasks;
     const std::unique_ptr<Engine> engine = engine_info.make();
     engine->load(scene);
     BenchRun run;
@@ -51,12 +54,13 @@ BenchRun run_once(const EngineInfo& engine_info, const SceneInfo& info, int step
 }
 
 /// Each repeat begins with another engine, so that none always runs first.
-void take_turns(std::vector<Contender>& list, const SceneInfo& info, int repeat, const std::function<void()>& stepped) {
-    for (int turn = 0; turn < repeat; ++turn) {
+void take_turns(std::vector<Contender>& list, const SceneInfo& info, const BenchOptions& options, const std::function<void()>& stepped) {
+    ThreadPool pool(options.workers);
+    for (int turn = 0; turn < options.repeat; ++turn) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             Contender& contender = list[(i + static_cast<std::size_t>(turn)) % list.size()];
             if (contender.result.lacks.empty())
-                contender.runs.push_back(run_once(*contender.engine, info, contender.result.steps, stepped));
+                contender.runs.push_back(run_once(*contender.engine, info, contender.result.steps, pool.tasks(), stepped));
         }
     }
 }
@@ -107,7 +111,7 @@ std::vector<BenchResult> bench(const BenchOptions& options, const std::function<
 
     std::vector<BenchResult> results;
     for (std::size_t s = 0; s < scenes.size(); ++s) {
-        take_turns(scenes[s], *options.scenes[s], options.repeat, [&] { observer(++done, total); });
+        take_turns(scenes[s], *options.scenes[s], options, [&] { observer(++done, total); });
         std::vector<BenchRun> reference;
         for (const Contender& c : scenes[s]) {
             if (c.result.engine == "islet") reference = c.runs;

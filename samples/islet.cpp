@@ -161,7 +161,7 @@ struct CommandLine {
         run->add_option("--steps", o.steps, "steps to take; the scene's own if not given")->check(CLI::Range(0, 100'000'000));
         run->add_option("--dt", o.dt, "length of a step, s")->check(CLI::Range(1e-6, 1.0))->check(finite_number);
         run->add_option("--substeps", o.substeps, "substeps of a step")->check(CLI::Range(1, 64));
-        run->add_option("--workers", o.workers, "threads to step with")->check(CLI::Range(1, 256));
+        run->add_option("--workers", o.workers, "threads to step with")->check(CLI::Range(1u, islet::max_workers));
         run->add_option("--lanes", o.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
         run->add_option("--hash-every", o.hash_every, "print the state's hash every so many steps")->check(CLI::Range(1, 100'000'000));
         run->add_option("--csv", command.csv_path, "write a line of numbers per step to this file");
@@ -173,7 +173,7 @@ struct CommandLine {
         BenchOptions& b = bench_command.options;
         bench->add_option("scene", bench_command.scenes, "names of scenes; the group benchmark if none is given");
         bench->add_option("--engine", bench_command.engines, "an engine to time, once or more; all there are if not given");
-        bench->add_option("--workers", b.workers, "threads for Islet to step with")->check(CLI::Range(1, 256));
+        bench->add_option("--workers", b.workers, "threads for Islet to step with")->check(CLI::Range(1u, islet::max_workers));
         bench->add_option("--repeat", b.repeat, "runs of each engine, of which the medians are taken")->check(CLI::Range(1, 100));
         bench->add_option("--steps", b.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(1, 100'000));
         bench->add_flag("--json", bench_command.json, "print a JSON list; its profile is null, as Islet takes no clock yet");
@@ -184,10 +184,6 @@ int execute(CommandLine& line) {
     if (line.list->parsed()) {
         fmt::print("{}", line.list_json ? catalogue_json() : catalogue_table());
         return ok;
-    }
-    for (std::uint32_t* workers : {&line.command.options.workers, &line.bench_command.options.workers}) {
-        if (*workers > 1) fmt::print(stderr, "islet: this build steps with one worker\n");
-        *workers = 1;
     }
     return line.bench->parsed() ? run_bench(line.bench_command) : run_scene(line.command);
 }

@@ -10,7 +10,7 @@ bool RunResult::passed() const {
     return std::all_of(check.begin(), check.end(), [](const CheckLine& line) { return line.pass(); });
 }
 
-Run::Run(Scene made, const RunOptions& options) : scene(std::move(made)), options_(options) {
+Run::Run(Scene made, const RunOptions& options) : pool(options.workers), scene(std::move(made)), options_(options) {
     // A check is stated for the scene as it stands: other steps or another time step would make its numbers meaningless.
     check_applies_ = scene.check && options.steps.value_or(scene.steps) == scene.steps && options.dt.value_or(scene.dt) == scene.dt &&
                      options.substeps.value_or(scene.world.solver.substeps) == scene.world.solver.substeps;
@@ -18,6 +18,7 @@ Run::Run(Scene made, const RunOptions& options) : scene(std::move(made)), option
     scene.dt = options.dt.value_or(scene.dt);
     scene.world.solver.substeps = options.substeps.value_or(scene.world.solver.substeps);
     scene.world.lanes = options.lanes;
+    scene.world.tasks = pool.tasks();
     engine.load(scene);
     trails.resize(scene.traced.size());
     for (std::size_t i = 0; i < trails.size(); ++i) trails[i].push_back(engine.body(scene.traced[i]).position);

@@ -9,6 +9,7 @@
 
 #include "engine.hpp"
 #include "scene.hpp"
+#include "thread_pool.hpp"
 
 namespace islet::samples {
 
@@ -61,6 +62,7 @@ using Trail = std::vector<Vec2>;
 
 /// A scene loaded into an engine and ready to run; afterwards `engine` holds the last state.
 struct Run {
+    ThreadPool pool;
     Scene scene;
     IsletEngine engine;
     std::vector<Trail> trails;  // of scene.traced

@@ -6,5 +6,6 @@
 #include "islet/layout.hpp"
 #include "islet/math.hpp"
 #include "islet/snapshot.hpp"
+#include "islet/tasks.hpp"
 #include "islet/types.hpp"
 #include "islet/world.hpp"

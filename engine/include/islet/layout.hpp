@@ -49,6 +49,7 @@ inline constexpr std::size_t joint_bytes = 232;
 inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t batch_bytes = 156;
+inline constexpr std::uint32_t max_plan_parts = 8;  // that the touching contacts are cut into while they are planned
 inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are found
 inline constexpr std::uint32_t sort_digit_bits = max_lanes > 1 ? 11 : 8;  // of the sort by which pairs are found: three passes, or four in little memory
 inline constexpr std::uint32_t sort_digits = 1u << sort_digit_bits;
@@ -67,6 +68,9 @@ constexpr std::uint32_t geometry_capacity(const Capacity& c) { return c.geometri
 
 /// Batches that the islands of a world can make, at most.
 constexpr std::uint32_t batch_capacity(const Capacity& c) { return (c.contacts + c.joints) / batch_contacts + 2; }
+
+/// Parts that the touching contacts are cut into while they are planned: small worlds are not cut.
+constexpr std::uint32_t plan_parts(const Capacity& c) { return c.contacts < batch_contacts ? 1 : max_plan_parts; }
 
 /// Contact rows including the padding that fills up the last block of each colour of each batch.
 constexpr std::size_t row_capacity(const Capacity& c) {
@@ -98,16 +102,17 @@ constexpr std::size_t max_of(std::size_t a, std::size_t b) { return a > b ? a : 
 
 constexpr std::size_t scratch_bytes(const Capacity& c) {
     // Finding pairs: sort keys and the boxes as columns. Collide: which contacts changed, whom to wake. Plan: bodies and contacts in batch order, kept
-    // while the solve uses what is left for bodies and contact rows, and planning before it for islands and edges.
+    // while the solve uses what is left for bodies and contact rows, planning before it for islands and edges, and finishing after it in place of the rows.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + sort_digits * 4 + 20 * 64;
-    const std::size_t collide = words_for(c.contacts) * 8 * 2 + words_for(c.bodies) * 8 + bodies * 4 + 4 * 64;
+    const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;
     const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
                              joint_run_capacity(c) * joint_run_bytes + 7 * 64;
-    const std::size_t planning = bodies * 4 * 4 + (std::size_t{c.contacts} + c.joints) * 16 + std::size_t{batch_capacity(c)} * color_count * 4 +
-                                 std::size_t{batch_capacity(c)} * (color_count + 1) * joint_type_count * 4 + 8 * 64;
-    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + row_capacity(c) * row_bytes +
-                              joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 + 7 * 64;
+    const std::size_t planning = bodies * 4 * 4 + (std::size_t{c.contacts} + c.joints) * 16 +
+                                 std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_type_count) * 4 + 9 * 64;
+    const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 + 4 * 64;
+    const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * 64;
+    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes) + max_of(rows, finish) + 2 * 64;
     return max_of(plan + max_of(planning, solve), max_of(pairs, collide));
 }
 

@@ -7,6 +7,7 @@
 
 #include "islet/geometry.hpp"
 #include "islet/math.hpp"
+#include "islet/tasks.hpp"
 
 namespace islet {
 
@@ -117,6 +118,7 @@ struct WorldDef {
     std::uint32_t lanes = 0;             ///< 1, 4 or 8 constraints at once; 0 picks the widest the processor has. The bits are the same.
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
+    TaskSystem tasks = {};               ///< Threads to step with; none by default. The bits are the same.
 };
 
 enum class BodyType : std::uint8_t {

@@ -40,6 +40,10 @@ public:
     SolverDef solver() const;
     /// Out of range values are refused (out_of_range) and nothing changes.
     void set_solver(const SolverDef& solver);
+    TaskSystem tasks() const;
+    /// Threads to step with from now on. workers of 0 or above max_workers is refused (out_of_range). Not part of the state: no hash and no snapshot
+    /// knows of it.
+    void set_tasks(const TaskSystem& tasks);
     /// Turning sleep off wakes everything.
     void enable_sleep(bool enable);
 

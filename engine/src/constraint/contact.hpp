@@ -13,6 +13,7 @@
 #include "math/lanes.hpp"
 #include "math/scalar.hpp"
 #include "constraint/contact_rows.hpp"
+#include "constraint/lane_vectors.hpp"
 
 namespace islet::detail {
 
@@ -163,8 +164,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
         const F px = nx * sum_n + ny * sum_t, py = ny * sum_n - nx * sum_t;
         const F out_a[4] = {a[4] - a[3] * px, a[5] - a[3] * py, a[6] - a[7] * wa, a[7]};
         const F out_b[4] = {b[4] + b[3] * px, b[5] + b[3] * py, b[6] + b[7] * wb, b[7]};
-        L::template scatter4<body_words>(bodies + 4, r.body_a, out_a);
-        L::template scatter4<body_words>(bodies + 4, r.body_b, out_b);
+        scatter_pushed<L>(bodies + 4, r.body_a, r.body_b, a[3], b[3], out_a, out_b);
     }
 }
 
@@ -262,8 +262,7 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
         const F px = nx * sum_n + ny * sum_t, py = ny * sum_n - nx * sum_t;
         const F out_a[4] = {a[0] - a[3] * px, a[1] - a[3] * py, wa, a[3]};
         const F out_b[4] = {b[0] + b[3] * px, b[1] + b[3] * py, wb, b[3]};
-        L::template scatter4<body_words>(bodies, r.body_a, out_a);
-        L::template scatter4<body_words>(bodies, r.body_b, out_b);
+        scatter_pushed<L>(bodies, r.body_a, r.body_b, a[3], b[3], out_a, out_b);
     }
 }
 
@@ -307,8 +306,7 @@ void ContactKernel<L>::restitute(SolverBody* bodies_in, Rows* rows, std::uint32_
         const F px = nx * sum, py = ny * sum;
         const F out_a[4] = {a[0] - a[3] * px, a[1] - a[3] * py, wa, a[3]};
         const F out_b[4] = {b[0] + b[3] * px, b[1] + b[3] * py, wb, b[3]};
-        L::template scatter4<body_words>(bodies, r.body_a, out_a);
-        L::template scatter4<body_words>(bodies, r.body_b, out_b);
+        scatter_pushed<L>(bodies, r.body_a, r.body_b, a[3], b[3], out_a, out_b);
     }
 }
 

@@ -81,6 +81,7 @@ inline void prepare(GearRows<1>& r, std::uint32_t, std::uint32_t joint, const Jo
     r.mass = k > 0 ? 1.0f / k : 0;
     for (std::uint32_t i = 0; i < 4; ++i) {
         SolverBody& b = in.bodies[r.slots[i]];
+        if (!(b.inv_mass > 0)) continue;  // only read: see scatter_pushed
         b.dp += (b.inv_mass * r.impulse) * Vec2{r.ux[i], r.uy[i]};
         b.dq += b.inv_inertia * r.impulse * r.s[i];
     }
@@ -100,6 +101,7 @@ void solve(SolverBody* bodies, GearRows<1>& r, const JointSweep& n) {
     r.impulse += delta;
     for (std::uint32_t i = 0; i < 4; ++i) {
         SolverBody& b = bodies[r.slots[i]];
+        if (!(b.inv_mass > 0)) continue;
         b.v += effect<Lane1>(b.inv_mass, delta) * Vec2{r.ux[i], r.uy[i]};
         b.w += effect<Lane1>(b.inv_inertia, delta) * r.s[i];
     }

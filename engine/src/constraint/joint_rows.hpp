@@ -144,6 +144,14 @@ void set_ends(JointEnds<W>& r, std::uint32_t lane, std::uint32_t joint, const Jo
     r.dy[lane] = p.d.y;
 }
 
+/// What an impulse adds to a body's velocity waits in its dp and dq for the first substep. Bodies that cannot be pushed are only read (see
+/// scatter_pushed).
+inline void add_warm_start(SolverBody& b, Vec2 impulse, float angular) {
+    if (!(b.inv_mass > 0)) return;
+    b.dp += b.inv_mass * impulse;
+    b.dq += b.inv_inertia * angular;
+}
+
 /// Starts from impulse p and the two angular impulses: remembered as applied, and added to the bodies' dp and dq, where they wait for the first substep.
 template <std::uint32_t W>
 void warm_start(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, const JointInput& in, Vec2 p, float ta, float tb) {
@@ -151,12 +159,8 @@ void warm_start(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, 
     applied.py[lane] = p.y;
     applied.ta[lane] = ta;
     applied.tb[lane] = tb;
-    SolverBody& a = in.bodies[r.body_a[lane]];
-    SolverBody& b = in.bodies[r.body_b[lane]];
-    a.dp -= a.inv_mass * p;
-    a.dq -= a.inv_inertia * ta;
-    b.dp += b.inv_mass * p;
-    b.dq += b.inv_inertia * tb;
+    add_warm_start(in.bodies[r.body_a[lane]], -p, -ta);
+    add_warm_start(in.bodies[r.body_b[lane]], p, tb);
 }
 
 /// The same for an impulse at B's anchor that acts on A at its own anchor, or, along a line of A, where B's anchor is; and an angular impulse.
@@ -292,10 +296,10 @@ void store_applied(const Applied<W>& applied, const JointEnds<W>& r, std::uint32
     const Vec2 p = {applied.px[lane], applied.py[lane]};
     j.force_impulse = p;
     if (!is_sound(p.x, p.y, 0)) return;
-    // Slot 0, what rests, is not stretched.
+    // What cannot be pushed is not stretched.
     const std::uint32_t a = r.body_a[lane], b = r.body_b[lane];
-    if (b != 0) out.bodies[j.body_b].stretch += out.h * dot(turned(out.solved[b].dq, r.rbx[lane], r.rby[lane]), p);
-    if (a != 0) out.bodies[j.body_a].stretch -= out.h * dot(turned(out.solved[a].dq, r.rax[lane], r.ray[lane]), p);
+    if (out.solved[b].inv_mass > 0) out.bodies[j.body_b].stretch += out.h * dot(turned(out.solved[b].dq, r.rbx[lane], r.rby[lane]), p);
+    if (out.solved[a].inv_mass > 0) out.bodies[j.body_a].stretch -= out.h * dot(turned(out.solved[a].dq, r.rax[lane], r.ray[lane]), p);
 }
 
 }  // namespace islet::detail

@@ -76,6 +76,21 @@ ISLET_LANE LaneVec<typename L::F> turn(typename L::F d, LaneVec<typename L::F> v
     return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
+/// Writes four words back to each of two bodies. Those that cannot be pushed (`ma`, `mb`: inverse masses of 0) are only ever read: constraints of one
+/// colour share them, and may be solved on several threads.
+template <class L>
+ISLET_LANE void scatter_pushed(float* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b, typename L::F ma, typename L::F mb,
+                               const typename L::F out_a[4], const typename L::F out_b[4]) {
+    constexpr std::uint32_t words = sizeof(SolverBody) / 4;
+    if (L::positive(min(ma, mb)) == (1u << L::width) - 1) {
+        L::template scatter4<words>(bodies, body_a, out_a);
+        L::template scatter4<words>(bodies, body_b, out_b);
+    } else {
+        L::template scatter4_where<words>(L::positive(ma), bodies, body_a, out_a);
+        L::template scatter4_where<words>(L::positive(mb), bodies, body_b, out_b);
+    }
+}
+
 /// The two bodies of a block of joints.
 template <class L>
 struct JointBodies {
@@ -106,11 +121,9 @@ struct JointBodies {
         ib = b[7];
     }
     ISLET_LANE void scatter(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
-        constexpr std::uint32_t words = sizeof(SolverBody) / 4;
         const F out_a[4] = {va.x, va.y, wa, ma};
         const F out_b[4] = {vb.x, vb.y, wb, mb};
-        L::template scatter4<words>(reinterpret_cast<float*>(bodies), body_a, out_a);
-        L::template scatter4<words>(reinterpret_cast<float*>(bodies), body_b, out_b);
+        scatter_pushed<L>(reinterpret_cast<float*>(bodies), body_a, body_b, ma, mb, out_a, out_b);
     }
     /// An impulse on B and its opposite on A, and an angular impulse on each: B turned by its own, A against its own.
     ISLET_LANE void push(LaneVec<F> impulse, F angular_a, F angular_b) {

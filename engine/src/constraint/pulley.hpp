@@ -45,10 +45,8 @@ void prepare(PulleyRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Jo
     r.applied_b[lane] = cross(p.rb, pb);
     SolverBody& body_a = in.bodies[r.ends.body_a[lane]];
     SolverBody& body_b = in.bodies[r.ends.body_b[lane]];
-    body_a.dp += body_a.inv_mass * pa;
-    body_a.dq += body_a.inv_inertia * r.applied_a[lane];
-    body_b.dp += body_b.inv_mass * pb;
-    body_b.dq += body_b.inv_inertia * r.applied_b[lane];
+    add_warm_start(body_a, pa, r.applied_a[lane]);
+    add_warm_start(body_b, pb, r.applied_b[lane]);
 }
 
 /// One side of the rope.
@@ -117,8 +115,7 @@ ISLET_LANE void solve(SolverBody* bodies, PulleyRows<L::width>& r, const JointSw
     L::store(r.tension, tension);
     const F out_a[4] = {va.x, va.y, wa, a[3]};
     const F out_b[4] = {vb.x, vb.y, wb, b[3]};
-    L::template scatter4<words>(reinterpret_cast<float*>(bodies), r.ends.body_a, out_a);
-    L::template scatter4<words>(reinterpret_cast<float*>(bodies), r.ends.body_b, out_b);
+    scatter_pushed<L>(reinterpret_cast<float*>(bodies), r.ends.body_a, r.ends.body_b, a[3], b[3], out_a, out_b);
 }
 
 template <std::uint32_t W>

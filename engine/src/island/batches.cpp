@@ -1,6 +1,7 @@
 #include "island/batches.hpp"
 
 #include "constraint/joint_runs.hpp"
+#include "memory/parallel.hpp"
 
 namespace islet::detail {
 
@@ -31,6 +32,105 @@ struct Edge {
 };
 
 constexpr std::uint32_t kinematic_bit = 1u << 31;
+
+// The touching contacts, cut into parts that are planned side by side: each lists its edges in its own piece of the array, counts them by place, and puts
+// them where the counts of all say. What is listed and put is the same however it is cut.
+struct EdgeList {
+    Edge* edges = nullptr;
+    std::uint32_t parts = 1;
+    std::uint32_t words = 0;                      // of the set of awake contacts, in a part
+    std::uint32_t first[max_plan_parts] = {};     // edge of each part
+    std::uint32_t end[max_plan_parts] = {};
+
+    template <class Visit>
+    [[gnu::always_inline]] void for_each(Visit&& visit) const {
+        for (std::uint32_t p = 0; p < parts; ++p)
+            for (std::uint32_t k = first[p]; k < end[p]; ++k) visit(edges[k]);
+    }
+};
+
+EdgeList list_edges(const Core& core, const Plan& plan, Edge* edges) {
+    const BitSet awake = core.awake_contacts;
+    EdgeList list;
+    list.edges = edges;
+    list.words = awake.word_count;
+    if (has_workers(core)) {
+        list.words = range_count(awake.word_count, plan_parts(core.capacity));
+        list.parts = range_count(awake.word_count, list.words);
+        for (std::uint32_t p = 1; p < list.parts; ++p)
+            list.first[p] = list.first[p - 1] + awake.count_in((p - 1) * list.words, p * list.words);
+    }
+    for_ranges(core, awake.word_count, list.words, [&](std::uint32_t first, std::uint32_t end) {
+        const std::uint32_t part = first / list.words;
+        std::uint32_t at = list.first[part];
+        awake.for_each_in(first, end, [&](std::uint32_t i) {
+            const ContactManifold& m = core.manifolds[i];
+            if ((m.flags & contact_touching) == 0) return;
+            edges[at++] = {i, plan.slot_of[m.body_a], plan.slot_of[m.body_b], m.color()};
+        });
+        list.end[part] = at;
+    });
+    return list;
+}
+
+// Contacts into (batch, colour) order: count, lay out whole blocks, place. batch_of(edge) says which batch.
+template <class BatchOf>
+void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&& batch_of, Arena temporary) {
+    constexpr std::uint32_t places = color_count + 1;  // per batch, the last for what has no colour
+    const std::uint32_t lanes = core.lanes;
+    const std::size_t part_size = std::size_t{plan.batch_count} * places;
+    std::uint32_t* next = temporary.take<std::uint32_t>(part_size * list.parts);
+    for_ranges(core, list.parts, 1, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t p = first; p < end; ++p) {
+            std::uint32_t* count = next + p * part_size;
+            std::memset(count, 0, part_size * 4);
+            for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
+                Edge& e = list.edges[k];
+                e.a = batch_of(e) * places + (e.color == no_color ? color_count : e.color);
+                ++count[e.a];
+            }
+        }
+    });
+
+    std::uint32_t block = 0;
+    std::uint32_t overflow = 0;
+    const auto place = [&](std::size_t entry, std::uint32_t start) {
+        for (std::uint32_t p = 0; p < list.parts; ++p) {
+            std::uint32_t& count = next[p * part_size + entry];
+            const std::uint32_t here = count;
+            count = start;
+            start += here;
+        }
+        return start;
+    };
+    for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
+        Batch& batch = plan.batches[b];
+        for (std::uint32_t c = 0; c < color_count; ++c) {
+            batch.first_block[c] = block;
+            const std::uint32_t end = place(std::size_t{b} * places + c, block * lanes);
+            if (end == block * lanes) continue;
+            plan.colors |= 1u << c;
+            block = (end + lanes - 1) / lanes;
+            for (std::uint32_t i = end; i < block * lanes; ++i) plan.contacts[i] = null_index;
+        }
+        batch.first_block[color_count] = block;
+        batch.first_overflow = overflow;
+        batch.end_overflow = overflow = place(std::size_t{b} * places + color_count, overflow);
+    }
+    plan.block_count = block;
+    plan.overflow_count = overflow;
+
+    std::uint32_t* const overflows = plan.contacts + std::size_t{block} * lanes;
+    for_ranges(core, list.parts, 1, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t p = first; p < end; ++p) {
+            std::uint32_t* at = next + p * part_size;
+            for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
+                const Edge& e = list.edges[k];
+                (e.color == no_color ? overflows : plan.contacts)[at[e.a]++] = e.constraint;
+            }
+        }
+    });
+}
 
 // Joints into (batch, colour, kernel) order: count, lay out runs of whole blocks, place. Joints without a colour come first in their batch, in
 // blocks of one.
@@ -106,16 +206,22 @@ Plan make_plan(const Core& core, Arena& arena) {
     island[0] = null_index;
     plan.slot_count = n;
 
-    Edge* edges = temporary.take<Edge>(contacts);
-    std::uint32_t edge_count = 0;
-    core.awake_contacts.for_each([&](std::uint32_t i) {
-        const ContactManifold& m = core.manifolds[i];
-        if ((m.flags & contact_touching) == 0) return;
-        const Edge e{i, plan.slot_of[m.body_a], plan.slot_of[m.body_b], m.color()};
-        edges[edge_count++] = e;
-        if (island[e.a] != null_index && island[e.b] != null_index) join(parent, e.a, e.b);
-    });
-    plan.touching_count = edge_count;
+    // How many constraints each body adds to its island, and whether one of them is with a kinematic body.
+    std::uint32_t* weight = temporary.take<std::uint32_t>(bodies + 1);
+    std::memset(weight, 0, std::size_t{n} * 4);
+    const auto add_edge = [&](const Edge& e) {
+        const bool moves_a = island[e.a] != null_index, moves_b = island[e.b] != null_index;
+        std::uint32_t& w = weight[moves_a ? e.a : e.b];
+        ++w;
+        if (moves_a && moves_b) {
+            join(parent, e.a, e.b);
+        } else if ((moves_a ? e.b : e.a) != 0) {
+            w |= kinematic_bit;
+        }
+    };
+    const EdgeList edges = list_edges(core, plan, temporary.take<Edge>(contacts));
+    edges.for_each(add_edge);
+    for (std::uint32_t p = 0; p < edges.parts; ++p) plan.touching_count += edges.end[p] - edges.first[p];
     Edge* joint_edges = temporary.take<Edge>(joints);
     const BitSet awake_joints = has_joints ? core.awake_joints : BitSet{};
     awake_joints.for_each([&](std::uint32_t i) {
@@ -124,36 +230,29 @@ Plan make_plan(const Core& core, Arena& arena) {
         const bool moves_a = island[e.a] != null_index, moves_b = island[e.b] != null_index;
         if (!moves_a && !moves_b) return;  // both bodies have become static or kinematic
         joint_edges[plan.joint_count++] = e;
-        if (moves_a && moves_b) join(parent, e.a, e.b);
+        add_edge(e);
     });
 
-    // Number the islands by their roots; a root is the smallest of its island, so one pass in order is enough.
+    // Number the islands by their roots; a root is the smallest of its island, so one pass in order is enough. An island's weight takes its number's place
+    // in `weight`, which is never beyond the body whose own weight was just read.
     std::uint32_t islands = 0;
     for (std::uint32_t i = 1; i < n; ++i) {
         if (island[i] == null_index) continue;
+        const std::uint32_t own = weight[i];
         if (parent[i] == i) {
-            island[i] = islands++;
-        } else {
-            parent[i] = find_root(parent, i);
-            island[i] = island[parent[i]];
+            island[i] = islands;
+            weight[islands++] = own;
+            continue;
         }
+        parent[i] = find_root(parent, i);
+        island[i] = island[parent[i]];
+        weight[island[i]] = ((weight[island[i]] & ~kinematic_bit) + (own & ~kinematic_bit)) | ((weight[island[i]] | own) & kinematic_bit);
     }
     plan.island_count = islands;
+    const auto batch_of = [&](const Edge& e) { return weight[island[e.a] != null_index ? island[e.a] : island[e.b]]; };  // once it is known
 
-    // Constraints per island, and which islands touch a kinematic body: those all go to batch 0, together with the kinematic bodies, so that no two
-    // batches ever share a moving body.
-    std::uint32_t* weight = temporary.take<std::uint32_t>(islands + 1);
-    std::memset(weight, 0, std::size_t{islands} * 4);
-    const auto island_of_edge = [&](const Edge& e) { return island[e.a] != null_index ? island[e.a] : island[e.b]; };
-    const auto weigh = [&](const Edge& e) {
-        std::uint32_t& w = weight[island_of_edge(e)];
-        ++w;
-        if ((e.a != 0 && island[e.a] == null_index) || (e.b != 0 && island[e.b] == null_index)) w |= kinematic_bit;
-    };
-    for (std::uint32_t k = 0; k < edge_count; ++k) weigh(edges[k]);
-    for (std::uint32_t k = 0; k < plan.joint_count; ++k) weigh(joint_edges[k]);
-
-    // Islands into batches, in order. `weight` becomes the batch of the island.
+    // Islands into batches, in order. Those that touch a kinematic body all go to batch 0, together with the kinematic bodies, so that no two batches ever
+    // share a moving body. `weight` becomes the batch of the island.
     std::uint32_t batch = 1;
     std::uint32_t filled = 0;
     for (std::uint32_t i = 0; i < islands; ++i) {
@@ -187,48 +286,8 @@ Plan make_plan(const Core& core, Arena& arena) {
         plan.slot_of[list[i]] = slot;
     }
 
-    // Contacts into (batch, colour) order: count, lay out whole blocks, place.
-    const std::uint32_t lanes = core.lanes;
-    for (std::uint32_t k = 0; k < edge_count; ++k) {
-        Edge& e = edges[k];
-        const std::uint32_t b = weight[island_of_edge(e)];
-        if (e.color == no_color) {
-            ++plan.batches[b].end_overflow;
-        } else {
-            ++plan.batches[b].first_block[e.color];
-            plan.colors |= 1u << e.color;
-        }
-        e.a = b;
-    }
-    std::uint32_t block = 0;
-    std::uint32_t overflow = 0;
-    for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
-        for (std::uint32_t& entry : plan.batches[b].first_block) {
-            const std::uint32_t count = entry;
-            entry = block;
-            block += (count + lanes - 1) / lanes;
-        }
-        const std::uint32_t count = plan.batches[b].end_overflow;
-        plan.batches[b].first_overflow = plan.batches[b].end_overflow = overflow;
-        overflow += count;
-    }
-    plan.block_count = block;
-    plan.overflow_count = overflow;
-    const std::size_t padded = std::size_t{block} * lanes;
-    std::memset(plan.contacts, 0xff, padded * 4);
-
-    std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * color_count);
-    for (std::uint32_t b = 0; b < plan.batch_count; ++b)
-        for (std::uint32_t c = 0; c < color_count; ++c) next[b * color_count + c] = plan.batches[b].first_block[c] * lanes;
-    for (std::uint32_t k = 0; k < edge_count; ++k) {
-        const Edge& e = edges[k];
-        if (e.color == no_color) {
-            plan.contacts[padded + plan.batches[e.a].end_overflow++] = e.constraint;
-        } else {
-            plan.contacts[next[e.a * color_count + e.color]++] = e.constraint;
-        }
-    }
-    plan_joints(core, plan, joint_edges, [&](const Edge& e) { return weight[island_of_edge(e)]; }, temporary);
+    plan_contacts(core, plan, edges, batch_of, temporary);
+    plan_joints(core, plan, joint_edges, batch_of, temporary);
     return plan;
 }
 

@@ -52,6 +52,13 @@ struct Lane1 {
         float* p = base + std::size_t{stride} * index[0];
         for (int i = 0; i < 4; ++i) p[i] = in[i];
     }
+    /// The same for those records only whose bit is set.
+    template <std::uint32_t stride>
+    ISLET_LANE static void scatter4_where(std::uint32_t bits, float* base, const std::uint32_t* index, const F in[4]) {
+        if (bits != 0) scatter4<stride>(base, index, in);
+    }
+    /// Bit i is set if lane i is above zero.
+    ISLET_LANE static std::uint32_t positive(F a) { return a > 0 ? 1u : 0u; }
 };
 
 // Four lanes by the compiler's vector extension: SSE2, NEON, wasm-simd128, or plain code where there is none.
@@ -129,6 +136,14 @@ struct Lane4 {
         transpose4(in[0], in[1], in[2], in[3], r);
         for (int i = 0; i < 4; ++i) store4(base + std::size_t{stride} * index[i], r[i]);
     }
+    template <std::uint32_t stride>
+    ISLET_LANE static void scatter4_where(std::uint32_t bits, float* base, const std::uint32_t* index, const F in[4]) {
+        f4 r[4];
+        transpose4(in[0], in[1], in[2], in[3], r);
+        for (std::uint32_t i = 0; i < 4; ++i)
+            if ((bits >> i & 1u) != 0) store4(base + std::size_t{stride} * index[i], r[i]);
+    }
+    ISLET_LANE static std::uint32_t positive(F a) { return mask_bits(a > F{}); }
 };
 
 #if defined(__AVX2__)
@@ -173,6 +188,16 @@ struct Lane8 {
             _mm_storeu_ps(base + std::size_t{stride} * index[i + 4], _mm256_extractf128_ps(r[i], 1));
         }
     }
+    template <std::uint32_t stride>
+    ISLET_LANE static void scatter4_where(std::uint32_t bits, float* base, const std::uint32_t* index, const F in[4]) {
+        f8 r[4];
+        transpose(in, r);
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            if ((bits >> i & 1u) != 0) _mm_storeu_ps(base + std::size_t{stride} * index[i], _mm256_castps256_ps128(r[i]));
+            if ((bits >> i & 16u) != 0) _mm_storeu_ps(base + std::size_t{stride} * index[i + 4], _mm256_extractf128_ps(r[i], 1));
+        }
+    }
+    ISLET_LANE static std::uint32_t positive(F a) { return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<f8>(a > F{}))); }
 
 private:
     ISLET_LANE static void transpose(const f8 r[4], f8 out[4]) {

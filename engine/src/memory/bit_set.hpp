@@ -12,6 +12,14 @@ struct BitSet {
     std::uint64_t* words = nullptr;
     std::uint32_t word_count = 0;
 
+    /// Set bits of a word: sums of neighbours two, four and eight bits wide, then all bytes at once. (The compiler's own may be a library call.)
+    static std::uint32_t bits_of(std::uint64_t x) {
+        x -= x >> 1 & 0x5555555555555555ull;
+        x = (x & 0x3333333333333333ull) + (x >> 2 & 0x3333333333333333ull);
+        x = (x + (x >> 4)) & 0x0f0f0f0f0f0f0f0full;
+        return static_cast<std::uint32_t>((x * 0x0101010101010101ull) >> 56);
+    }
+
     bool test(std::uint32_t i) const { return (part(i) >> (i % part_bits) & 1) != 0; }
     void set(std::uint32_t i) const { part(i) |= Part{1} << (i % part_bits); }
     void clear(std::uint32_t i) const { part(i) &= ~(Part{1} << (i % part_bits)); }
@@ -19,9 +27,12 @@ struct BitSet {
     void clear_all() const { std::memset(words, 0, std::size_t{word_count} * 8); }
 
     std::uint32_t count() const {
+        return count_in(0, word_count);
+    }
+    /// Bits set in the words first <= w < end.
+    std::uint32_t count_in(std::uint32_t first, std::uint32_t end) const {
         std::uint32_t n = 0;
-        for (std::uint32_t w = 0; w < word_count; ++w)
-            for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) ++n;
+        for (std::uint32_t w = first; w < end; ++w) n += bits_of(words[w]);
         return n;
     }
 
@@ -29,7 +40,12 @@ struct BitSet {
     /// bits freely; bits set in later words are visited, those set in the current one are not.
     template <class Visit>
     [[gnu::always_inline]] void for_each(Visit&& visit) const {
-        for (std::uint32_t w = 0; w < word_count; ++w)
+        for_each_in(0, word_count, visit);
+    }
+    /// The same for the words first <= w < end only.
+    template <class Visit>
+    [[gnu::always_inline]] void for_each_in(std::uint32_t first, std::uint32_t end, Visit&& visit) const {
+        for (std::uint32_t w = first; w < end; ++w)
             for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1)
                 visit(w * 64 + lowest(bits));
     }

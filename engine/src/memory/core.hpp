@@ -17,6 +17,7 @@ struct Core {
     Error last_error = Error::none;
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
+    TaskSystem tasks;
 
     State* state = nullptr;
     Pose* poses = nullptr;

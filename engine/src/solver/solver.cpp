@@ -3,6 +3,7 @@
 #include "math/lanes.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
+#include "memory/parallel.hpp"
 #include "constraint/contact.hpp"
 #include "solver/joint_solve.hpp"
 
@@ -109,11 +110,11 @@ void choose_numbers(Solve& s, float dt) {
 // "Stable Constrained Dynamics", 2015). Elsewhere nothing changes. `stretch` is h^2 S as the last step left it.
 float stiffened(float inv_inertia, float stretch) { return stretch * inv_inertia > 1.0f ? 1.0f / stretch : inv_inertia; }
 
-void gather_bodies(Solve& s, const Batch& batch) {
+void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
     const Core& core = s.core;
     const Vec2 gravity = core.state->gravity;
     const float h = s.numbers.h;
-    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
+    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         const std::uint32_t i = s.plan.body_of[slot];
         const Pose& pose = core.poses[i];
         const Motion& motion = core.motions[i];
@@ -151,10 +152,10 @@ float limit_turn(float w, float max_turn) { return w == w ? clamp(w, -max_turn, 
 
 // v <- factor (v + a) + warm start. Within a step anchors and normals do not change, so the warm start of a later substep, M^-1 J^T lambda summed over a
 // body's rows, is just what the sweeps of the substep before made of its velocity: v - v_free. One addition a body replaces a pass over all rows.
-void integrate_velocities(Solve& s, const Batch& batch, bool first) {
+void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot, bool first) {
     const float max_speed = s.numbers.max_speed;
     const float max_turn = s.numbers.max_turn;
-    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
+    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
         SolverMotion& m = s.motions[slot];
         Vec2 dv = b.v - m.v_free;
@@ -176,11 +177,11 @@ void integrate_velocities(Solve& s, const Batch& batch, bool first) {
     }
 }
 
-void integrate_positions(Solve& s, const Batch& batch) {
+void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
     const float h = s.numbers.h;
     const float max_speed = s.numbers.max_speed;
     const float max_turn = s.numbers.max_turn;  // separations follow the turning to first order, so no substep may turn far
-    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
+    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
         if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
         b.w = limit_turn(b.w, max_turn);
@@ -189,9 +190,9 @@ void integrate_positions(Solve& s, const Batch& batch) {
     }
 }
 
-void scatter_bodies(Solve& s, const Batch& batch) {
+void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
     const float max_turn = 0.5f * pi;
-    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot) {
+    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         const std::uint32_t i = s.plan.body_of[slot];
         SolverBody& b = s.bodies[slot];
         b.dq = clamp(b.dq, -max_turn, max_turn);
@@ -241,72 +242,166 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
     }
 }
 
+inline constexpr std::uint32_t wide_contacts = 2 * batch_contacts;  // from so many contacts and joints on all workers solve a batch together
+inline constexpr std::uint32_t contact_grain = 192;                 // contacts of a colour, joints of a run and bodies that are worth a task
+inline constexpr std::uint32_t joint_grain = 128;
+inline constexpr std::uint32_t body_grain = 512;
+
+/// One batch, to be solved by one thread, or, if it is wide, by all workers stage by stage. All constraints of a colour are independent, and so are all
+/// bodies while they are integrated; so nothing depends on how they are cut.
+template <class K>
+struct BatchSolve {
+    using Rows = typename K::Rows;
+    static constexpr std::uint32_t W = K::W;
+
+    Solve& s;
+    const Batch& batch;
+    bool wide;
+    Rows* rows = reinterpret_cast<Rows*>(s.blocks);
+    ContactRows<1>* overflow = s.overflow + batch.first_overflow;
+    std::uint32_t overflow_count = batch.end_overflow - batch.first_overflow;
+
+    template <class Work>
+    void over(std::uint32_t count, std::uint32_t grain, Work&& work) {
+        if (wide) {
+            for_ranges(s.core, count, grain, work);
+        } else if (count > 0) {
+            work(0u, count);
+        }
+    }
+
+    /// work(first, end) over the slots of the batch's bodies.
+    template <class Work>
+    void over_bodies(Work&& work) {
+        over(batch.end_slot - batch.first_slot, body_grain,
+             [&](std::uint32_t first, std::uint32_t end) { work(batch.first_slot + first, batch.first_slot + end); });
+    }
+
+    /// work(first block, end block, colour), colour by colour: rows of one colour share no body that can be pushed.
+    template <class Work>
+    void over_colors(Work&& work) {
+        for (std::uint32_t c = 0; c < color_count; ++c) {
+            const std::uint32_t begin = batch.first_block[c];
+            over(batch.first_block[c + 1] - begin, contact_grain / W,
+                 [&](std::uint32_t first, std::uint32_t end) { work(begin + first, begin + end, c); });
+        }
+    }
+
+    /// work(part of the run, its rows), of a run that has a colour.
+    template <class Work>
+    void over_run(const JointRun& r, Work&& work) {
+        JointRun block = r;
+        block.blocks = 1;
+        const std::size_t block_bytes = joint_run_bytes_of(block, W);
+        over(r.blocks, joint_grain / W, [&](std::uint32_t first, std::uint32_t end) {
+            JointRun part = r;
+            part.first += first * W;
+            part.blocks = end - first;
+            work(part, s.joint_rows + r.offset + first * block_bytes);
+        });
+    }
+
+    void run();
+    void prepare();
+    void sweep(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
+    void store();
+};
+
+template <class K>
+void BatchSolve<K>::prepare() {
+    over_bodies([&](std::uint32_t first, std::uint32_t end) { gather_bodies(s, first, end); });
+    const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers};
+    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) {
+        name_contacts(s.core, rows + first, end - first, s.plan.contacts + std::size_t{first} * W);
+        K::prepare(in, rows + first, end - first);
+    });
+    name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
+    ContactKernel<Lane1>::prepare(in, overflow, overflow_count);
+
+    const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers};
+    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
+        const JointRun& r = s.plan.runs[i];
+        if (r.color == no_color) {
+            prepare_joint_run(r, W, s.joint_rows + r.offset, s.plan.joints + r.first, joints);
+        } else {
+            over_run(r, [&](const JointRun& part, std::byte* blocks) { prepare_joint_run(part, W, blocks, s.plan.joints + part.first, joints); });
+        }
+    }
+}
+
 // Every colour of a batch, joints before contacts, those of static bodies last; what has no colour first.
 template <class K>
-void sweep(Solve& s, const Batch& batch, typename K::Rows* rows, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
+void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
     std::uint32_t run = batch.first_run;
     for (; run < batch.end_run && s.plan.runs[run].color == no_color; ++run) {
         const JointRun& r = s.plan.runs[run];
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
-    ContactKernel<Lane1>::solve(s.bodies, s.overflow + batch.first_overflow, batch.end_overflow - batch.first_overflow, dynamic);
+    ContactKernel<Lane1>::solve(s.bodies, overflow, overflow_count, dynamic);
     for (std::uint32_t c = 0; c < color_count; ++c) {
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
-            solve_joint_run(r, K::W, s.bodies, s.joint_rows + r.offset, joints);
+            over_run(r, [&](const JointRun& part, std::byte* blocks) { solve_joint_run(part, W, s.bodies, blocks, joints); });
         }
-        const std::uint32_t first = batch.first_block[c];
-        const std::uint32_t end = batch.first_block[c + 1];
-        if (first == end) continue;
-        K::solve(s.bodies, rows + first, end - first, c < dynamic_color_limit ? dynamic : ground);
+        const std::uint32_t begin = batch.first_block[c];
+        const std::uint32_t count = batch.first_block[c + 1] - begin;
+        if (count == 0) continue;
+        const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
+        over(count, contact_grain / W,
+             [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, rows + begin + first, end - first, numbers); });
     }
 }
 
 template <class K>
-void solve_batch(Solve& s, const Batch& batch) {
-    typename K::Rows* rows = reinterpret_cast<typename K::Rows*>(s.blocks);
+void BatchSolve<K>::store() {
+    const std::uint32_t begin = batch.first_block[0];
+    over(batch.first_block[color_count] - begin, 4 * contact_grain / W,
+         [&](std::uint32_t first, std::uint32_t end) { K::store(s.core.manifolds, rows + begin + first, end - first); });
+    ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count);
+    over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
+    const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.h};
+    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
+        const JointRun& r = s.plan.runs[i];
+        if (r.color == no_color) {
+            store_joint_run(r, W, s.joint_rows + r.offset, out);
+        } else {
+            over_run(r, [&](const JointRun& part, std::byte* blocks) { store_joint_run(part, W, blocks, out); });
+        }
+    }
+}
+
+template <class K>
+void BatchSolve<K>::run() {
     const SolverDef def = unpack(s.core.state->solver);
-    const std::uint32_t first_block = batch.first_block[0];
-    const std::uint32_t blocks = batch.first_block[color_count] - first_block;
-    const std::uint32_t overflow = batch.end_overflow - batch.first_overflow;
-    ContactRows<1>* overflow_rows = s.overflow + batch.first_overflow;
-    const std::uint32_t* overflow_contacts = s.plan.contacts + std::size_t{s.plan.block_count} * K::W + batch.first_overflow;
-
-    gather_bodies(s, batch);
-    name_contacts(s.core, rows + first_block, blocks, s.plan.contacts + std::size_t{first_block} * K::W);
-    name_contacts(s.core, overflow_rows, overflow, overflow_contacts);
-    const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers};
-    // Colour by colour: rows of one colour share no body, which warm starting relies on.
-    for (std::uint32_t c = 0; c < color_count; ++c)
-        K::prepare(in, rows + batch.first_block[c], batch.first_block[c + 1] - batch.first_block[c]);
-    ContactKernel<Lane1>::prepare(in, overflow_rows, overflow);
-    const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers};
-    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
-        const JointRun& r = s.plan.runs[i];
-        prepare_joint_run(r, K::W, s.joint_rows + r.offset, s.plan.joints + r.first, joints);
-    }
-
+    prepare();
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
-        integrate_velocities(s, batch, substep == 0);
-        for (std::uint32_t i = 0; i < def.iterations; ++i) sweep<K>(s, batch, rows, s.biased, s.ground, s.biased_joints);
-        integrate_positions(s, batch);
+        over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_velocities(s, first, end, substep == 0); });
+        for (std::uint32_t i = 0; i < def.iterations; ++i) sweep(s.biased, s.ground, s.biased_joints);
+        over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_positions(s, first, end); });
         if (def.schedule == Schedule::classic) continue;
-        for (std::uint32_t i = 0; i < def.relax_iterations; ++i) sweep<K>(s, batch, rows, s.relaxed, s.relaxed, s.relaxed_joints);
+        for (std::uint32_t i = 0; i < def.relax_iterations; ++i) sweep(s.relaxed, s.relaxed, s.relaxed_joints);
     }
+    const float threshold = s.numbers.restitution_threshold;
+    ContactKernel<Lane1>::restitute(s.bodies, overflow, overflow_count, threshold);
+    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) { K::restitute(s.bodies, rows + first, end - first, threshold); });
+    store();
+}
 
-    ContactKernel<Lane1>::restitute(s.bodies, overflow_rows, overflow, s.numbers.restitution_threshold);
-    for (std::uint32_t c = 0; c < color_count; ++c) {
-        const std::uint32_t count = batch.first_block[c + 1] - batch.first_block[c];
-        K::restitute(s.bodies, rows + batch.first_block[c], count, s.numbers.restitution_threshold);
-    }
-    K::store(s.core.manifolds, rows + first_block, blocks);
-    ContactKernel<Lane1>::store(s.core.manifolds, overflow_rows, overflow);
-    scatter_bodies(s, batch);
-    const JointOutput joints_out{s.core.joints, s.core.bodies, s.bodies, s.numbers.h};
-    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
-        const JointRun& r = s.plan.runs[i];
-        store_joint_run(r, K::W, s.joint_rows + r.offset, joints_out);
-    }
+template <class K>
+void solve_batches(Solve& s) {
+    // Wide batches one after another, each by all workers; then the others side by side, each by one.
+    const auto is_wide = [&](const Batch& b) {
+        if (!has_workers(s.core)) return false;
+        std::uint32_t weight = (b.first_block[color_count] - b.first_block[0]) * K::W;
+        for (std::uint32_t i = b.first_run; i < b.end_run; ++i) weight += s.plan.runs[i].blocks * K::W;
+        return weight >= wide_contacts;
+    };
+    for (std::uint32_t i = 0; i < s.plan.batch_count; ++i)
+        if (is_wide(s.plan.batches[i])) BatchSolve<K>{s, s.plan.batches[i], true}.run();
+    for_ranges(s.core, s.plan.batch_count, 1, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i)
+            if (!is_wide(s.plan.batches[i])) BatchSolve<K>{s, s.plan.batches[i], false}.run();
+    });
 }
 
 // Room for the rows of every run.
@@ -330,19 +425,18 @@ const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.motions = arena.take<SolverMotion>(plan.slot_count);
     s.bodies[0] = SolverBody{};
     s.motions[0] = SolverMotion{};
-    s.blocks = arena.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
-    s.overflow = arena.take<ContactRows<1>>(plan.overflow_count);
-    s.joint_rows = place_joint_rows(plan, core.lanes, arena);
-    for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
-        switch (core.lanes) {
+    Arena rows = arena;  // nobody asks for the rows afterwards
+    s.blocks = rows.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
+    s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
+    s.joint_rows = place_joint_rows(plan, core.lanes, rows);
+    switch (core.lanes) {
 #if ISLET_MAX_LANES >= 8
-            case 8: solve_batch<Kernel8>(s, plan.batches[b]); break;
+        case 8: solve_batches<Kernel8>(s); break;
 #endif
 #if ISLET_MAX_LANES >= 4
-            case 4: solve_batch<ContactKernel<Lane4>>(s, plan.batches[b]); break;
+        case 4: solve_batches<ContactKernel<Lane4>>(s); break;
 #endif
-            default: solve_batch<ContactKernel<Lane1>>(s, plan.batches[b]); break;
-        }
+        default: solve_batches<ContactKernel<Lane1>>(s); break;
     }
     core.state->last_substep = s.numbers.h;
     return s.bodies;

@@ -99,7 +99,11 @@ float slack_of(const Core& core, std::uint32_t body) {
     return slack;
 }
 
-void update_boxes(Core& core, std::uint32_t body, bool force) {
+namespace {
+
+// Calls note(shape, whether its fat box changed).
+template <class Note>
+void fit(Core& core, std::uint32_t body, bool force, Note&& note) {
     const bool is_static = core.bodies[body].type() == BodyType::static_body;
     const Transform t = body_transform(core, body);
     float slack = 3.0e38f;
@@ -108,14 +112,32 @@ void update_boxes(Core& core, std::uint32_t body, bool force) {
         const Geometry& g = core.geometries[shape.geometry];
         const Aabb tight = tight_box(g, t);
         Aabb& fat = core.boxes[s];
-        if (force || !contains(fat, tight)) {
+        const bool leaves = force || !contains(fat, tight);
+        if (leaves) {
             shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
             fat = expand(tight, shape.margin);
-            mark_moved(core, s);
         }
+        note(s, leaves);
         slack = min(slack, room_in(fat, tight));
     }
     core.motions[body].slack = slack;
+}
+
+}  // namespace
+
+void update_boxes(Core& core, std::uint32_t body, bool force) {
+    fit(core, body, force, [&](std::uint32_t shape, bool changed) {
+        if (changed) mark_moved(core, shape);
+    });
+}
+
+void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
+    fit(core, body, force, [&](std::uint32_t shape, bool is_changed) { changed[shape] = is_changed; });
+}
+
+void mark_changed(Core& core, std::uint32_t body, const bool* changed) {
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
+        if (changed[s]) mark_moved(core, s);
 }
 
 Extent body_extent(const Core& core, std::uint32_t body) {

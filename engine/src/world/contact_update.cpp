@@ -11,6 +11,7 @@
 #include "collide/manifold.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
+#include "memory/parallel.hpp"
 #include "world/sleep.hpp"
 
 namespace islet::detail {
@@ -18,6 +19,7 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the bodies may slip before a manifold is made anew
+inline constexpr std::uint32_t update_grain = 4;                // words of 64 contacts that are worth a task
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
 // Against what cannot be pushed, a fast body looks as far ahead as it may come in this step.
@@ -185,15 +187,24 @@ void update_contacts(Core& core, float dt) {
     const BitSet parted = take_bits(core.capacity.contacts);
     const BitSet to_wake = take_bits(core.capacity.bodies);
 
-    std::uint32_t recycled = 0;
-    core.awake_contacts.for_each([&](std::uint32_t i) {
-        const Change change = update(core, i, dt, recycled);
-        if (change == Change::none) return;
-        changed.set(i);
-        if (change == Change::parts) parted.set(i);
+    // Word by word of the set of awake contacts, each range with its own count.
+    const std::uint32_t words = core.awake_contacts.word_count;
+    std::uint32_t* recycled = arena.take<std::uint32_t>(range_count(words, update_grain));
+    core.report.recycled_contacts = 0;
+    std::memset(recycled, 0, std::size_t{range_count(words, update_grain)} * 4);
+    for_ranges(core, words, update_grain, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t kept = 0;
+        core.awake_contacts.for_each_in(first, end, [&](std::uint32_t i) {
+            const Change change = update(core, i, dt, kept);
+            if (change == Change::none) return;
+            changed.set(i);
+            if (change == Change::parts) parted.set(i);
+        });
+        recycled[first / update_grain] = kept;
     });
-    core.report.recycled_contacts = recycled;
+    for (std::uint32_t i = 0; i < range_count(words, update_grain); ++i) core.report.recycled_contacts += recycled[i];
 
+    // What changes shared state, in index order.
     changed.for_each([&](std::uint32_t i) {
         if (parted.test(i)) {
             destroy_contact(core, i);
@@ -203,7 +214,10 @@ void update_contacts(Core& core, float dt) {
             end_touch(core, i);
         }
     });
-    core.awake_bodies.for_each([&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
+    for_ranges(core, core.awake_bodies.word_count, 16, [&](std::uint32_t first, std::uint32_t end) {
+        core.awake_bodies.for_each_in(first, end,
+                                      [&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
+    });
     to_wake.for_each([&](std::uint32_t body) { wake_island(core, body, arena); });
 }
 

@@ -24,10 +24,13 @@ Error check_capacity(const Capacity& c) {
     return some && sane ? Error::none : Error::bad_capacity;
 }
 
+bool is_usable(const TaskSystem& tasks) { return tasks.workers >= 1 && tasks.workers <= max_workers; }
+
 Error check_def(const WorldDef& def) {
     if (!is_finite(def.gravity) || !is_finite(def.restitution_threshold) || !is_finite(def.max_speed)) return Error::not_finite;
     if (def.restitution_threshold < 0 || def.max_speed <= 0 || def.max_speed > max_speed_limit) return Error::out_of_range;
     if (def.lanes != 0 && def.lanes != 1 && def.lanes != 4 && def.lanes != 8) return Error::out_of_range;
+    if (!is_usable(def.tasks)) return Error::out_of_range;
     Error error = Error::none;
     check_solver(def.solver, error);
     return error;
@@ -95,6 +98,7 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     core.lanes = choose_lanes(def.lanes);
     core.error_hook = def.error_hook;
     core.error_context = def.error_context;
+    core.tasks = def.tasks;
     point_into(core, block.data());
 
     // Persistent memory starts as zeros, so that no byte of a world depends on what the block held before.
@@ -145,6 +149,13 @@ void World::set_solver(const SolverDef& solver) {
     Error error = Error::none;
     if (!check_solver(solver, error)) return core().fail(error);
     core().state->solver = pack(solver);
+}
+
+TaskSystem World::tasks() const { return core().tasks; }
+
+void World::set_tasks(const TaskSystem& tasks) {
+    if (!is_usable(tasks)) return core().fail(Error::out_of_range);
+    core().tasks = tasks;
 }
 
 void World::enable_sleep(bool enable) {

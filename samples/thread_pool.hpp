@@ -1,0 +1,61 @@
+// A pool of threads for World::step: starts them once, and wakes and ends them as fast as it can, because a step has hundreds of short stages.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include <islet/tasks.hpp>
+
+namespace islet::samples {
+
+/// Threads that wait for tasks: at first spinning, so that the next stage of a step finds them at once, then asleep. Used by one thread at a time; not
+/// from within a task. A worker begins with the share of the tasks that it had the last time, whose data may be in its core's cache still, and then
+/// helps the others.
+class ThreadPool {
+public:
+    using Task = void (*)(void* data, std::uint32_t index);
+
+    /// `workers` threads in all (at least 1), of which the caller of parallel_for is one.
+    explicit ThreadPool(std::uint32_t workers);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    std::uint32_t workers() const { return workers_; }
+    /// What WorldDef wants. The pool must outlive the world's last step.
+    TaskSystem tasks();
+    /// Calls task(data, index) for each index < count and returns when all have returned.
+    void parallel_for(std::uint32_t count, Task task, void* data);
+
+private:
+    /// Tasks of one share that are taken so far, below the number of the job they belong to: a thread that comes late finds another job's number
+    /// and takes nothing. Each has a cache line of its own.
+    struct alignas(64) Share {
+        std::atomic<std::uint64_t> taken{0};
+    };
+
+    void work(std::uint32_t worker);
+    void take_tasks(std::uint32_t job, std::uint32_t worker);
+    std::uint32_t wait_for_job(std::uint32_t last);
+
+    std::uint32_t workers_;
+    std::unique_ptr<Share[]> shares_;
+    // The job. Relaxed: whoever has taken one of its tasks knows that it has not ended, and so that it is the one he read.
+    std::atomic<std::uint32_t> count_{0};
+    std::atomic<Task> task_{nullptr};
+    std::atomic<void*> data_{nullptr};
+    alignas(64) std::atomic<std::uint32_t> job_{0};  // its number
+    alignas(64) std::atomic<std::uint32_t> left_{0}; // tasks that have not returned
+    alignas(64) std::atomic<std::uint32_t> asleep_{0};
+    std::atomic<bool> ends_{false};
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace islet::samples
