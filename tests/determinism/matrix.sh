@@ -4,57 +4,24 @@
 #   tests/determinism/matrix.sh [WORK_FOLDER]
 # Small scenes run to their near checkpoint in all builds and to their far one in some optimised ones; the benchmark scenes run to their near one.
 # Each at lanes 1, 4 and 8. The scenes themselves are built once per compiler, with the same flags for exactness as the engine. Prints one line per
-# build; exit status 1 if a hash differs or a build fails. Takes about two minutes on two cores.
+# build; exit status 1 if a hash differs or a build fails. Takes about two minutes on two cores. Other processors: targets.sh.
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/../.." && pwd)
 work=${1:-$(mktemp -d)}
 [ $# -ge 1 ] || trap 'rm -rf "$work"' EXIT
 mkdir -p "$work"
-jobs=$(nproc 2>/dev/null || echo 2)
-
-# What engine/CMakeLists.txt gives every build of the engine, whatever the user's flags are.
-engine_flags=(-fno-fast-math -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics -DISLET_THREADS=0)
-sample_flags=(-fno-fast-math -ffp-contract=off)
-avx2_flags=()
-case $(uname -m) in
-x86_64 | amd64)
-    engine_flags+=(-mno-fma -mno-fma4 -mno-avx512f)
-    sample_flags+=(-mno-fma -mno-fma4 -mno-avx512f)
-    avx2_flags=(-mavx2)
-    ;;
-esac
-
-# compile FOLDER COMPILER FLAG...: every source named on standard input, with the given flags first, as those of CMAKE_CXX_FLAGS come first, and the
-# engine's or the scenes' own after them.
-compile() {
-    local folder=$1 compiler=$2 source object flags
-    shift 2
-    mkdir -p "$folder"
-    while IFS= read -r source; do
-        object=$folder/$(echo "${source#"$root"/}" | tr / _).o
-        case $source in
-        */kernel_avx2.cpp) flags=("${engine_flags[@]}" -I"$root/engine/src" "${avx2_flags[@]}") ;;
-        "$root"/engine/*) flags=("${engine_flags[@]}" -I"$root/engine/src") ;;
-        "$root"/samples/*) flags=("${sample_flags[@]}" -I"$root/samples") ;;
-        *) flags=(-I"$root/samples") ;; # the program is the user's: no flags but the user's own
-        esac
-        printf '%s\0' "$compiler -std=c++20 $* ${flags[*]} -I$root/engine/include -c $source -o $object"
-    done >"$folder/commands"
-    xargs -0 -P "$jobs" -I{} sh -c '{}' <"$folder/commands"
-}
+# shellcheck source=tests/determinism/build.sh
+. "$root/tests/determinism/build.sh"
+processor=$(uname -m)
 
 # build NAME COMPILER FLAG...: the program NAME/hashes.
 build() {
-    local folder=$work/$1 compiler=$2 scenes=$work/$2-scenes
-    if [ ! -e "$scenes/built" ]; then
-        { find "$root/samples/scenes" -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine}.cpp; } |
-            compile "$scenes" "$compiler" -O2 -march=native || return
-        touch "$scenes/built"
-    fi
+    local folder=$work/$1 compiler=$2
+    build_scenes "$work/$compiler-scenes" "$processor" "$compiler" -O2 -march=native || return
     shift
-    { find "$root/engine/src" -name '*.cpp' && printf '%s\n' "$root/tests/determinism/hashes.cpp"; } | compile "$folder" "$@" || return
-    "$@" "$folder"/*.o "$scenes"/*.o -o "$folder/hashes"
+    build_engine "$folder" "$processor" "$@" || return
+    "$@" "$folder"/*.o "$work/$compiler-scenes"/*.o -o "$folder/hashes"
 }
 
 failed=false

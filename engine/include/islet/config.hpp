@@ -14,7 +14,8 @@
 #if !defined(ISLET_MAX_LANES)
 #if defined(__x86_64__) || defined(_M_X64)
 #define ISLET_MAX_LANES 8
-#elif defined(__SSE2__) || defined(__ARM_NEON) || defined(__wasm_simd128__)
+#elif defined(__i386__) || defined(_M_IX86) || (defined(__aarch64__) && defined(__ARM_NEON)) || defined(__wasm_simd128__)
+// (On 32-bit x86 the engine is compiled for SSE2 whatever the user's flags are. The vectors of 32-bit ARM flush small numbers to zero.)
 #define ISLET_MAX_LANES 4
 #else
 #define ISLET_MAX_LANES 1

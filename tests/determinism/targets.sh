@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# The same bits on every processor: builds the engine, the scenes and the program that compares hashes with golden.txt for other processors, runs it
+# there under an emulator, and prints one line per target.
+#   tests/determinism/targets.sh [--steps N] [WORK_FOLDER]
+# Emulators are slow, so the scenes run to their checkpoints of at most N steps (60 unless given), and the benchmark scenes are left out. Exit status 1
+# if a hash differs or a build fails. A target whose compiler or emulator is missing is left out by name. (Microcontrollers: tools/footprint.sh; other
+# compilers and flags on this machine: matrix.sh.)
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/../.." && pwd)
+steps=60
+if [ "${1:-}" = --steps ]; then
+    steps=$2
+    shift 2
+fi
+work=${1:-$(mktemp -d)}
+[ $# -ge 1 ] || trap 'rm -rf "$work"' EXIT
+mkdir -p "$work"
+# shellcheck source=tests/determinism/build.sh
+. "$root/tests/determinism/build.sh"
+
+failed=false
+report() { printf '%-12s %-30s %-6s %s\n' "$@"; }
+
+# check NAME PROCESSOR LANES RUN... -- COMPILER FLAG... [-- LINK_FLAG...]: RUN is what the program is started by, and may be nothing.
+check() {
+    local name=$1 processor=$2 lanes=$3 run=() link=() result status=0 folder=$work/$1
+    shift 3
+    while [ "$1" != -- ]; do
+        run+=("$1")
+        shift
+    done
+    shift
+    local command=()
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do
+        command+=("$1")
+        shift
+    done
+    if [ $# -gt 0 ]; then
+        shift
+        link=("$@")
+    fi
+    for needed in "${command[0]}" "${run[@]:0:1}"; do
+        if ! command -v "$needed" >/dev/null 2>&1; then
+            report "$name" "${command[0]}" "$lanes" "left out: there is no $needed"
+            return
+        fi
+    done
+    if {
+        build_scenes "$folder-scenes" "$processor" "${command[@]}" &&
+            build_engine "$folder" "$processor" "${command[@]}" &&
+            "${command[@]}" "$folder"/*.o "$folder-scenes"/*.o "${link[@]}" -o "$folder/hashes"
+    } >"$work/$name.log" 2>&1; then
+        result=$("${run[@]}" "$folder/hashes" "$root/tests/determinism/golden.txt" --lanes "$lanes" --most-steps "$steps" --large-steps 0 2>&1) || status=$?
+    else
+        result="does not build: $(grep -m 1 -E 'error|undefined' "$work/$name.log" || tail -n 1 "$work/$name.log")"
+        status=1
+    fi
+    [ "$status" -eq 0 ] || failed=true
+    report "$name" "$(basename "${command[0]}") $(printf '%s\n' "${command[@]}" | grep -m 1 -E '^-O')" "$lanes" "$result"
+}
+
+report target compiler lanes "scenes up to $steps steps, without the benchmark scenes"
+# With the instructions of this very machine at hand, and without them.
+check x86-64 x86_64 1,4,8 -- g++ -O2 -march=native
+check x86-64-clang x86_64 1,4,8 -- clang++ -O2 -march=native
+# (The 32-bit library alone, without the package that clashes with cross compilers, leaves <asm/...> where the 64-bit one has it.)
+check x86-32 i686 1,4 -- g++-12 -m32 -O2 -msse2 -idirafter /usr/include/x86_64-linux-gnu
+check aarch64 aarch64 1,4 qemu-aarch64 -- aarch64-linux-gnu-g++ -O2 -- -static
+check armhf armv7l 1 qemu-arm -- arm-linux-gnueabihf-g++ -O2 -- -static
+check riscv64 riscv64 1 qemu-riscv64 -- riscv64-linux-gnu-g++ -O2 -- -static
+check s390x s390x 1 qemu-s390x -- s390x-linux-gnu-g++ -O2 -- -static
+wasm=(clang++-16 --target=wasm32-wasi -O2 -D_WASI_EMULATED_PROCESS_CLOCKS)
+wasm_link=("$root/tests/determinism/wasm_throw.cpp" "-Wl,-z,stack-size=1048576")
+check wasm wasm32 1 node "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -- "${wasm_link[@]}"
+check wasm-simd wasm32 1,4 node "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -msimd128 -- "${wasm_link[@]}"
+if $failed; then exit 1; fi
