@@ -35,6 +35,7 @@ if $all; then
     need npm command_exists npm
     need chromium command_exists chromium
     need_firmware_tools
+    need_emulators
 fi
 if $coverage; then need gcovr command_exists gcovr; fi
 install_missing
@@ -87,6 +88,15 @@ check_firmware() {
     results+=("firmware: $([ "$status" -eq 0 ] && echo "the host's hashes, within its limits" || echo 'see above')")
 }
 
+# The golden hashes on other processors, emulated, and by this one's compilers with all its instructions.
+check_targets() {
+    local status=0 table=$root/build/targets.txt
+    say "the same bits on other processors"
+    "$root/tests/determinism/targets.sh" "$root/build/targets" | tee "$table" || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    while IFS= read -r line; do results+=("hashes on $line"); done < <(tail -n +2 "$table")
+}
+
 # What drives the browser, in the versions that package-lock.json names; fetched once.
 fetch_browser_driver() {
     local folder=$root/tests/browser
@@ -105,10 +115,10 @@ if $all || ! $coverage; then run_tests release; fi
 if $all; then
     check_scripts
     check_firmware
-    run_tests clang
-    # What remains is about the engine: other engines need not be built again.
+    check_targets
+    # Everything once more by the other compiler; but what is compared with other engines has been.
+    run_tests asan-ubsan --exclude-regex '^(reference|engines)\.'
     tools=OFF
-    run_tests asan-ubsan
     # Unoptimised code must give the same bits; what else the tests say, the builds above have said.
     targets=(--target islet_determinism_tests islet_hashes_fast_math)
     run_tests debug --tests-regex '^determinism\.'
