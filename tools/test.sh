@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang, with sanitizers and unoptimised, pages played in a browser, the firmware in emulated
-#                              microcontrollers, and the scripts checked: what CI runs
+#   tools/test.sh --all        the same once more with clang and sanitizers; hashes of unoptimised code, on other processors and of the firmware in
+#                              microcontrollers, both emulated; pages played in a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk and GoogleTest with apt if they are missing (and for the options: clang, gcovr, shellcheck, Node.js,
 # npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
@@ -35,6 +35,7 @@ if $all; then
     need npm command_exists npm
     need chromium command_exists chromium
     need_firmware_tools
+    need_emulators
     need_emulators
 fi
 if $coverage; then need gcovr command_exists gcovr; fi
