@@ -45,7 +45,7 @@ private:
 
     std::uint32_t workers_;
     std::unique_ptr<Share[]> shares_;
-    // The job. Relaxed: whoever has taken one of its tasks knows that it has not ended, and so that it is the one he read.
+    // The job. Whoever has taken one of its tasks knows that it has not ended, and so that what he read is its own: shares are closed before it changes.
     std::atomic<std::uint32_t> count_{0};
     std::atomic<Task> task_{nullptr};
     std::atomic<void*> data_{nullptr};

@@ -48,7 +48,7 @@ compile() {
 build() {
     local folder=$work/$1 compiler=$2 scenes=$work/$2-scenes
     if [ ! -e "$scenes/built" ]; then
-        { find "$root/samples/scenes" -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine}.cpp; } |
+        { find "$root/samples/scenes" -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,thread_pool}.cpp; } |
             compile "$scenes" "$compiler" -O2 -march=native || return
         touch "$scenes/built"
     fi
