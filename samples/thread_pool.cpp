@@ -5,7 +5,7 @@
 namespace islet::samples {
 namespace {
 
-constexpr std::uint64_t closed = 0;  // a share that belongs to no job
+constexpr std::uint64_t closed = 0;                  // a share that belongs to no job
 constexpr std::chrono::microseconds spin_time{100};  // longer than the stages of a step that have nothing to share
 
 void pause() {
@@ -84,7 +84,8 @@ void ThreadPool::take_tasks(std::uint32_t job, std::uint32_t worker) {
             const std::uint64_t count = count_.load(std::memory_order_acquire);
             const Task task = task_.load(std::memory_order_acquire);
             void* const data = data_.load(std::memory_order_acquire);
-            const auto first = static_cast<std::uint32_t>(count * share / workers_), end = static_cast<std::uint32_t>(count * (share + 1) / workers_);
+            const auto first = static_cast<std::uint32_t>(count * share / workers_),
+                       end = static_cast<std::uint32_t>(count * (share + 1) / workers_);
             const std::uint32_t index = first + static_cast<std::uint32_t>(seen);
             if (index >= end) break;
             if (!taken.compare_exchange_weak(seen, seen + 1, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
@@ -96,7 +97,8 @@ void ThreadPool::take_tasks(std::uint32_t job, std::uint32_t worker) {
 }
 
 std::uint32_t ThreadPool::wait_for_job(std::uint32_t last) {
-    if (spin_until([&] { return job_.load(std::memory_order_acquire) != last || ends_.load(std::memory_order_relaxed); })) return job_.load();
+    if (spin_until([&] { return job_.load(std::memory_order_acquire) != last || ends_.load(std::memory_order_relaxed); }))
+        return job_.load();
     std::unique_lock<std::mutex> lock(mutex_);
     ++asleep_;
     wake_.wait(lock, [&] { return job_.load() != last || ends_.load(); });

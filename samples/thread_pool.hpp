@@ -49,8 +49,8 @@ private:
     std::atomic<std::uint32_t> count_{0};
     std::atomic<Task> task_{nullptr};
     std::atomic<void*> data_{nullptr};
-    alignas(64) std::atomic<std::uint32_t> job_{0};  // its number
-    alignas(64) std::atomic<std::uint32_t> left_{0}; // tasks that have not returned
+    alignas(64) std::atomic<std::uint32_t> job_{0};   // its number
+    alignas(64) std::atomic<std::uint32_t> left_{0};  // tasks that have not returned
     alignas(64) std::atomic<std::uint32_t> asleep_{0};
     std::atomic<bool> ends_{false};
     std::mutex mutex_;

@@ -27,7 +27,9 @@ std::vector<std::uint32_t> digits(const std::string& list) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: hashes GOLDEN_FILE [--lanes 1,4,8] [--workers 1,2,4,8] [--scene NAME]... [--most-steps N] [--large-steps N] [--update]\n");
+        std::fprintf(stderr,
+                     "usage: hashes GOLDEN_FILE [--lanes 1,4,8] [--workers 1,2,4,8] [--scene NAME]... [--most-steps N] [--large-steps N] "
+                     "[--update]\n");
         return 2;
     }
     const std::string path = argv[1];

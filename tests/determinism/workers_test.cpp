@@ -79,7 +79,8 @@ TEST_P(Workers, OrderOfTasksDecidesNothing) {
 #endif
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Workers, testing::ValuesIn(samples::catalogue()), [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Scenes, Workers, testing::ValuesIn(samples::catalogue()),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(WorkersOnThreads, HashesAreTheSameForAnyNumber) {
     for (const char* name : {"large_pyramid", "many_pyramids", "washer", "rain"}) {

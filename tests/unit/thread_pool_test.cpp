@@ -76,7 +76,8 @@ TEST(ThreadPool, WhatTasksWroteIsSeenByTheCaller) {
     ThreadPool pool(4);
     for (int job = 0; job < 1000; ++job) {
         std::vector<std::uint32_t> written(100, 0);  // plain memory: the sanitizer would see a race
-        pool.parallel_for(100, [](void* data, std::uint32_t i) { (*static_cast<std::vector<std::uint32_t>*>(data))[i] = i + 1; }, &written);
+        pool.parallel_for(
+            100, [](void* data, std::uint32_t i) { (*static_cast<std::vector<std::uint32_t>*>(data))[i] = i + 1; }, &written);
         for (std::uint32_t i = 0; i < 100; ++i) ASSERT_EQ(written[i], i + 1);
     }
 }

@@ -51,14 +51,14 @@ inline constexpr std::size_t image_header_bytes = 72;
 inline constexpr std::size_t delta_header_bytes = 48;
 inline constexpr std::size_t solver_body_bytes = 32;
 inline constexpr std::size_t solver_motion_bytes = 32;
-inline constexpr std::size_t row_bytes = 128;     // per contact, in a block of rows
+inline constexpr std::size_t row_bytes = 128;  // per contact, in a block of rows
 inline constexpr std::size_t joint_bytes = 232;
 inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t batch_bytes = 156;
-inline constexpr std::uint32_t max_plan_parts = 8;  // that the touching contacts are cut into while they are planned
-inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are found
-inline constexpr std::uint32_t color_count = 32;  // constraint colours: bits of a body's mask
+inline constexpr std::uint32_t max_plan_parts = 8;     // that the touching contacts are cut into while they are planned
+inline constexpr std::size_t sweep_bytes = 72;         // per shape, while pairs are found
+inline constexpr std::uint32_t color_count = 32;       // constraint colours: bits of a body's mask
 inline constexpr std::uint32_t batch_contacts = 2048;  // a batch of islands closes at this many contacts and joints
 
 constexpr std::uint32_t next_power_of_two(std::uint32_t n) {
@@ -111,8 +111,8 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     const std::size_t bodies = std::size_t{c.bodies} + 1;
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + 2048 * 4 + 20 * 64;
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;
-    const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
-                             joint_run_capacity(c) * joint_run_bytes + 7 * 64;
+    const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 +
+                             joint_row_capacity(c) * 4 + joint_run_capacity(c) * joint_run_bytes + 7 * 64;
     const std::size_t planning = bodies * 4 * 4 + (std::size_t{c.contacts} + c.joints) * 16 +
                                  std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_type_count) * 4 + 9 * 64;
     const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 + 4 * 64;

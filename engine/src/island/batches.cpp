@@ -38,8 +38,8 @@ constexpr std::uint32_t kinematic_bit = 1u << 31;
 struct EdgeList {
     Edge* edges = nullptr;
     std::uint32_t parts = 1;
-    std::uint32_t words = 0;                      // of the set of awake contacts, in a part
-    std::uint32_t first[max_plan_parts] = {};     // edge of each part
+    std::uint32_t words = 0;                   // of the set of awake contacts, in a part
+    std::uint32_t first[max_plan_parts] = {};  // edge of each part
     std::uint32_t end[max_plan_parts] = {};
 
     template <class Visit>

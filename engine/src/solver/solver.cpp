@@ -1,11 +1,11 @@
 #include "solver/solver.hpp"
 
+#include "constraint/contact.hpp"
+#include "constraint/joint_runs.hpp"
 #include "math/lanes.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
 #include "memory/parallel.hpp"
-#include "constraint/contact.hpp"
-#include "constraint/joint_runs.hpp"
 
 namespace islet::detail {
 
@@ -53,7 +53,7 @@ struct Solve {
     SolverMotion* motions;
     JointSweep biased_joints, relaxed_joints;
     std::byte* joint_rows;
-    std::byte* blocks;                     // ContactRows of the core's lanes
+    std::byte* blocks;  // ContactRows of the core's lanes
     ContactRows<1>* overflow;
 };
 
@@ -240,10 +240,10 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
             const auto radius = [&](const Shape& shape) {
                 const Geometry& g = core.geometries[shape.geometry];
                 switch (static_cast<ShapeType>(g.type)) {
-                    case ShapeType::circle: return g.circle.radius;
-                    case ShapeType::capsule: return g.capsule.radius;
-                    case ShapeType::polygon: return g.polygon.radius;
-                    default: return 0.0f;
+                case ShapeType::circle: return g.circle.radius;
+                case ShapeType::capsule: return g.capsule.radius;
+                case ShapeType::polygon: return g.polygon.radius;
+                default: return 0.0f;
                 }
             };
             r.restitution[i] = max(a.restitution, b.restitution);
@@ -253,8 +253,9 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
     }
 }
 
-inline constexpr std::uint32_t wide_contacts = 2 * batch_contacts;  // from so many contacts and joints on all workers solve a batch together
-inline constexpr std::uint32_t contact_grain = 192;                 // contacts of a colour, joints of a run and bodies that are worth a task
+inline constexpr std::uint32_t wide_contacts =
+    2 * batch_contacts;                              // from so many contacts and joints on all workers solve a batch together
+inline constexpr std::uint32_t contact_grain = 192;  // contacts of a colour, joints of a run and bodies that are worth a task
 inline constexpr std::uint32_t joint_grain = 128;
 inline constexpr std::uint32_t body_grain = 512;
 
@@ -374,7 +375,8 @@ void BatchSolve<K>::store() {
         if (r.color == no_color) {
             store_joints<1>(r.kernel, s.joint_rows + r.offset, r.blocks, out);
         } else {
-            over_run(r, [&](std::byte* blocks, std::uint32_t first, std::uint32_t end) { store_joints<W>(r.kernel, blocks, end - first, out); });
+            over_run(
+                r, [&](std::byte* blocks, std::uint32_t first, std::uint32_t end) { store_joints<W>(r.kernel, blocks, end - first, out); });
         }
     }
 }
@@ -392,7 +394,8 @@ void BatchSolve<K>::run() {
     }
     const float threshold = s.numbers.restitution_threshold;
     ContactKernel<Lane1>::restitute(s.bodies, overflow, overflow_count, threshold);
-    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) { K::restitute(s.bodies, rows + first, end - first, threshold); });
+    over_colors(
+        [&](std::uint32_t first, std::uint32_t end, std::uint32_t) { K::restitute(s.bodies, rows + first, end - first, threshold); });
     store();
 }
 
@@ -439,16 +442,16 @@ const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.blocks = rows.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
     switch (core.lanes) {
-        case 8: s.joint_rows = place_joint_rows<8>(plan, rows); break;
-        case 4: s.joint_rows = place_joint_rows<4>(plan, rows); break;
-        default: s.joint_rows = place_joint_rows<1>(plan, rows); break;
+    case 8: s.joint_rows = place_joint_rows<8>(plan, rows); break;
+    case 4: s.joint_rows = place_joint_rows<4>(plan, rows); break;
+    default: s.joint_rows = place_joint_rows<1>(plan, rows); break;
     }
     switch (core.lanes) {
 #if defined(__x86_64__)
-        case 8: solve_batches<Kernel8>(s); break;
+    case 8: solve_batches<Kernel8>(s); break;
 #endif
-        case 4: solve_batches<Kernel<Lane4>>(s); break;
-        default: solve_batches<Kernel<Lane1>>(s); break;
+    case 4: solve_batches<Kernel<Lane4>>(s); break;
+    default: solve_batches<Kernel<Lane1>>(s); break;
     }
     core.state->last_substep = s.numbers.h;
     return s.bodies;

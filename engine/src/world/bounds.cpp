@@ -7,57 +7,57 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float max_box_margin = 0.05f;       // m, so that a body can move a little before its pairs are found anew
-inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: small things get small margins
+inline constexpr float max_box_margin = 0.05f;        // m, so that a body can move a little before its pairs are found anew
+inline constexpr float box_margin_fraction = 0.125f;  // of the shape's size: small things get small margins
 
 Extent extent_of(const Geometry& g, Vec2 center) {
     const auto far = [&](Vec2 p) { return distance(p, center); };
     switch (static_cast<ShapeType>(g.type)) {
-        case ShapeType::circle: return {far(g.circle.center) + g.circle.radius, g.circle.radius};
-        case ShapeType::capsule: return {max(far(g.capsule.point1), far(g.capsule.point2)) + g.capsule.radius, g.capsule.radius};
-        case ShapeType::segment: return {max(far(g.segment.point1), far(g.segment.point2)), 0};
-        case ShapeType::chain_segment: return {max(far(g.chain.segment.point1), far(g.chain.segment.point2)), 0};
-        case ShapeType::polygon: {
-            const Polygon& p = g.polygon;
-            Extent e{0, 3.0e38f};
-            for (std::uint32_t i = 0; i < p.count; ++i) {
-                e.max = max(e.max, far(p.vertices[i]));
-                e.min = min(e.min, dot(p.normals[i], p.vertices[i] - p.centroid));
-            }
-            return {e.max + p.radius, e.min + p.radius};
+    case ShapeType::circle: return {far(g.circle.center) + g.circle.radius, g.circle.radius};
+    case ShapeType::capsule: return {max(far(g.capsule.point1), far(g.capsule.point2)) + g.capsule.radius, g.capsule.radius};
+    case ShapeType::segment: return {max(far(g.segment.point1), far(g.segment.point2)), 0};
+    case ShapeType::chain_segment: return {max(far(g.chain.segment.point1), far(g.chain.segment.point2)), 0};
+    case ShapeType::polygon: {
+        const Polygon& p = g.polygon;
+        Extent e{0, 3.0e38f};
+        for (std::uint32_t i = 0; i < p.count; ++i) {
+            e.max = max(e.max, far(p.vertices[i]));
+            e.min = min(e.min, dot(p.normals[i], p.vertices[i] - p.centroid));
         }
+        return {e.max + p.radius, e.min + p.radius};
+    }
     }
     return {};
 }
 
 Vec2 middle_of(const Geometry& g) {
     switch (static_cast<ShapeType>(g.type)) {
-        case ShapeType::circle: return g.circle.center;
-        case ShapeType::capsule: return lerp(g.capsule.point1, g.capsule.point2, 0.5f);
-        case ShapeType::segment: return lerp(g.segment.point1, g.segment.point2, 0.5f);
-        case ShapeType::chain_segment: return lerp(g.chain.segment.point1, g.chain.segment.point2, 0.5f);
-        case ShapeType::polygon: return g.polygon.centroid;
+    case ShapeType::circle: return g.circle.center;
+    case ShapeType::capsule: return lerp(g.capsule.point1, g.capsule.point2, 0.5f);
+    case ShapeType::segment: return lerp(g.segment.point1, g.segment.point2, 0.5f);
+    case ShapeType::chain_segment: return lerp(g.chain.segment.point1, g.chain.segment.point2, 0.5f);
+    case ShapeType::polygon: return g.polygon.centroid;
     }
     return {};
 }
 
 Aabb aabb_of(const Geometry& g, const Transform& t) {
     switch (static_cast<ShapeType>(g.type)) {
-        case ShapeType::circle: return compute_aabb(g.circle, t);
-        case ShapeType::capsule: return compute_aabb(g.capsule, t);
-        case ShapeType::segment: return compute_aabb(g.segment, t);
-        case ShapeType::chain_segment: return compute_aabb(g.chain.segment, t);
-        case ShapeType::polygon: return compute_aabb(g.polygon, t);
+    case ShapeType::circle: return compute_aabb(g.circle, t);
+    case ShapeType::capsule: return compute_aabb(g.capsule, t);
+    case ShapeType::segment: return compute_aabb(g.segment, t);
+    case ShapeType::chain_segment: return compute_aabb(g.chain.segment, t);
+    case ShapeType::polygon: return compute_aabb(g.polygon, t);
     }
     return {};
 }
 
 MassData mass_of(const Geometry& g, float density) {
     switch (static_cast<ShapeType>(g.type)) {
-        case ShapeType::circle: return compute_mass(g.circle, density);
-        case ShapeType::capsule: return compute_mass(g.capsule, density);
-        case ShapeType::polygon: return compute_mass(g.polygon, density);
-        default: return {};
+    case ShapeType::circle: return compute_mass(g.circle, density);
+    case ShapeType::capsule: return compute_mass(g.capsule, density);
+    case ShapeType::polygon: return compute_mass(g.polygon, density);
+    default: return {};
     }
 }
 
@@ -77,7 +77,8 @@ Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g,
 
 // How far the inner box may move before it leaves the outer one.
 float room_in(const Aabb& outer, const Aabb& inner) {
-    return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
+    return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y),
+               min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the bodies may slip before a manifold is made anew
-inline constexpr std::uint32_t update_grain = 4;                // words of 64 contacts that are worth a task
+inline constexpr std::uint32_t update_grain = 4;               // words of 64 contacts that are worth a task
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
 // Against what cannot be pushed, a fast body looks as far ahead as it may come in this step.
@@ -52,19 +52,19 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
     const auto type_b = static_cast<ShapeType>(b.type);
     const auto against = [&](const auto& shape_a) {
         switch (type_b) {
-            case ShapeType::circle: return collide(shape_a, b.circle, b_in_a, margin);
-            case ShapeType::capsule: return collide(shape_a, b.capsule, b_in_a, margin);
-            case ShapeType::polygon: return collide(shape_a, b.polygon, b_in_a, margin);
-            default: return Manifold{};
+        case ShapeType::circle: return collide(shape_a, b.circle, b_in_a, margin);
+        case ShapeType::capsule: return collide(shape_a, b.capsule, b_in_a, margin);
+        case ShapeType::polygon: return collide(shape_a, b.polygon, b_in_a, margin);
+        default: return Manifold{};
         }
     };
     switch (static_cast<ShapeType>(a.type)) {
-        case ShapeType::circle: return collide(a.circle, b.circle, b_in_a, margin);
-        case ShapeType::capsule:
-            return type_b == ShapeType::circle ? collide(a.capsule, b.circle, b_in_a, margin) : collide(a.capsule, b.capsule, b_in_a, margin);
-        case ShapeType::polygon: return against(a.polygon);
-        case ShapeType::segment: return against(a.segment);
-        case ShapeType::chain_segment: return against(a.chain);
+    case ShapeType::circle: return collide(a.circle, b.circle, b_in_a, margin);
+    case ShapeType::capsule:
+        return type_b == ShapeType::circle ? collide(a.capsule, b.circle, b_in_a, margin) : collide(a.capsule, b.capsule, b_in_a, margin);
+    case ShapeType::polygon: return against(a.polygon);
+    case ShapeType::segment: return against(a.segment);
+    case ShapeType::chain_segment: return against(a.chain);
     }
     return {};
 }
@@ -87,7 +87,8 @@ void remake(Core& core, std::uint32_t index, float dt) {
     const Vec2 relative_velocity = mb.v - ma.v;
     float margin = speculative_distance;
     if (fast) margin += dt * (length(relative_velocity) + abs(ma.w) * pa.max_extent + abs(mb.w) * pb.max_extent);
-    Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a, margin);
+    Manifold fresh =
+        dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a, margin);
     if (fast) {
         const Vec2 normal = rotate(pa.q, fresh.normal);
         std::uint32_t kept = 0;
