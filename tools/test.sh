@@ -121,8 +121,11 @@ if $all; then
     run_tests asan-ubsan --exclude-regex '^(reference|engines)\.'
     tools=OFF
     # Unoptimised code must give the same bits; what else the tests say, the builds above have said.
-    targets=(--target islet_determinism_tests islet_hashes_fast_math)
+    targets=(--target islet_determinism_tests islet_hashes islet_hashes_fast_math)
     run_tests debug --tests-regex '^determinism\.'
+    # What two workers share by mistake.
+    targets=(--target islet_hashes)
+    run_tests tsan --tests-regex '^determinism\.workers_share'
 fi
 
 printf '\n'
