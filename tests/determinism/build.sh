@@ -22,7 +22,7 @@ compile() {
     shift 3
     mkdir -p "$folder"
     mapfile -t exact < <(exact_flags "$processor")
-    engine=("${exact[@]}" -fno-exceptions -fno-rtti -fno-threadsafe-statics -DISLET_THREADS=0 -I"$root/engine/src")
+    engine=("${exact[@]}" -fno-exceptions -fno-rtti -fno-threadsafe-statics -I"$root/engine/src")
     while IFS= read -r source; do
         object=$folder/$(echo "${source#"$root"/}" | tr / _).o
         case $source in
@@ -50,7 +50,10 @@ build_scenes() {
     printf '#include <%s>\n' algorithm cmath functional string variant vector >"$folder/common.hpp"
     printf '#include "engine.hpp"\n' >>"$folder/common.hpp"
     "$@" -O0 -std=c++20 "${exact[@]}" -I"$root/samples" -I"$root/engine/include" -x c++-header "$folder/common.hpp" -o "$folder/common.hpp.gch" || return
-    { find "$root"/samples/{scenes,prefabs} -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,joint_measure,spawn}.cpp; } |
+    {
+        find "$root"/samples/{scenes,prefabs} -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,joint_measure,spawn}.cpp &&
+            case $processor in wasm*) ;; *) printf '%s\n' "$root/samples/thread_pool.cpp" ;; esac
+    } |
         compile "$folder" "$processor" "$@" -O0 || return
     touch "$folder/built"
 }

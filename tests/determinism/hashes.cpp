@@ -9,11 +9,23 @@
 #include <string>
 
 #include "golden.hpp"
+#if !defined(__wasi__)
 #include "thread_pool.hpp"
+#endif
 
 using namespace islet;
 
 namespace {
+
+#if defined(__wasi__)
+// No threads there.
+struct Pool {
+    explicit Pool(std::uint32_t) {}
+    static TaskSystem tasks() { return {}; }
+};
+#else
+using Pool = samples::ThreadPool;
+#endif
 
 // The numbers in a list like 1,4,8, each of one digit.
 std::vector<std::uint32_t> digits(const std::string& list) {
@@ -69,7 +81,7 @@ int main(int argc, char** argv) {
         }
         const int steps = std::string(info.group) == "benchmark" ? std::min(most_steps, large_steps) : most_steps;
         for (const std::uint32_t threads : digits(workers)) {
-            samples::ThreadPool pool(threads);
+            Pool pool(threads);
             for (const std::uint32_t width : digits(lanes)) {
                 const std::vector<golden::Checkpoint> seen = golden::run(info, due, width, steps, pool.tasks());
                 for (std::size_t i = 0; i < seen.size(); ++i) {
