@@ -36,7 +36,8 @@ std::vector<Contender> contenders(const SceneInfo& info, const BenchOptions& opt
 }
 
 /// A scene of its own for each run: scripts keep state.
-BenchRun run_once(const EngineInfo& engine_info, const SceneInfo& info, int steps, const TaskSystem& tasks, const std::function<void()>& stepped) {
+BenchRun run_once(const EngineInfo& engine_info, const SceneInfo& info, int steps, const TaskSystem& tasks,
+                  const std::function<void()>& stepped) {
     Scene scene = info.make();
     scene.world.tasks = tasks;
     const std::unique_ptr<Engine> engine = engine_info.make();

@@ -5,6 +5,7 @@
 namespace islet::samples {
 namespace {
 
+constexpr std::uint64_t closed = 0;                  // a share that belongs to no job
 constexpr std::chrono::microseconds spin_time{100};  // longer than the stages of a step that have nothing to share
 
 void pause() {
@@ -55,10 +56,13 @@ void ThreadPool::parallel_for(std::uint32_t count, Task task, void* data) {
         for (std::uint32_t i = 0; i < count; ++i) task(data, i);
         return;
     }
-    const std::uint32_t job = job_.load(std::memory_order_relaxed) + 1;
-    count_.store(count, std::memory_order_relaxed);
-    task_.store(task, std::memory_order_relaxed);
-    data_.store(data, std::memory_order_relaxed);
+    std::uint32_t job = job_.load(std::memory_order_relaxed) + 1;
+    if (job == 0) job = 1;  // 0 is the number of closed shares
+    // First of all the shares of the last job are closed: a thread that is still looking through them must not take one of its tasks with this job's count.
+    for (std::uint32_t i = 0; i < workers_; ++i) shares_[i].taken.store(closed, std::memory_order_relaxed);
+    count_.store(count, std::memory_order_release);
+    task_.store(task, std::memory_order_release);
+    data_.store(data, std::memory_order_release);
     left_.store(count, std::memory_order_relaxed);
     for (std::uint32_t i = 0; i < workers_; ++i) shares_[i].taken.store(std::uint64_t{job} << 32, std::memory_order_release);
     job_.store(job);
@@ -77,10 +81,11 @@ void ThreadPool::take_tasks(std::uint32_t job, std::uint32_t worker) {
         std::atomic<std::uint64_t>& taken = shares_[share].taken;
         std::uint64_t seen = taken.load(std::memory_order_acquire);
         while (seen >> 32 == job) {
-            const std::uint64_t count = count_.load(std::memory_order_relaxed);
-            const Task task = task_.load(std::memory_order_relaxed);
-            void* const data = data_.load(std::memory_order_relaxed);
-            const auto first = static_cast<std::uint32_t>(count * share / workers_), end = static_cast<std::uint32_t>(count * (share + 1) / workers_);
+            const std::uint64_t count = count_.load(std::memory_order_acquire);
+            const Task task = task_.load(std::memory_order_acquire);
+            void* const data = data_.load(std::memory_order_acquire);
+            const auto first = static_cast<std::uint32_t>(count * share / workers_),
+                       end = static_cast<std::uint32_t>(count * (share + 1) / workers_);
             const std::uint32_t index = first + static_cast<std::uint32_t>(seen);
             if (index >= end) break;
             if (!taken.compare_exchange_weak(seen, seen + 1, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
@@ -92,7 +97,8 @@ void ThreadPool::take_tasks(std::uint32_t job, std::uint32_t worker) {
 }
 
 std::uint32_t ThreadPool::wait_for_job(std::uint32_t last) {
-    if (spin_until([&] { return job_.load(std::memory_order_acquire) != last || ends_.load(std::memory_order_relaxed); })) return job_.load();
+    if (spin_until([&] { return job_.load(std::memory_order_acquire) != last || ends_.load(std::memory_order_relaxed); }))
+        return job_.load();
     std::unique_lock<std::mutex> lock(mutex_);
     ++asleep_;
     wake_.wait(lock, [&] { return job_.load() != last || ends_.load(); });

@@ -45,12 +45,12 @@ private:
 
     std::uint32_t workers_;
     std::unique_ptr<Share[]> shares_;
-    // The job. Relaxed: whoever has taken one of its tasks knows that it has not ended, and so that it is the one he read.
+    // The job. Whoever has taken one of its tasks knows that it has not ended, and so that what he read is its own: shares are closed before it changes.
     std::atomic<std::uint32_t> count_{0};
     std::atomic<Task> task_{nullptr};
     std::atomic<void*> data_{nullptr};
-    alignas(64) std::atomic<std::uint32_t> job_{0};  // its number
-    alignas(64) std::atomic<std::uint32_t> left_{0}; // tasks that have not returned
+    alignas(64) std::atomic<std::uint32_t> job_{0};   // its number
+    alignas(64) std::atomic<std::uint32_t> left_{0};  // tasks that have not returned
     alignas(64) std::atomic<std::uint32_t> asleep_{0};
     std::atomic<bool> ends_{false};
     std::mutex mutex_;

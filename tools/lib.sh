@@ -58,6 +58,21 @@ need_firmware_tools() {
     need qemu-system-misc command_exists qemu-system-riscv32
 }
 
+# What builds for other processors, and runs that.
+need_emulators() {
+    need g++-12-multilib path_exists /usr/lib/gcc/x86_64-linux-gnu/12/32
+    need g++-aarch64-linux-gnu command_exists aarch64-linux-gnu-g++
+    need g++-arm-linux-gnueabihf command_exists arm-linux-gnueabihf-g++
+    need g++-riscv64-linux-gnu command_exists riscv64-linux-gnu-g++
+    need g++-s390x-linux-gnu command_exists s390x-linux-gnu-g++
+    need qemu-user command_exists qemu-aarch64
+    need clang-16 command_exists clang++-16
+    need lld-16 command_exists wasm-ld-16
+    need wasi-libc path_exists /usr/include/wasm32-wasi
+    need libc++-16-dev-wasm32 path_exists /usr/lib/llvm-16/lib/wasm32-wasi
+    need libclang-rt-16-dev-wasm32 path_exists /usr/lib/llvm-16/lib/clang/16/lib/wasi
+}
+
 # Installs everything that need found missing.
 install_missing() {
     if [ ${#missing[@]} -gt 0 ]; then

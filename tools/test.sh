@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang, with sanitizers and unoptimised, pages played in a browser, the firmware in emulated
-#                              microcontrollers, and the scripts checked: what CI runs
+#   tools/test.sh --all        the same once more with clang and sanitizers; hashes of unoptimised code, on other processors and of the firmware in
+#                              microcontrollers, both emulated; pages played in a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk and GoogleTest with apt if they are missing (and for the options: clang, gcovr, shellcheck, Node.js,
 # npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
@@ -35,6 +35,8 @@ if $all; then
     need npm command_exists npm
     need chromium command_exists chromium
     need_firmware_tools
+    need_emulators
+    need_emulators
 fi
 if $coverage; then need gcovr command_exists gcovr; fi
 install_missing
@@ -87,6 +89,15 @@ check_firmware() {
     results+=("firmware: $([ "$status" -eq 0 ] && echo "the host's hashes, within its limits" || echo 'see above')")
 }
 
+# The golden hashes on other processors, emulated, and by this one's compilers with all its instructions.
+check_targets() {
+    local status=0 table=$root/build/targets.txt
+    say "the same bits on other processors"
+    "$root/tests/determinism/targets.sh" "$root/build/targets" | tee "$table" || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    while IFS= read -r line; do results+=("hashes on $line"); done < <(tail -n +2 "$table")
+}
+
 # What drives the browser, in the versions that package-lock.json names; fetched once.
 fetch_browser_driver() {
     local folder=$root/tests/browser
@@ -105,13 +116,16 @@ if $all || ! $coverage; then run_tests release; fi
 if $all; then
     check_scripts
     check_firmware
-    run_tests clang
-    # What remains is about the engine: other engines need not be built again.
+    check_targets
+    # Everything once more by the other compiler; but what is compared with other engines has been.
+    run_tests asan-ubsan --exclude-regex '^(reference|engines)\.'
     tools=OFF
-    run_tests asan-ubsan
     # Unoptimised code must give the same bits; what else the tests say, the builds above have said.
-    targets=(--target islet_determinism_tests islet_hashes_fast_math)
+    targets=(--target islet_determinism_tests islet_hashes islet_hashes_fast_math)
     run_tests debug --tests-regex '^determinism\.'
+    # What two workers share by mistake.
+    targets=(--target islet_hashes)
+    run_tests tsan --tests-regex '^determinism\.workers_share'
 fi
 
 printf '\n'

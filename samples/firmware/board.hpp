@@ -16,6 +16,10 @@ std::uint64_t instructions();
 /// The deepest the stack has been, bytes; 0 where nothing tells.
 std::size_t stack_used();
 
+/// Makes the processor round towards zero and, where it can, flush denormal numbers to zero, or sets it right again: a program may run like that, and the
+/// engine must not notice. Nothing on the host and without a floating-point unit.
+void disturb_floats(bool on);
+
 /// The program proper. Returns its exit status.
 int run();
 

@@ -66,6 +66,16 @@ std::uint64_t instructions() {
 
 std::size_t stack_used() { return painted_stack_used(); }
 
+void disturb_floats([[maybe_unused]] bool on) {
+#if defined(__ARM_FP)
+    constexpr std::uint32_t mode = 1u << 24 | 3u << 22;  // flush to zero, round towards zero
+    std::uint32_t status = 0;
+    __asm__ volatile("vmrs %0, fpscr" : "=r"(status));
+    status = on ? status | mode : status & ~mode;
+    __asm__ volatile("vmsr fpscr, %0" : : "r"(status));
+#endif
+}
+
 }  // namespace firmware
 
 extern "C" {

@@ -44,6 +44,8 @@ std::uint64_t instructions() {
 
 std::size_t stack_used() { return painted_stack_used(); }
 
+void disturb_floats(bool on) { __asm__ volatile("csrw frm, %0" : : "r"(on ? 1u : 0u)); }  // 1: round towards zero
+
 }  // namespace firmware
 
 extern "C" {

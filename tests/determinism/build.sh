@@ -22,7 +22,7 @@ compile() {
     shift 3
     mkdir -p "$folder"
     mapfile -t exact < <(exact_flags "$processor")
-    engine=("${exact[@]}" -fno-exceptions -fno-rtti -fno-threadsafe-statics -DISLET_THREADS=0 -I"$root/engine/src")
+    engine=("${exact[@]}" -fno-exceptions -fno-rtti -fno-threadsafe-statics -I"$root/engine/src")
     while IFS= read -r source; do
         object=$folder/$(echo "${source#"$root"/}" | tr / _).o
         case $source in
@@ -31,7 +31,7 @@ compile() {
             case $processor in x86_64 | amd64) flags+=(-mavx2) ;; esac
             ;;
         "$root"/engine/*) flags=("${engine[@]}") ;;
-        "$root"/samples/*) flags=("${exact[@]}" -I"$root/samples") ;;
+        "$root"/samples/*) flags=("${exact[@]}" -I"$root/samples" -include "$folder/common.hpp") ;;
         *) flags=(-I"$root/samples") ;; # the program is the user's: no flags but the user's own
         esac
         printf '%s\0' "$compiler -std=c++20 $* ${flags[*]} -I$root/engine/include -c $source -o $object"
@@ -39,12 +39,22 @@ compile() {
     xargs -0 -P "$jobs" -I{} sh -c '{}' <"$folder/commands"
 }
 
-# build_scenes FOLDER PROCESSOR COMPILER FLAG...: the scenes and what loads them, unless they are there.
+# build_scenes FOLDER PROCESSOR COMPILER FLAG...: the scenes and what loads them, unless they are there. Where bodies start is the same at every
+# level of optimisation, so they are built with none, and what they all include is compiled once.
 build_scenes() {
-    local folder=$1
+    local folder=$1 processor=$2 exact
+    shift 2
     [ ! -e "$folder/built" ] || return 0
-    { find "$root"/samples/{scenes,prefabs} -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,joint_measure,spawn}.cpp; } |
-        compile "$@" || return
+    mkdir -p "$folder"
+    mapfile -t exact < <(exact_flags "$processor")
+    printf '#include <%s>\n' algorithm cmath functional string variant vector >"$folder/common.hpp"
+    printf '#include "engine.hpp"\n' >>"$folder/common.hpp"
+    "$@" -O0 -std=c++20 "${exact[@]}" -I"$root/samples" -I"$root/engine/include" -x c++-header "$folder/common.hpp" -o "$folder/common.hpp.gch" || return
+    {
+        find "$root"/samples/{scenes,prefabs} -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,joint_measure,spawn}.cpp &&
+            case $processor in wasm*) ;; *) printf '%s\n' "$root/samples/thread_pool.cpp" ;; esac
+    } |
+        compile "$folder" "$processor" "$@" -O0 || return
     touch "$folder/built"
 }
 

@@ -72,11 +72,13 @@ inline std::vector<Checkpoint> checkpoints_of(const Table& table, const samples:
     return points;
 }
 
-/// Runs a scene and fills in the hash at each checkpoint with at most `most_steps` steps; those beyond are left out.
+/// Runs a scene and fills in the hash at each checkpoint with at most `most_steps` steps; those beyond are left out. The hash of a
+/// world that is not sound (World::validate) is taken for 0.
 inline std::vector<Checkpoint> run(const samples::SceneInfo& info, const std::vector<Checkpoint>& points, std::uint32_t lanes,
-                                   int most_steps) {
+                                   int most_steps, const TaskSystem& tasks = {}) {
     samples::Scene scene = info.make();
     scene.world.lanes = lanes;
+    scene.world.tasks = tasks;
     samples::IsletEngine engine;
     engine.load(scene);
     std::vector<Checkpoint> seen;
@@ -84,7 +86,7 @@ inline std::vector<Checkpoint> run(const samples::SceneInfo& info, const std::ve
     for (const Checkpoint& point : points) {
         if (point.steps > most_steps) break;
         for (; step < point.steps; ++step) engine.advance(scene, step, scene.dt);
-        seen.push_back({point.steps, engine.world().hash()});
+        seen.push_back({point.steps, engine.world().validate() == nullptr ? engine.world().hash() : 0});
     }
     return seen;
 }

@@ -1,23 +1,52 @@
 // Runs scenes and compares their hashes with golden.txt: a bare program, to be built with any compiler and any flags.
 //
-//     hashes GOLDEN_FILE [--lanes 1,4,8] [--most-steps N] [--large-steps N] [--update]
+//     hashes GOLDEN_FILE [--lanes 1,4,8] [--workers 1,2,4,8] [--scene NAME]... [--most-steps N] [--large-steps N] [--update]
 //
 // Exit status 0: all equal; 1: not; 2: wrong usage. --most-steps leaves out the checkpoints beyond, --large-steps those of the benchmark scenes.
+// Without --workers the worlds have no task system; with it they step on a pool of so many threads.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
 #include "golden.hpp"
+#if !defined(__wasi__)
+#include "thread_pool.hpp"
+#endif
 
 using namespace islet;
 
+namespace {
+
+#if defined(__wasi__)
+// No threads there.
+struct Pool {
+    explicit Pool(std::uint32_t) {}
+    static TaskSystem tasks() { return {}; }
+};
+#else
+using Pool = samples::ThreadPool;
+#endif
+
+// The numbers in a list like 1,4,8, each of one digit.
+std::vector<std::uint32_t> digits(const std::string& list) {
+    std::vector<std::uint32_t> numbers;
+    for (const char c : list)
+        if (c >= '0' && c <= '9') numbers.push_back(static_cast<std::uint32_t>(c - '0'));
+    return numbers;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: hashes GOLDEN_FILE [--lanes 1,4,8] [--most-steps N] [--large-steps N] [--update]\n");
+        std::fprintf(stderr,
+                     "usage: hashes GOLDEN_FILE [--lanes 1,4,8] [--workers 1,2,4,8] [--scene NAME]... [--most-steps N] [--large-steps N] "
+                     "[--update]\n");
         return 2;
     }
     const std::string path = argv[1];
-    std::string lanes = "1,4,8";
+    std::string lanes = "1,4,8", workers = "1";
+    std::vector<std::string> scenes;  // all if empty
     int most_steps = 1 << 30, large_steps = 1 << 30;
     bool update = false;
     for (int i = 2; i < argc; ++i) {
@@ -26,6 +55,10 @@ int main(int argc, char** argv) {
             update = true;
         } else if (i + 1 < argc && option == "--lanes") {
             lanes = argv[++i];
+        } else if (i + 1 < argc && option == "--workers") {
+            workers = argv[++i];
+        } else if (i + 1 < argc && option == "--scene") {
+            scenes.emplace_back(argv[++i]);
         } else if (i + 1 < argc && option == "--most-steps") {
             most_steps = std::atoi(argv[++i]);
         } else if (i + 1 < argc && option == "--large-steps") {
@@ -40,21 +73,24 @@ int main(int argc, char** argv) {
     golden::Table fresh;
     int compared = 0, wrong = 0;
     for (const samples::SceneInfo& info : samples::catalogue()) {
+        if (!scenes.empty() && std::find(scenes.begin(), scenes.end(), info.name) == scenes.end()) continue;
         const std::vector<golden::Checkpoint> due = golden::checkpoints_of(table, info);
         if (update) {
             fresh.push_back({info.name, golden::run(info, due, 0, 1 << 30)});
             continue;
         }
         const int steps = std::string(info.group) == "benchmark" ? std::min(most_steps, large_steps) : most_steps;
-        for (const char c : lanes) {
-            if (c < '0' || c > '9') continue;
-            const std::vector<golden::Checkpoint> seen = golden::run(info, due, static_cast<std::uint32_t>(c - '0'), steps);
-            for (std::size_t i = 0; i < seen.size(); ++i) {
-                ++compared;
-                if (seen[i].hash == due[i].hash) continue;
-                ++wrong;
-                std::printf("%s, lanes %c, %d steps: %s, should be %s\n", info.name, c, seen[i].steps, golden::hex(seen[i].hash).c_str(),
-                            golden::hex(due[i].hash).c_str());
+        for (const std::uint32_t threads : digits(workers)) {
+            Pool pool(threads);
+            for (const std::uint32_t width : digits(lanes)) {
+                const std::vector<golden::Checkpoint> seen = golden::run(info, due, width, steps, pool.tasks());
+                for (std::size_t i = 0; i < seen.size(); ++i) {
+                    ++compared;
+                    if (seen[i].hash == due[i].hash) continue;
+                    ++wrong;
+                    std::printf("%s, lanes %u, workers %u, %d steps: %s, should be %s\n", info.name, width, threads, seen[i].steps,
+                                golden::hex(seen[i].hash).c_str(), golden::hex(due[i].hash).c_str());
+                }
             }
         }
     }

@@ -70,8 +70,9 @@ check aarch64 aarch64 1,4 qemu-aarch64 -- aarch64-linux-gnu-g++ -O2 -- -static
 check armhf armv7l 1 qemu-arm -- arm-linux-gnueabihf-g++ -O2 -- -static
 check riscv64 riscv64 1 qemu-riscv64 -- riscv64-linux-gnu-g++ -O2 -- -static
 check s390x s390x 1 qemu-s390x -- s390x-linux-gnu-g++ -O2 -- -static
-wasm=(clang++-16 --target=wasm32-wasi -O2 -D_WASI_EMULATED_PROCESS_CLOCKS)
-wasm_link=("$root/tests/determinism/wasm_throw.cpp" "-Wl,-z,stack-size=1048576")
-check wasm wasm32 1 node "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -- "${wasm_link[@]}"
-check wasm-simd wasm32 1,4 node "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -msimd128 -- "${wasm_link[@]}"
+llvm=/usr/lib/llvm-16
+wasm=(clang++-16 --target=wasm32-wasi -O2 -cxx-isystem "$llvm/include/wasm32-wasi/c++/v1")
+wasm_link=(-std=c++20 "-L$llvm/lib/wasm32-wasi" "$root/tests/determinism/wasm_throw.cpp" "-Wl,-z,stack-size=1048576")
+check wasm wasm32 1 node --no-warnings "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -- "${wasm_link[@]}"
+check wasm-simd wasm32 1,4 node --no-warnings "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -msimd128 -- "${wasm_link[@]}"
 if $failed; then exit 1; fi

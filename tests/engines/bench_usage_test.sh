@@ -25,7 +25,7 @@ expect 0 'hello  *islet' hello "${few[@]}"
 expect 0 '"engine": "islet"' hello --json "${few[@]}"
 expect 0 '"steps": 3' hello --json "${few[@]}"
 expect 0 large_pyramid --steps 1 --repeat 1 --engine islet  # no scene: the benchmark
-expect 0 'one worker' hello --workers 2 --engine islet "${few[@]}"
+expect 0 '"workers": 2' hello --json --workers 2 --engine islet "${few[@]}"
 expect 2 'near names: pyramid' pyramidd
 expect 2 'there are: islet' hello --engine newton
 expect 2 '--repeat' hello --repeat 0

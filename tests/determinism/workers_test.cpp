@@ -1,0 +1,141 @@
+// Workers change nothing: whatever order the tasks of a step run in, and on however many threads, the hashes are those of golden.txt. Orders are played
+// by task systems that run everything on one thread, so they are the same in every run of this test.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <numeric>
+#include <string>
+#include <thread>
+#include <vector>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include "golden.hpp"
+#include "support/random.hpp"
+#include "support/test_world.hpp"
+#include "thread_pool.hpp"
+
+namespace islet::test {
+namespace {
+
+std::string golden_file() { return (std::filesystem::path(__FILE__).parent_path() / "golden.txt").string(); }
+
+using Task = void (*)(void* data, std::uint32_t index);
+
+// Task systems of one thread, which claim to have four.
+struct Order {
+    std::uint64_t calls = 0, tasks = 0;
+    Random random{7};
+
+    void count(std::uint32_t n) {
+        ++calls;
+        tasks += n;
+    }
+    static void backwards(void* order, std::uint32_t count, Task task, void* data) {
+        static_cast<Order*>(order)->count(count);
+        for (std::uint32_t i = count; i-- > 0;) task(data, i);
+    }
+    static void shuffled(void* order, std::uint32_t count, Task task, void* data) {
+        auto* self = static_cast<Order*>(order);
+        self->count(count);
+        std::vector<std::uint32_t> indices(count);
+        std::iota(indices.begin(), indices.end(), 0u);
+        for (std::uint32_t i = count; i > 1; --i) std::swap(indices[i - 1], indices[self->random.below(i)]);
+        for (const std::uint32_t i : indices) task(data, i);
+    }
+    // As a host may have left its threads: flush-to-zero on, and rounding towards zero.
+    static void other_float_mode(void* order, std::uint32_t count, Task task, void* data) {
+        static_cast<Order*>(order)->count(count);
+        std::thread([&] {
+#if defined(__SSE2__)
+            _mm_setcsr(_mm_getcsr() | 0xe040u);
+#endif
+            for (std::uint32_t i = 0; i < count; ++i) task(data, i);
+        }).join();
+    }
+};
+
+void expect_golden(const samples::SceneInfo& info, const TaskSystem& tasks, const char* what) {
+    const golden::Table table = golden::read(golden_file());
+    const bool large = std::string(info.group) == "benchmark";
+    const std::vector<golden::Checkpoint> due = golden::checkpoints_of(table, info);
+    const std::vector<golden::Checkpoint> seen = golden::run(info, due, 0, large ? 20 : 60, tasks);
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        EXPECT_EQ(golden::hex(seen[i].hash), golden::hex(due[i].hash)) << what << ", after " << seen[i].steps << " steps";
+}
+
+class Workers : public testing::TestWithParam<samples::SceneInfo> {};
+
+TEST_P(Workers, OrderOfTasksDecidesNothing) {
+    Order order;
+    expect_golden(GetParam(), {Order::backwards, &order, 4}, "backwards");
+    expect_golden(GetParam(), {Order::shuffled, &order, 4}, "shuffled");
+#if ISLET_THREADS
+    if (std::string(GetParam().group) == "benchmark") {
+        EXPECT_GT(order.tasks, 2 * order.calls) << "hardly anything was cut: this test shows nothing";
+    }
+#endif
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Workers, testing::ValuesIn(samples::catalogue()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(WorkersOnThreads, HashesAreTheSameForAnyNumber) {
+    for (const char* name : {"large_pyramid", "many_pyramids", "washer", "rain"}) {
+        for (const std::uint32_t workers : {1u, 2u, 4u, 8u}) {
+            samples::ThreadPool pool(workers);
+            expect_golden(*samples::find_scene(name), pool.tasks(), name);
+        }
+    }
+}
+
+TEST(WorkersOnThreads, FloatModeOfAThreadDoesNotReachTheBits) {
+    for (const char* name : {"large_pyramid", "many_pyramids"}) {
+        Order order;
+        expect_golden(*samples::find_scene(name), {Order::other_float_mode, &order, 2}, name);
+    }
+}
+
+TEST(TaskSystems, OneWorkerOrNoFunctionStepsOnTheCallingThread) {
+    const samples::SceneInfo& info = *samples::find_scene("many_pyramids");
+    Order order;
+    expect_golden(info, {Order::backwards, &order, 1}, "one worker");
+    EXPECT_EQ(order.calls, 0u);
+    expect_golden(info, {nullptr, nullptr, 8}, "no function");
+}
+
+TEST(TaskSystems, UnusableNumbersOfWorkersAreRefused) {
+    TestWorld w;
+    Order order;
+    for (const std::uint32_t workers : {0u, max_workers + 1, 0xffffffffu}) {
+        w->clear_error();
+        w->set_tasks({Order::backwards, &order, workers});
+        EXPECT_EQ(w->last_error(), Error::out_of_range) << workers;
+        EXPECT_EQ(w->tasks().parallel_for, nullptr) << "a refused task system was kept";
+        EXPECT_EQ(w->tasks().workers, 1u);
+
+        alignas(world_alignment) static std::byte block[world_bytes({4, 4, 8})];
+        WorldDef def;
+        def.tasks.workers = workers;
+        Error error = Error::none;
+        EXPECT_EQ(World::create(block, {4, 4, 8}, def, &error), nullptr);
+        EXPECT_EQ(error, Error::out_of_range);
+    }
+    w->clear_error();
+    w->set_tasks({Order::backwards, &order, max_workers});
+    EXPECT_EQ(w->last_error(), Error::none);
+    EXPECT_EQ(w->tasks().workers, max_workers);
+    EXPECT_EQ(w->tasks().context, &order);
+}
+
+TEST(TaskSystems, AreNoPartOfTheState) {
+    TestWorld with, without;
+    Order order;
+    with->set_tasks({Order::backwards, &order, 4});
+    EXPECT_EQ(with->hash(), without->hash());
+}
+
+}  // namespace
+}  // namespace islet::test

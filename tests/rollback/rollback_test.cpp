@@ -1,0 +1,108 @@
+// The rollback sample: a bad link, two peers on it, and what must hold between them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "physics/measure.hpp"
+#include "session.hpp"
+
+namespace islet::test {
+namespace {
+
+using namespace rollback;
+
+// -- the link ------------------------------------------------------------------------------------------------------------------------------
+
+struct Delivery {
+    std::vector<int> arrivals;  // of each packet, by number; the first copy
+    int delivered = 0, doubled = 0;
+};
+
+Delivery deliver(const LinkDef& def, int packets) {
+    Link<int> link(def);
+    Delivery d{std::vector<int>(static_cast<std::size_t>(packets), -1)};
+    for (int now = 0; now < packets + 100; ++now) {
+        if (now < packets) link.send(now, now);
+        link.receive(now, [&](int number) {
+            int& arrival = d.arrivals[static_cast<std::size_t>(number)];
+            ++(arrival < 0 ? d.delivered : d.doubled);
+            if (arrival < 0) arrival = now;
+        });
+    }
+    return d;
+}
+
+TEST(Link, LosesAndDoublesAsOftenAsAsked) {
+    const Delivery d = deliver({.loss_percent = 20, .double_percent = 5}, 20000);
+    EXPECT_NEAR(d.delivered, 16000, 300);
+    EXPECT_NEAR(d.doubled, 800, 150);
+}
+
+TEST(Link, KeepsItsDelaysAndLetsPacketsOvertakeEachOther) {
+    const Delivery d = deliver({.loss_percent = 0, .double_percent = 0, .least_delay = 3, .most_delay = 8}, 5000);
+    int least = 100, most = 0, overtaken = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const int delay = d.arrivals[static_cast<std::size_t>(i)] - i;
+        least = std::min(least, delay);
+        most = std::max(most, delay);
+        if (i > 0 && d.arrivals[static_cast<std::size_t>(i)] < d.arrivals[static_cast<std::size_t>(i - 1)]) ++overtaken;
+    }
+    EXPECT_EQ(least, 3);
+    EXPECT_EQ(most, 8);
+    EXPECT_GT(overtaken, 500);
+}
+
+// -- the match -----------------------------------------------------------------------------------------------------------------------------
+
+constexpr int ten_minutes = slow_build ? 1500 : 36000;
+
+class TenMinutes : public testing::TestWithParam<const char*> {};
+
+TEST_P(TenMinutes, PeersAgreeOnEveryFrameOverABadLink) {
+    const SessionResult r = play_session(*samples::find_scene(GetParam()), ten_minutes);
+    EXPECT_EQ(r.first_difference, -1);
+    EXPECT_GE(r.agreed, ten_minutes) << "the match did not go on to its end";
+    for (int i = 0; i < player_count; ++i) {
+        const PeerReport& p = r.peers[i];
+        EXPECT_EQ(p.desyncs, 0);
+        EXPECT_LE(p.deepest, window);
+        // Otherwise nothing was put to the test.
+        EXPECT_GT(p.rollbacks, ten_minutes / 60);
+        EXPECT_GT(p.replayed, p.rollbacks);
+        EXPECT_GT(r.lost[i], r.sent[i] / 20);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TenMinutes, testing::Values("pyramid", "ragdoll"), [](const auto& test) { return std::string(test.param); });
+
+TEST(Rollback, APeerThatDoesNotGoBackIsFoundOut) {
+    const SessionResult r = play_session(*samples::find_scene("pyramid"), 600, {.second_heeds = false});
+    EXPECT_GE(r.first_difference, 0);
+    EXPECT_GT(r.peers[0].desyncs, 0) << "the other did not notice";
+    EXPECT_GT(r.peers[1].desyncs, 0) << "it did not notice itself";
+}
+
+TEST(Rollback, AVeryBadLinkSlowsTheMatchAndSpoilsNothing) {
+    const LinkDef bad{.loss_percent = 60, .double_percent = 20, .least_delay = 5, .most_delay = 25, .seed = 5};
+    LinkDef worse = bad;
+    worse.seed = 6;
+    const SessionResult r = play_session(*samples::find_scene("ragdoll"), 600, {.there = bad, .back = worse});
+    EXPECT_EQ(r.first_difference, -1);
+    EXPECT_GE(r.agreed, 600);
+    for (const PeerReport& p : r.peers) {
+        EXPECT_GT(p.waits, 100);
+        EXPECT_EQ(p.deepest, window) << "the window was never used up, or passed";
+        EXPECT_EQ(p.desyncs, 0);
+    }
+}
+
+TEST(Rollback, WithoutDelayNothingIsEverPlayedTwiceForLong) {
+    const LinkDef good{.loss_percent = 0, .double_percent = 0, .least_delay = 0, .most_delay = 0};
+    const SessionResult r = play_session(*samples::find_scene("pyramid"), 300, {.there = good, .back = good});
+    EXPECT_EQ(r.first_difference, -1);
+    for (const PeerReport& p : r.peers) EXPECT_LE(p.deepest, 1);
+}
+
+}  // namespace
+}  // namespace islet::test
