@@ -391,8 +391,9 @@ void BatchSolve<K>::run() {
 
 // Wide batches one after another, each by all workers; then the others side by side, each by one.
 //
-// The rows of a batch are of use only while it is solved. So batches that one worker solves one after another take turns in the same memory, which stays
-// in its core's cache, as far as there is room for one batch a worker; else each batch has its own.
+// Batches go in runs of neighbours, a few a worker, each with its share of the rows. The rows of a batch are of use only while it is solved, so the
+// batches of a run take turns in the same memory, which stays in the core's cache, as far as there is room for the largest batch a run; else each batch
+// has its own.
 template <class K>
 void solve_batches(Solve& s) {
     using Rows = typename K::Rows;
@@ -405,25 +406,28 @@ void solve_batches(Solve& s) {
         return weight >= wide_contacts;
     };
     std::uint32_t largest = 0, narrow = 0;
+    std::uint64_t total = 0;
     for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
         const Batch& b = s.plan.batches[i];
         if (is_wide(b)) {
             BatchSolve<K>{s, b, true, rows + b.first_block[0]}.run();
         } else {
             largest = largest > blocks_of(b) ? largest : blocks_of(b);
+            total += blocks_of(b) + 1;
             ++narrow;
         }
     }
-    const std::uint32_t turns = worker_count(s.core) < narrow ? worker_count(s.core) : narrow;  // batches at a time
-    const bool take_turns = std::uint64_t{turns} * largest <= s.plan.block_count;
-    for_ranges(s.core, turns, 1, [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t turn = first; turn < end; ++turn) {
-            std::uint32_t next = 0;  // among the narrow ones
-            for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
-                const Batch& b = s.plan.batches[i];
-                if (is_wide(b) || next++ % turns != turn) continue;
-                BatchSolve<K>{s, b, false, rows + (take_turns ? turn * largest : b.first_block[0])}.run();
-            }
+    const std::uint32_t wanted = has_workers(s.core) ? 4 * worker_count(s.core) : 1;  // more than workers, so that one that is held up gets less
+    const std::uint32_t runs = wanted < narrow ? wanted : narrow;
+    const bool take_turns = std::uint64_t{runs} * largest <= s.plan.block_count;
+    for_ranges(s.core, runs, 1, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint64_t before = 0;
+        for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
+            const Batch& b = s.plan.batches[i];
+            if (is_wide(b)) continue;
+            const auto run = static_cast<std::uint32_t>(before * runs / total);
+            before += blocks_of(b) + 1;
+            if (run >= first && run < end) BatchSolve<K>{s, b, false, rows + (take_turns ? run * largest : b.first_block[0])}.run();
         }
     });
 }
