@@ -276,9 +276,8 @@ const char* fault_in_gear_counts(const Core& c, Arena scratch) {
 
 const char* fault_in_pairs(const Core& c, Arena scratch) {
     const std::uint32_t size = next_power_of_two(2 * c.state->contact_pool.high_water + 1);
-    const PairSet pairs{scratch.take<std::uint64_t>(size), size - 1};
-    std::memset(pairs.keys, 0, std::size_t{size} * 8);
-    PairSet seen = pairs;
+    PairSet seen{scratch.take<std::uint64_t>(size), size - 1};
+    std::memset(seen.keys, 0, std::size_t{size} * 8);
     return first_fault(c.state->contact_pool, c.contacts, [&](std::uint32_t i) -> const char* {
         const std::uint64_t key = PairSet::key(c.contacts[i].shape_a, c.contacts[i].shape_b);
         if (seen.contains(key)) return "two shapes have two contacts";
