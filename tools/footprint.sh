@@ -15,8 +15,8 @@ targets=(cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 riscv32)
 
 # Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
 declare -A most_flash=(
-    [cortex-m3]='109000 78000 46500' [cortex-m4f]='96500 65536 38700' [cortex-m7]='96500 65536 38700' [cortex-m33]='96500 65536 38700'
-    [cortex-m55]='96500 65536 38700' [riscv32]='102000 69700 41500'
+    [cortex-m3]='109000 78000 47000' [cortex-m4f]='96500 65536 39300' [cortex-m7]='96500 65536 39300' [cortex-m33]='96500 65536 39300'
+    [cortex-m55]='96700 66000 39300' [riscv32]='102500 70100 42300'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
@@ -148,7 +148,7 @@ log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --
 [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
     complain "what is left out changes the pyramid"
 cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
-at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 33500
+at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 33800
 
 if [ "$mode" = json ]; then
     separator=

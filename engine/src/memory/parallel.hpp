@@ -14,6 +14,8 @@
 
 namespace islet::detail {
 
+inline constexpr bool has_threads = ISLET_THREADS != 0;
+
 inline bool has_workers(const Core& core) {
 #if ISLET_THREADS
     return core.tasks.parallel_for != nullptr && core.tasks.workers > 1;

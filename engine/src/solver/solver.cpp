@@ -265,7 +265,7 @@ struct BatchSolve {
 
     template <class Work>
     void over(std::uint32_t count, std::uint32_t grain, Work&& work) {
-        if (wide) {
+        if (has_threads && wide) {
             for_ranges(s.core, count, grain, work);
         } else if (count > 0) {
             work(0u, count);
@@ -406,7 +406,7 @@ void solve_batches(Solve& s) {
         return weight >= wide_contacts;
     };
     std::uint32_t largest = 0, narrow = 0;
-    std::uint64_t total = 0;
+    std::uint32_t total = 0;  // at most as many as there are rows: times the runs it still is a 32-bit number
     for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
         const Batch& b = s.plan.batches[i];
         if (is_wide(b)) {
@@ -421,11 +421,11 @@ void solve_batches(Solve& s) {
     const std::uint32_t runs = wanted < narrow ? wanted : narrow;
     const bool take_turns = std::uint64_t{runs} * largest <= s.plan.block_count;
     for_ranges(s.core, runs, 1, [&](std::uint32_t first, std::uint32_t end) {
-        std::uint64_t before = 0;
+        std::uint32_t before = 0;
         for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
             const Batch& b = s.plan.batches[i];
             if (is_wide(b)) continue;
-            const auto run = static_cast<std::uint32_t>(before * runs / total);
+            const std::uint32_t run = before * runs / total;
             before += blocks_of(b) + 1;
             if (run >= first && run < end) BatchSolve<K>{s, b, false, rows + (take_turns ? run * largest : b.first_block[0])}.run();
         }

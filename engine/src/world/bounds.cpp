@@ -99,11 +99,7 @@ float slack_of(const Core& core, std::uint32_t body) {
     return slack;
 }
 
-namespace {
-
-// Calls note(shape, whether its fat box changed).
-template <class Note>
-void fit(Core& core, std::uint32_t body, bool force, Note&& note) {
+void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
     const bool is_static = core.bodies[body].type() == BodyType::static_body;
     const Transform t = body_transform(core, body);
     float slack = 3.0e38f;
@@ -117,23 +113,17 @@ void fit(Core& core, std::uint32_t body, bool force, Note&& note) {
             shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
             fat = expand(tight, shape.margin);
         }
-        note(s, leaves);
+        if (changed != nullptr) {
+            changed[s] = leaves;
+        } else if (leaves) {
+            mark_moved(core, s);
+        }
         slack = min(slack, room_in(fat, tight));
     }
     core.motions[body].slack = slack;
 }
 
-}  // namespace
-
-void update_boxes(Core& core, std::uint32_t body, bool force) {
-    fit(core, body, force, [&](std::uint32_t shape, bool changed) {
-        if (changed) mark_moved(core, shape);
-    });
-}
-
-void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
-    fit(core, body, force, [&](std::uint32_t shape, bool is_changed) { changed[shape] = is_changed; });
-}
+void update_boxes(Core& core, std::uint32_t body, bool force) { fit_boxes(core, body, force, nullptr); }
 
 void mark_changed(Core& core, std::uint32_t body, const bool* changed) {
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)

@@ -16,8 +16,8 @@ Transform body_transform(const Core& core, std::uint32_t body);
 Aabb shape_aabb(const Core& core, std::uint32_t shape);
 /// Sets the body's fat boxes anew, marks those that changed, and sets the slack. Unless forced, a fat box that still holds the shape is kept.
 void update_boxes(Core& core, std::uint32_t body, bool force);
-/// The same, but writes to `changed`, by shape, whether its box changed, for mark_changed: marks are shared, so bodies that are moved side by side are
-/// marked afterwards.
+/// The same, but if `changed` is given writes to it, by shape, whether its box changed, for mark_changed: marks are shared, so bodies that are moved side
+/// by side are marked afterwards.
 void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed);
 void mark_changed(Core& core, std::uint32_t body, const bool* changed);
 /// Mass, centre and inertia from the shapes, unless overridden; keeps the velocity of the material. Updates the extents too.

@@ -13,7 +13,7 @@ namespace {
 inline constexpr std::uint32_t finish_grain = 4;  // words of 64 bodies that are worth a task
 
 // Pose and boxes after the way made. The slack says how far the body may go on before a box could be left, so most bodies need no look at their shapes.
-// Returns whether it took that look; then `changed` says whose box is another.
+// Returns whether it took that look; then `changed`, if given, says whose box is another.
 bool move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt, bool* changed) {
     Pose& pose = core.poses[i];
     Motion& motion = core.motions[i];
@@ -34,6 +34,14 @@ bool move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt, boo
 
 // `rested`, by slot: s that each body has been at rest.
 void move_bodies(Core& core, const Plan& plan, const SolverBody* bodies, float* rested, Arena arena, float dt) {
+    if (!has_workers(core)) {
+        for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
+            const std::uint32_t body = plan.body_of[slot];
+            move_body(core, body, bodies[slot], dt, nullptr);
+            rested[slot] = core.motions[body].sleep_time;
+        }
+        return;
+    }
     const auto words = static_cast<std::uint32_t>(words_for(plan.slot_count));
     const BitSet looked{arena.take<std::uint64_t>(words), words};  // by slot
     bool* changed = arena.take<bool>(core.state->shape_pool.high_water);
@@ -52,9 +60,13 @@ void move_bodies(Core& core, const Plan& plan, const SolverBody* bodies, float* 
 // Who moved is reported in slot order of the pool.
 void report_moved(Core& core, Arena arena) {
     const BitSet awake = core.awake_bodies;
+    core.moved_count = 0;
+    if (!has_workers(core)) {
+        awake.for_each([&](std::uint32_t body) { core.moved_events[core.moved_count++] = core.body_id(body); });
+        return;
+    }
     const std::uint32_t ranges = range_count(awake.word_count, finish_grain);
     std::uint32_t* place = arena.take<std::uint32_t>(ranges);  // of a range's first event
-    core.moved_count = 0;
     for (std::uint32_t i = 0; i < ranges; ++i) {
         place[i] = core.moved_count;
         const std::uint32_t end = (i + 1) * finish_grain < awake.word_count ? (i + 1) * finish_grain : awake.word_count;
