@@ -38,7 +38,7 @@ void Peer::receive(const Packet& packet) {
         inputs_[other_].push_back(packet.inputs[i]);
         if (frame < frame_ && guesses_[static_cast<std::size_t>(frame)] != packet.inputs[i]) wrong_ = std::min(wrong_, frame);
     }
-    if (packet.checked_frame >= 0 && packet.checked_frame < std::min(certain(), wrong_) && hash_after(packet.checked_frame) != packet.checked_hash)
+    if (packet.checked_frame >= 0 && packet.checked_frame < certain() && hash_after(packet.checked_frame) != packet.checked_hash)
         ++report_.desyncs;
 }
 
@@ -113,6 +113,6 @@ Packet Peer::packet() const {
     return p;
 }
 
-int Peer::certain() const { return std::min(frame_, known(other_)); }
+int Peer::certain() const { return std::min({frame_, known(other_), wrong_}); }
 
 }  // namespace islet::rollback

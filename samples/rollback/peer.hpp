@@ -51,7 +51,7 @@ public:
     /// What to send now.
     Packet packet() const;
 
-    /// Frames of which both players' inputs are known, and which are played.
+    /// Frames of which both players' inputs are known, and which are played with them: these never change again.
     int certain() const;
     /// Hash of the world after a certain frame.
     std::uint64_t hash_after(int frame) const { return hashes_[static_cast<std::size_t>(frame)]; }

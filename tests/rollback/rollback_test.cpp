@@ -53,6 +53,96 @@ TEST(Link, KeepsItsDelaysAndLetsPacketsOvertakeEachOther) {
     EXPECT_GT(overtaken, 500);
 }
 
+// -- a peer alone --------------------------------------------------------------------------------------------------------------------------
+
+/// Two peers who hear each other at once, unless a test steps in.
+struct Pair {
+    Peer first{0, samples::find_scene("pyramid")->make(), 1};
+    Peer second{1, samples::find_scene("pyramid")->make(), 0};
+
+    /// `spoil` may change what the first tells the second.
+    template <class Spoil>
+    void play(int frames, Spoil&& spoil) {
+        for (int i = 0; i < frames; ++i) {
+            first.play(pretend(0, first.report().frames));
+            Packet packet = first.packet();
+            spoil(packet);
+            second.receive(packet);
+            second.play(pretend(1, second.report().frames));
+            first.receive(second.packet());
+        }
+    }
+    void play(int frames) {
+        play(frames, [](Packet&) {});
+    }
+    int desyncs() const { return first.report().desyncs + second.report().desyncs; }
+};
+
+/// What the first player did in some frames, as a packet.
+Packet told(int first, int count) {
+    Packet packet;
+    packet.first = first;
+    for (int i = 0; i < count; ++i) packet.inputs.push_back(pretend(0, first + i));
+    return packet;
+}
+
+TEST(Peer, TakesEachInputOnceAndInOrderHoweverPacketsArrive) {
+    Peer peer(1, samples::find_scene("pyramid")->make(), 0);
+    for (int i = 0; i < window; ++i) peer.play(pretend(1, i));
+    EXPECT_EQ(peer.certain(), 0);
+    peer.receive(told(0, 3));
+    EXPECT_EQ(peer.packet().known, 3);
+    peer.receive(told(0, 3));
+    EXPECT_EQ(peer.packet().known, 3) << "a packet that came twice counted twice";
+    peer.receive(told(5, 2));
+    EXPECT_EQ(peer.packet().known, 3) << "frames 3 and 4 are missing";
+    peer.receive(told(1, 6));
+    EXPECT_EQ(peer.packet().known, 7);
+    peer.receive(told(0, 2));
+    EXPECT_EQ(peer.packet().known, 7) << "an old packet took something away";
+}
+
+TEST(Peer, TellsItsInputsUntilTheOtherHasThem) {
+    Peer peer(0, samples::find_scene("pyramid")->make(), 0);
+    for (int i = 0; i < 5; ++i) peer.play(pretend(0, i));
+    EXPECT_EQ(peer.packet().first, 0);
+    EXPECT_EQ(peer.packet().inputs, told(0, 5).inputs);
+    Packet heard;
+    heard.known = 3;
+    peer.receive(heard);
+    EXPECT_EQ(peer.packet().first, 3);
+    EXPECT_EQ(peer.packet().inputs, told(3, 2).inputs);
+    heard.known = 1;
+    peer.receive(heard);
+    EXPECT_EQ(peer.packet().first, 3) << "an old packet took something away";
+}
+
+TEST(Peer, WaitsAtTheEndOfTheWindowAndGoesOnWhenItHearsAgain) {
+    Pair pair;
+    pair.play(20);
+    int silent = 0;
+    while (pair.second.play(pretend(1, pair.second.report().frames))) ++silent;
+    EXPECT_EQ(silent, window);
+    EXPECT_FALSE(pair.second.play({})) << "waiting is not for one frame only";
+    pair.play(200);
+    EXPECT_GE(pair.second.certain(), 200);
+    EXPECT_LE(pair.second.report().deepest, window);
+    EXPECT_EQ(pair.desyncs(), 0);
+}
+
+TEST(Peer, GivesNoFalseAlarmWhenAskedForAPacketBeforeItHasGoneBack) {
+    Pair pair;
+    for (int i = 0; i < 600; ++i) {
+        pair.first.play(pretend(0, i));
+        pair.second.play(pretend(1, i));
+        const Packet packet = pair.first.packet();
+        pair.second.receive(packet);
+        pair.first.receive(pair.second.packet());  // the second has heard of wrong guesses and has not yet played
+    }
+    EXPECT_GT(pair.second.report().rollbacks, 5);
+    EXPECT_EQ(pair.desyncs(), 0);
+}
+
 // -- the match -----------------------------------------------------------------------------------------------------------------------------
 
 constexpr int ten_minutes = slow_build ? 1500 : 36000;
