@@ -23,6 +23,8 @@ inline bool has_workers(const Core& core) {
 #endif
 }
 
+inline std::uint32_t worker_count(const Core& core) { return has_workers(core) ? core.tasks.workers : 1; }
+
 /// Ranges that for_ranges cuts `count` items into.
 inline std::uint32_t range_count(std::uint32_t count, std::uint32_t grain) { return (count + grain - 1) / grain; }
 

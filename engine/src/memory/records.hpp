@@ -1,6 +1,7 @@
 // The records in the world's block: fixed-width fields, explicit padding, indices instead of pointers. Hot and cold data are apart.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "islet/geometry.hpp"
@@ -244,6 +245,22 @@ struct State {
 static_assert(sizeof(Pose) == pose_bytes && sizeof(Motion) == motion_bytes && sizeof(Body) == body_bytes);
 static_assert(sizeof(Shape) == shape_bytes && sizeof(Geometry) == geometry_bytes && sizeof(Aabb) == box_bytes);
 static_assert(sizeof(Contact) == contact_bytes && sizeof(ContactManifold) == manifold_bytes && sizeof(TreeNode) == tree_node_bytes);
-static_assert(sizeof(Joint) == joint_bytes);
+static_assert(sizeof(Joint) == joint_bytes && sizeof(State) == state_bytes);
+
+// The block is the same on every processor. On 32-bit x86 a struct aligns a 64-bit member to 4 bytes only, elsewhere to 8: each stands at a multiple
+// of 8 by the fields before it, and each struct ends at one, so that no compiler adds padding of its own. Counted in words of 4 bytes.
+static_assert(offsetof(Body, user_data) == 4 * 18 && sizeof(Body) == 4 * 24);
+static_assert(offsetof(Shape, user_data) == 4 * 16 && sizeof(Shape) == 4 * 18);
+static_assert(offsetof(Joint, user_data) == 4 * 56 && sizeof(Joint) == 4 * 58);
+static_assert(offsetof(State, steps) == 4 * 36 && sizeof(State) == 4 * 64);
+
+// The other records have words of 4 bytes alone; where their parts stand.
+static_assert(offsetof(Pose, inv_mass) == 4 * 4 && offsetof(Pose, flags) == 4 * 7 && sizeof(Pose) == 4 * 8);
+static_assert(offsetof(Motion, force) == 4 * 4 && offsetof(Motion, sleep_time) == 4 * 7 && sizeof(Motion) == 4 * 8);
+static_assert(offsetof(Geometry, words) == 4 * 4 && sizeof(Geometry) == 4 * 40);
+static_assert(offsetof(Contact, generation) == 4 * 6 && sizeof(Contact) == 4 * 8);
+static_assert(offsetof(ContactManifold, normal) == 4 * 4 && offsetof(ContactManifold, anchors) == 4 * 12 && sizeof(ContactManifold) == 4 * 24);
+static_assert(offsetof(TreeNode, parent) == 4 * 4 && sizeof(TreeNode) == 4 * 8);
+static_assert(offsetof(State, tree) == 4 * 15 && offsetof(State, solver) == 4 * 23 && offsetof(State, moved_count) == 4 * 38);
 
 }  // namespace islet::detail

@@ -257,9 +257,11 @@ struct BatchSolve {
     Solve& s;
     const Batch& batch;
     bool wide;
-    Rows* rows = reinterpret_cast<Rows*>(s.blocks);
+    Rows* first_row;  // of the batch's first block
     ContactRows<1>* overflow = s.overflow + batch.first_overflow;
     std::uint32_t overflow_count = batch.end_overflow - batch.first_overflow;
+
+    Rows* row(std::uint32_t block) const { return first_row + (block - batch.first_block[0]); }
 
     template <class Work>
     void over(std::uint32_t count, std::uint32_t grain, Work&& work) {
@@ -312,8 +314,8 @@ void BatchSolve<K>::prepare() {
     over_bodies([&](std::uint32_t first, std::uint32_t end) { gather_bodies(s, first, end); });
     const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers};
     over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) {
-        name_contacts(s.core, rows + first, end - first, s.plan.contacts + std::size_t{first} * W);
-        K::prepare(in, rows + first, end - first);
+        name_contacts(s.core, row(first), end - first, s.plan.contacts + std::size_t{first} * W);
+        K::prepare(in, row(first), end - first);
     });
     name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
     ContactKernel<Lane1>::prepare(in, overflow, overflow_count);
@@ -348,7 +350,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         if (count == 0) continue;
         const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
         over(count, contact_grain / W,
-             [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, rows + begin + first, end - first, numbers); });
+             [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, row(begin + first), end - first, numbers); });
     }
 }
 
@@ -356,7 +358,7 @@ template <class K>
 void BatchSolve<K>::store() {
     const std::uint32_t begin = batch.first_block[0];
     over(batch.first_block[color_count] - begin, 4 * contact_grain / W,
-         [&](std::uint32_t first, std::uint32_t end) { K::store(s.core.manifolds, rows + begin + first, end - first); });
+         [&](std::uint32_t first, std::uint32_t end) { K::store(s.core.manifolds, row(begin + first), end - first); });
     ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
     const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.h};
@@ -383,24 +385,46 @@ void BatchSolve<K>::run() {
     }
     const float threshold = s.numbers.restitution_threshold;
     ContactKernel<Lane1>::restitute(s.bodies, overflow, overflow_count, threshold);
-    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) { K::restitute(s.bodies, rows + first, end - first, threshold); });
+    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) { K::restitute(s.bodies, row(first), end - first, threshold); });
     store();
 }
 
+// Wide batches one after another, each by all workers; then the others side by side, each by one.
+//
+// The rows of a batch are of use only while it is solved. So batches that one worker solves one after another take turns in the same memory, which stays
+// in its core's cache, as far as there is room for one batch a worker; else each batch has its own.
 template <class K>
 void solve_batches(Solve& s) {
-    // Wide batches one after another, each by all workers; then the others side by side, each by one.
+    using Rows = typename K::Rows;
+    auto* const rows = reinterpret_cast<Rows*>(s.blocks);
+    const auto blocks_of = [](const Batch& b) { return b.first_block[color_count] - b.first_block[0]; };
     const auto is_wide = [&](const Batch& b) {
         if (!has_workers(s.core)) return false;
-        std::uint32_t weight = (b.first_block[color_count] - b.first_block[0]) * K::W;
+        std::uint32_t weight = blocks_of(b) * K::W;
         for (std::uint32_t i = b.first_run; i < b.end_run; ++i) weight += s.plan.runs[i].blocks * K::W;
         return weight >= wide_contacts;
     };
-    for (std::uint32_t i = 0; i < s.plan.batch_count; ++i)
-        if (is_wide(s.plan.batches[i])) BatchSolve<K>{s, s.plan.batches[i], true}.run();
-    for_ranges(s.core, s.plan.batch_count, 1, [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t i = first; i < end; ++i)
-            if (!is_wide(s.plan.batches[i])) BatchSolve<K>{s, s.plan.batches[i], false}.run();
+    std::uint32_t largest = 0, narrow = 0;
+    for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
+        const Batch& b = s.plan.batches[i];
+        if (is_wide(b)) {
+            BatchSolve<K>{s, b, true, rows + b.first_block[0]}.run();
+        } else {
+            largest = largest > blocks_of(b) ? largest : blocks_of(b);
+            ++narrow;
+        }
+    }
+    const std::uint32_t turns = worker_count(s.core) < narrow ? worker_count(s.core) : narrow;  // batches at a time
+    const bool take_turns = std::uint64_t{turns} * largest <= s.plan.block_count;
+    for_ranges(s.core, turns, 1, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t turn = first; turn < end; ++turn) {
+            std::uint32_t next = 0;  // among the narrow ones
+            for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
+                const Batch& b = s.plan.batches[i];
+                if (is_wide(b) || next++ % turns != turn) continue;
+                BatchSolve<K>{s, b, false, rows + (take_turns ? turn * largest : b.first_block[0])}.run();
+            }
+        }
     });
 }
 
