@@ -24,10 +24,13 @@ private:
 
 }  // namespace
 
-Peer::Peer(int player, samples::Scene scene, std::uint32_t lanes, bool heed)
-    : match_(std::move(scene), lanes), own_(player), other_(1 - player), heed_(heed) {
-    // The only memory that going back needs, taken once.
-    for (Image& image : before_) image.memory.resize(max_snapshot_bytes(match_.world().capacity()));
+Peer::Peer(int player, samples::Scene scene, const PeerDef& def)
+    : match_(std::move(scene), def.lanes),
+      own_(player),
+      other_(1 - player),
+      heed_(def.heed),
+      history_(match_.world().capacity(), window, def.keep) {
+    inputs_[own_].resize(static_cast<std::size_t>(def.input_delay));  // nothing acts before the first input does
 }
 
 void Peer::receive(const Packet& packet) {
@@ -38,7 +41,7 @@ void Peer::receive(const Packet& packet) {
         inputs_[other_].push_back(packet.inputs[i]);
         if (frame < frame_ && guesses_[static_cast<std::size_t>(frame)] != packet.inputs[i]) wrong_ = std::min(wrong_, frame);
     }
-    if (packet.checked_frame >= 0 && packet.checked_frame < std::min(certain(), wrong_) && hash_after(packet.checked_frame) != packet.checked_hash)
+    if (packet.checked_frame >= 0 && packet.checked_frame < certain() && hash_after(packet.checked_frame) != packet.checked_hash)
         ++report_.desyncs;
 }
 
@@ -83,15 +86,14 @@ void Peer::play_frame(int frame) {
 
 void Peer::remember(int frame) {
     const Stopwatch watch(report_.seconds_going_back);
-    Image& image = before_[static_cast<std::size_t>(frame % (window + 1))];
-    image.bytes = match_.world().save(image.memory);
-    report_.snapshot_bytes = std::max(report_.snapshot_bytes, image.bytes);
+    history_.save(match_.world(), frame);
+    report_.snapshot_bytes = std::max(report_.snapshot_bytes, match_.world().snapshot_bytes());
+    report_.history_bytes = std::max(report_.history_bytes, history_.bytes());
 }
 
 void Peer::go_back_to(int frame) {
     const Stopwatch watch(report_.seconds_going_back);
-    const Image& image = before_[static_cast<std::size_t>(frame % (window + 1))];
-    if (!match_.world().restore(std::span(image.memory).first(image.bytes))) throw std::logic_error(describe(match_.world().last_error()));
+    if (!history_.restore(match_.world(), frame)) throw std::logic_error("rollback: a frame outside the window");
 }
 
 // The guess is that a player goes on pushing as he did, and throws nothing.
@@ -113,6 +115,6 @@ Packet Peer::packet() const {
     return p;
 }
 
-int Peer::certain() const { return std::min(frame_, known(other_)); }
+int Peer::certain() const { return std::min({frame_, known(other_), wrong_}); }
 
 }  // namespace islet::rollback

@@ -7,10 +7,10 @@
 //                                ^               arrives, and was guessed wrong: restore 97, play 97 to 100
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "history.hpp"
 #include "match.hpp"
 
 namespace islet::rollback {
@@ -27,6 +27,14 @@ struct Packet {
     std::uint64_t checked_hash = 0;
 };
 
+/// How a peer plays. The two of a match need not be alike.
+struct PeerDef {
+    std::uint32_t lanes = 0;   ///< as in WorldDef
+    int input_delay = 0;       ///< frames, 0 to window, from an input to its effect: as long as it has to reach the other before he must guess
+    Keep keep = Keep::images;  ///< how it remembers the frames that it may go back to
+    bool heed = true;          ///< false: it never goes back when it guessed wrong, to see what comes of it
+};
+
 /// What happened so far.
 struct PeerReport {
     int frames = 0;             // played
@@ -36,26 +44,30 @@ struct PeerReport {
     int waits = 0;              // frames not played because the other was too far behind
     int desyncs = 0;            // hashes of certain frames that differed from the other's
     std::size_t snapshot_bytes = 0;  // largest
+    std::size_t history_bytes = 0;   // most, of all that is kept to go back to
     double seconds_stepping = 0, seconds_going_back = 0;  // save and restore
 };
 
 class Peer {
 public:
-    /// `player` is whose input is this peer's own. One that does not `heed` late inputs never goes back: to see what comes of it.
-    Peer(int player, samples::Scene scene, std::uint32_t lanes, bool heed = true);
+    /// `player` is whose input is this peer's own.
+    Peer(int player, samples::Scene scene, const PeerDef& def = {});
 
     /// Takes in what the other sent.
     void receive(const Packet& packet);
-    /// Goes back if a guess was wrong, then plays one frame with this input, unless the other is too far behind. Returns whether it did.
+    /// Goes back if a guess was wrong, then plays one frame, unless the other is too far behind. Returns whether it did; if not, the input is not
+    /// taken. It acts in this frame, or input_delay frames later.
     bool play(const Input& own);
     /// What to send now.
     Packet packet() const;
 
-    /// Frames of which both players' inputs are known, and which are played.
+    /// Frames of which both players' inputs are known, and which are played with them: these never change again.
     int certain() const;
     /// Hash of the world after a certain frame.
     std::uint64_t hash_after(int frame) const { return hashes_[static_cast<std::size_t>(frame)]; }
     const PeerReport& report() const { return report_; }
+    /// The world as it is now, guesses included: to draw. Whatever changes it but play() makes the peers disagree.
+    World& world() { return match_.world(); }
 
 private:
     void play_frame(int frame);
@@ -73,11 +85,7 @@ private:
     std::vector<Input> inputs_[player_count];     // by frame, as far as known
     std::vector<Input> guesses_;                  // the other's inputs as they were played
     std::vector<std::uint64_t> hashes_;           // by frame
-    struct Image {
-        std::vector<std::byte> memory;            // as much as the largest image needs
-        std::size_t bytes = 0;                    // in use
-    };
-    std::array<Image, window + 1> before_;        // the world before the last frames, by frame modulo window + 1
+    History history_;                             // the world before each of the last `window` frames
     PeerReport report_;
 };
 

@@ -3,7 +3,7 @@
 namespace islet::rollback {
 
 SessionResult play_session(const samples::SceneInfo& scene, int frames, const SessionDef& def) {
-    Peer peers[player_count] = {Peer(0, scene.make(), 1), Peer(1, scene.make(), 0, def.second_heeds)};
+    Peer peers[player_count] = {Peer(0, scene.make(), def.first), Peer(1, scene.make(), def.second)};
     Link<Packet> links[player_count] = {Link<Packet>(def.there), Link<Packet>(def.back)};  // from peer i
     SessionResult result;
     const auto certain = [&] { return peers[0].certain() < peers[1].certain() ? peers[0].certain() : peers[1].certain(); };

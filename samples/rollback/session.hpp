@@ -9,7 +9,9 @@ namespace islet::rollback {
 struct SessionDef {
     LinkDef there = {.seed = 1};
     LinkDef back = {.seed = 2};
-    bool second_heeds = true;  ///< as in Peer
+    // Single lanes and whole images here, the widest lanes and deltas there: the bits are the same.
+    PeerDef first = {.lanes = 1};
+    PeerDef second = {.keep = Keep::deltas};
 };
 
 struct SessionResult {
@@ -19,8 +21,7 @@ struct SessionResult {
     int first_difference = -1;                             // the first frame certain to both with different ones
 };
 
-/// Plays until both peers are certain of `frames` frames, or give up making progress. The first peer computes in single lanes, the second in the
-/// widest there are: the bits are the same.
+/// Plays until both peers are certain of `frames` frames, or give up making progress.
 SessionResult play_session(const samples::SceneInfo& scene, int frames, const SessionDef& def = {});
 
 }  // namespace islet::rollback
