@@ -103,15 +103,16 @@ private:
         case 4: {
             Vec2 points[8];
             for (Vec2& p : points) p = point(size);
-            remember(shapes_,
-                     w_->create_shape(id, make_polygon(compute_hull(std::span(points, 2 + random_.below(7))), number(0, 0.1f)), d));
+            const std::uint32_t count = 2 + random_.below(7);
+            remember(shapes_, w_->create_shape(id, make_polygon(compute_hull(std::span(points, count)), number(0, 0.1f)), d));
             break;
         }
         case 5: {
             Vec2 points[6];
             for (int i = 0; i < 6; ++i) points[i] = {3.0f - static_cast<float>(i), number(-size, size)};
             ShapeId made[6];
-            const std::uint32_t n = w_->create_chain(id, std::span(points, 2 + random_.below(5)), random_.one_in(4), d, made);
+            const std::uint32_t count = 2 + random_.below(5);
+            const std::uint32_t n = w_->create_chain(id, std::span(points, count), random_.one_in(4), d, made);
             for (std::uint32_t i = 0; i < n; ++i) remember(shapes_, made[i]);
             break;
         }
@@ -121,14 +122,16 @@ private:
 
     void change_body() {
         const BodyId b = body();
+        // Arguments are evaluated in an order of the compiler's choice, so no call draws two of its arguments.
+        const Vec2 at = point(4);
         switch (random_.below(20)) {
-        case 0: w_->set_transform(b, point(4), number(-4, 4)); break;
+        case 0: w_->set_transform(b, at, number(-4, 4)); break;
         case 1: w_->set_linear_velocity(b, point(10)); break;
         case 2: w_->set_angular_velocity(b, number(-10, 10)); break;
-        case 3: w_->apply_force(b, point(50), point(4)); break;
+        case 3: w_->apply_force(b, point(50), at); break;
         case 4: w_->apply_force_to_center(b, point(50)); break;
         case 5: w_->apply_torque(b, number(-50, 50)); break;
-        case 6: w_->apply_linear_impulse(b, point(5), point(4)); break;
+        case 6: w_->apply_linear_impulse(b, point(5), at); break;
         case 7: w_->apply_linear_impulse_to_center(b, point(5)); break;
         case 8: w_->apply_angular_impulse(b, number(-5, 5)); break;
         case 9: w_->set_type(b, static_cast<BodyType>(random_.below(random_.one_in(9) ? 9 : 3))); break;
