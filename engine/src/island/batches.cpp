@@ -17,6 +17,7 @@ std::uint32_t find_root(std::uint32_t* parent, std::uint32_t i) {
 }
 
 void join(std::uint32_t* parent, std::uint32_t a, std::uint32_t b) {
+    if (parent[a] == parent[b]) return;  // as most are: their island was joined by other links
     a = find_root(parent, a);
     b = find_root(parent, b);
     if (a < b) {
