@@ -214,36 +214,44 @@ void find_moved_pairs(Core& core) {
 
 inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness: who may move more in a step looks ahead for contacts
 
-// Notes who is fast, body by body; returns them as a set.
-BitSet find_fast(Core& core, Arena& arena, float dt) {
-    const std::uint32_t words = core.awake_bodies.word_count;
-    const BitSet fast{arena.take<std::uint64_t>(words), words};
-    for_ranges(core, words, 8, [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t w = first; w < end; ++w) fast.words[w] = 0;
-        core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) {
-            const Motion& motion = core.motions[body];
-            Pose& pose = core.poses[body];
-            const bool is_fast = dt * (length(motion.v) + abs(motion.w) * pose.max_extent) > fast_fraction * core.bodies[body].min_extent;
-            pose.flags = is_fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
-            if (is_fast) fast.set(body);
-        });
-    });
+// Notes whether the body is fast.
+bool note_fast(Core& core, std::uint32_t body, float dt) {
+    const Motion& motion = core.motions[body];
+    Pose& pose = core.poses[body];
+    const bool fast = dt * (length(motion.v) + abs(motion.w) * pose.max_extent) > fast_fraction * core.bodies[body].min_extent;
+    pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
     return fast;
 }
 
 // Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step.
-void find_pairs_ahead(Core& core, float dt) {
+void look_ahead(Core& core, std::uint32_t body, float dt) {
     const Tree tree{&core.state->tree, core.tree};
-    Arena arena = core.arena();
-    find_fast(core, arena, dt).for_each([&](std::uint32_t body) {
-        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            tree_query(tree, box_ahead(core, s, dt), [&](std::uint32_t other) {
-                // Where the fat boxes overlap the contact is there already, or was dropped and counted.
-                const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
-                if (is_static && !overlaps(core.boxes[s], core.boxes[other])) add_pair(core, s, other);
-            });
-        }
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+        tree_query(tree, box_ahead(core, s, dt), [&](std::uint32_t other) {
+            // Where the fat boxes overlap the contact is there already, or was dropped and counted.
+            const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
+            if (is_static && !overlaps(core.boxes[s], core.boxes[other])) add_pair(core, s, other);
+        });
+    }
+}
+
+void find_pairs_ahead(Core& core, float dt) {
+    if (!has_workers(core)) {
+        core.awake_bodies.for_each([&](std::uint32_t body) {
+            if (note_fast(core, body, dt)) look_ahead(core, body, dt);
+        });
+        return;
+    }
+    // Who is fast is noted side by side; then they look ahead in order.
+    const std::uint32_t words = core.awake_bodies.word_count;
+    const BitSet fast{core.arena().take<std::uint64_t>(words), words};
+    for_ranges(core, words, 8, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t w = first; w < end; ++w) fast.words[w] = 0;
+        core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) {
+            if (note_fast(core, body, dt)) fast.set(body);
+        });
     });
+    fast.for_each([&](std::uint32_t body) { look_ahead(core, body, dt); });
 }
 
 }  // namespace
