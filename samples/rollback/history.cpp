@@ -12,7 +12,7 @@ History::History(const Capacity& capacity, int frames, Keep keep) : keep_(keep),
     } else {
         image_.memory.resize(most);
         spare_.memory.resize(most);
-        packed_.resize(max_delta_bytes(most, most));
+        packed_.resize(max_delta_bytes(most));
     }
 }
 

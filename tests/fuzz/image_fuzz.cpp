@@ -35,7 +35,7 @@ struct Fixture {
         before = save(source);
         for (int i = 0; i < 4; ++i) source.step(1.0f / 60);
         after = save(source);
-        packed = Image(max_delta_bytes(before.bytes().size(), after.bytes().size()));
+        packed = Image(max_delta_bytes(after.bytes().size()));
         const std::size_t n = delta(before.bytes(), after.bytes(), packed.bytes());
         Image exact(n);
         std::memcpy(exact.bytes().data(), packed.bytes().data(), n);

@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
 
     w.step(scene.dt);
     w.save(other);
-    std::vector<std::byte> packed(max_delta_bytes(image.size(), other.size()));
+    std::vector<std::byte> packed(max_delta_bytes(other.size()));
     const std::size_t changed = delta(image, other, packed);
     w.restore(image);
 

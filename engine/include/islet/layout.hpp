@@ -29,7 +29,7 @@ inline constexpr std::size_t host_bytes = 576;  // room for World at the start o
 // The widest lanes that the build can use decide how the constraint rows are padded in scratch.
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
 
-// Sizes of the records, checked against the structs by static_assert in world/core.cpp.
+// Sizes of the records, checked against the structs by static_assert in memory/records.hpp and core.hpp.
 inline constexpr std::size_t state_bytes = 256;
 inline constexpr std::size_t pose_bytes = 32;
 inline constexpr std::size_t motion_bytes = 32;

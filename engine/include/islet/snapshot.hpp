@@ -38,18 +38,20 @@ struct SnapshotInfo {
 /// Reads the head of an image; the rest is not looked at. Fails as World::restore does, whatever the world.
 Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out);
 
-/// Most bytes that delta() can need for two images of these sizes.
-constexpr std::size_t max_delta_bytes(std::size_t from_bytes, std::size_t to_bytes) {
-    return detail::delta_header_bytes + detail::image_header_bytes + to_bytes + to_bytes / 8 + 64 + 0 * from_bytes;
+/// Most bytes that delta() can need, whatever it starts from, when it leads to an image of this size.
+constexpr std::size_t max_delta_bytes(std::size_t to_bytes) {
+    return detail::delta_header_bytes + detail::image_header_bytes + to_bytes + to_bytes / 8 + 64;
 }
 
 /// Packs what changed between two images, for sending or for long histories: apply(from, delta) gives `to` again. Returns the bytes written to
-/// `out`, or 0 with *error set if given: what read_snapshot finds wrong with either image, or image_too_small if `out` is.
+/// `out`, or 0 with *error set if given: what read_snapshot finds wrong with either image, or image_too_small if `out` is. `out` may not
+/// overlap the images.
 std::size_t delta(std::span<const std::byte> from, std::span<const std::byte> to, std::span<std::byte> out, Error* error = nullptr);
 
 /// The image that `delta` leads to from the image `from`. Returns the bytes written to `out`, or 0 with *error set if given: corrupt_image if the
 /// delta is broken or hostile, wrong_delta if it starts from another image than `from`, image_too_small if `out` is; `out` then holds nothing of
 /// use. The result is as trustworthy as the delta: load it, unless this program made both.
+/// `out` may not overlap what it is made from.
 std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> delta, std::span<std::byte> out, Error* error = nullptr);
 
 }  // namespace islet

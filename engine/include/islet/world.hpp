@@ -55,24 +55,26 @@ public:
     void clear_error();
     /// Hash of all persistent state that affects the future, and nothing else: equal worlds have equal futures.
     std::uint64_t hash() const;
+    /// Steps taken since creation.
+    std::uint64_t step_count() const;
+    /// Checks every internal invariant (links, pools, trees, colours). Slow; for tests. Returns null or a sentence naming what is broken.
+    const char* validate() const;
+
     // -- snapshots (snapshot.hpp) ------------------------------------------------------------------------------------------------
 
     /// Bytes that save() needs now.
     std::size_t snapshot_bytes() const;
     /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
     std::size_t save(std::span<std::byte> out) const;
-    /// Goes back to an image that this program made. What the image uses must fit this world's capacity (image_too_large), which need not be that
-    /// of the world it was taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host:
-    /// lanes and the error hook. Events and the report are empty until the next step. Returns false and changes nothing on an error.
-    /// (Where a program neither makes joints nor calls load, joints are not linked, and an image with joints is refused: feature_cut.)
+    /// Goes back to an image that this program made. What the image uses must fit this world's capacity, which need not be that of the world it was
+    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook
+    /// and the task system. Until the next step there are no events, and the report holds only how full the pools are.
+    /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut where this build leaves out what the image
+    /// needs. (A program that neither makes joints nor calls load has none linked, so an image with joints needs what it leaves out.)
     bool restore(std::span<const std::byte> image);
     /// As restore, for an image from outside, which may be truncated, corrupt or hostile: nothing of it is used before all of it is found sound.
+    /// Further errors: image_misaligned (see snapshot_alignment); corrupt_image if the checksum is not the content's; unsound_image.
     bool load(std::span<const std::byte> image);
-
-    /// Steps taken since creation.
-    std::uint64_t step_count() const;
-    /// Checks every internal invariant (links, pools, trees, colours). Slow; for tests. Returns null or a sentence naming what is broken.
-    const char* validate() const;
 
     // -- events of the last step -----------------------------------------------------------------------------------------------
 
