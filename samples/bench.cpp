@@ -23,24 +23,28 @@ std::vector<Contender> contenders(const SceneInfo& info, const BenchOptions& opt
     const Scene scene = info.make();
     std::vector<Contender> list;
     for (const EngineInfo* engine : options.engines) {
-        Contender contender;
-        contender.engine = engine;
-        contender.result.engine = engine->name;
-        contender.result.scene = info.name;
-        contender.result.lacks = engine->lacks(scene);
-        contender.result.steps = options.steps.value_or(scene.steps);
-        contender.result.workers = std::string(engine->name) == "islet" ? options.workers : 1;
-        list.push_back(std::move(contender));
+        const bool is_islet = std::string(engine->name) == "islet";
+        for (const std::uint32_t workers : is_islet ? options.workers : std::vector<std::uint32_t>{1}) {
+            Contender contender;
+            contender.engine = engine;
+            contender.result.engine = engine->name;
+            contender.result.scene = info.name;
+            contender.result.lacks = engine->lacks(scene);
+            contender.result.steps = options.steps.value_or(scene.steps);
+            contender.result.workers = workers;
+            list.push_back(std::move(contender));
+        }
     }
     return list;
 }
 
 /// A scene of its own for each run: scripts keep state.
-BenchRun run_once(const EngineInfo& engine_info, const SceneInfo& info, int steps, const TaskSystem& tasks,
-                  const std::function<void()>& stepped) {
+BenchRun run_once(const Contender& contender, const SceneInfo& info, const std::function<void()>& stepped) {
+    const int steps = contender.result.steps;
+    ThreadPool pool(contender.result.workers);
     Scene scene = info.make();
-    scene.world.tasks = tasks;
-    const std::unique_ptr<Engine> engine = engine_info.make();
+    scene.world.tasks = pool.tasks();
+    const std::unique_ptr<Engine> engine = contender.engine->make();
     engine->load(scene);
     BenchRun run;
     run.step_ms.reserve(static_cast<std::size_t>(steps));
@@ -56,12 +60,10 @@ BenchRun run_once(const EngineInfo& engine_info, const SceneInfo& info, int step
 
 /// Each repeat begins with another engine, so that none always runs first.
 void take_turns(std::vector<Contender>& list, const SceneInfo& info, const BenchOptions& options, const std::function<void()>& stepped) {
-    ThreadPool pool(options.workers);
     for (int turn = 0; turn < options.repeat; ++turn) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             Contender& contender = list[(i + static_cast<std::size_t>(turn)) % list.size()];
-            if (contender.result.lacks.empty())
-                contender.runs.push_back(run_once(*contender.engine, info, contender.result.steps, pool.tasks(), stepped));
+            if (contender.result.lacks.empty()) contender.runs.push_back(run_once(contender, info, stepped));
         }
     }
 }
@@ -115,7 +117,7 @@ std::vector<BenchResult> bench(const BenchOptions& options, const std::function<
         take_turns(scenes[s], *options.scenes[s], options, [&] { observer(++done, total); });
         std::vector<BenchRun> reference;
         for (const Contender& c : scenes[s]) {
-            if (c.result.engine == "islet") reference = c.runs;
+            if (c.result.engine == "islet" && reference.empty()) reference = c.runs;
         }
         for (Contender& c : scenes[s]) {
             summarise(c.runs, reference, c.result);

@@ -17,8 +17,8 @@ struct BenchOptions {
     std::vector<const SceneInfo*> scenes;
     std::vector<const engines::EngineInfo*> engines;
     std::optional<int> steps;   // the scene's own if not given
-    int repeat = 3;             // runs of each engine, at least 1
-    std::uint32_t workers = 1;  // of Islet; the other engines have one thread
+    int repeat = 3;                         // runs of each engine, at least 1
+    std::vector<std::uint32_t> workers{1};  // Islet runs once with each of these; the other engines have one thread
 };
 
 /// One run of one scene in one engine, from a fresh world.
@@ -36,7 +36,7 @@ struct BenchResult {
     int steps = 0;
     std::size_t bodies = 0, contacts = 0;
     double ms_total = 0, ms_per_step_p50 = 0, ms_per_step_p99 = 0;  // each the median over the runs
-    std::optional<double> ratio;  // median over the turns of its time by Islet's; none if Islet was not timed
+    std::optional<double> ratio;  // median over the turns of its time by Islet's (with the first number of workers); none if Islet was not timed
 };
 
 /// The middle value, or the mean of the two middle ones; 0 of none.

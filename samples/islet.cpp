@@ -173,7 +173,9 @@ struct CommandLine {
         BenchOptions& b = bench_command.options;
         bench->add_option("scene", bench_command.scenes, "names of scenes; the group benchmark if none is given");
         bench->add_option("--engine", bench_command.engines, "an engine to time, once or more; all there are if not given");
-        bench->add_option("--workers", b.workers, "threads for Islet to step with")->check(CLI::Range(1u, islet::max_workers));
+        bench->add_option("--workers", b.workers, "threads for Islet to step with; several numbers (1,2,4) are timed beside each other")
+            ->delimiter(',')
+            ->check(CLI::Range(1u, islet::max_workers));
         bench->add_option("--repeat", b.repeat, "runs of each engine, of which the medians are taken")->check(CLI::Range(1, 100));
         bench->add_option("--steps", b.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(1, 100'000));
         bench->add_flag("--json", bench_command.json, "print a JSON list; its profile is null, as Islet takes no clock yet");

@@ -87,6 +87,19 @@ TEST(Bench, EnginesTakeTurnsAndEachBeginsOne) {
     EXPECT_EQ(made, (std::vector<std::string>{"first", "second", "second", "first"}));
 }
 
+TEST(Bench, IsletIsTimedWithEachNumberOfWorkersAgainstTheFirst) {
+    BenchOptions options = options_for("pyramid", {&first, engines::find_engine("islet")});
+    options.workers = {2, 1};
+    const std::vector<BenchResult> results = bench(options, ignore);
+    ASSERT_EQ(results.size(), 3u);
+    EXPECT_EQ(results[0].workers, 1u);
+    EXPECT_EQ(results[1].workers, 2u);
+    EXPECT_EQ(results[1].ratio, 1.0);
+    EXPECT_EQ(results[2].engine, "islet");
+    EXPECT_EQ(results[2].workers, 1u);
+    EXPECT_NE(results[2].ratio, results[1].ratio);
+}
+
 TEST(Bench, CountsTheStepsOfAllRuns) {
     int calls = 0;
     bench(options_for("hello", {&first, &poor, &second}), [&calls](int done, int total) {

@@ -54,7 +54,7 @@ inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are 
 inline constexpr std::uint32_t sort_digit_bits = max_lanes > 1 ? 11 : 8;  // of the sort by which pairs are found: three passes, or four in little memory
 inline constexpr std::uint32_t sort_digits = 1u << sort_digit_bits;
 inline constexpr std::uint32_t color_count = 32;  // constraint colours: bits of a body's mask
-inline constexpr std::uint32_t batch_contacts = 2048;  // a batch of islands closes at this many contacts and joints
+inline constexpr std::uint32_t batch_bodies = 704;  // a batch of islands closes at this many bodies: with their rows they still fit a core's own cache
 
 constexpr std::uint32_t next_power_of_two(std::uint32_t n) {
     std::uint32_t p = 1;
@@ -67,10 +67,10 @@ constexpr std::size_t words_for(std::uint32_t bits) { return (std::size_t{bits} 
 constexpr std::uint32_t geometry_capacity(const Capacity& c) { return c.geometries != 0 ? c.geometries : c.shapes; }
 
 /// Batches that the islands of a world can make, at most.
-constexpr std::uint32_t batch_capacity(const Capacity& c) { return (c.contacts + c.joints) / batch_contacts + 2; }
+constexpr std::uint32_t batch_capacity(const Capacity& c) { return c.bodies / batch_bodies + 2; }
 
 /// Parts that the touching contacts are cut into while they are planned: small worlds are not cut.
-constexpr std::uint32_t plan_parts(const Capacity& c) { return c.contacts < batch_contacts ? 1 : max_plan_parts; }
+constexpr std::uint32_t plan_parts(const Capacity& c) { return c.contacts < 2048 ? 1 : max_plan_parts; }
 
 /// Contact rows including the padding that fills up the last block of each colour of each batch.
 constexpr std::size_t row_capacity(const Capacity& c) {
@@ -108,7 +108,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;
     const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
                              joint_run_capacity(c) * joint_run_bytes + 7 * 64;
-    const std::size_t planning = bodies * 4 * 4 + (std::size_t{c.contacts} + c.joints) * 16 +
+    const std::size_t planning = bodies * 4 * 2 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 +
                                  std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_type_count) * 4 + 9 * 64;
     const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 + 4 * 64;
     const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * 64;

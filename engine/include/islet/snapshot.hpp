@@ -35,7 +35,8 @@ struct SnapshotInfo {
     Capacity used = {};          ///< the least capacity that can hold it
 };
 
-/// Reads the head of an image; the rest is not looked at. Fails as World::restore does, whatever the world.
+/// Reads the head of an image; the rest is not looked at. Errors: not_an_image, other_byte_order, other_version, truncated_image, and corrupt_image if
+/// the head contradicts itself.
 Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out);
 
 /// Most bytes that delta() can need, whatever it starts from, when it leads to an image of this size.

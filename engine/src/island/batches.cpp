@@ -7,32 +7,47 @@ namespace islet::detail {
 
 namespace {
 
-// Union-find with path halving; the smaller index becomes the root, so the roots do not depend on the order of the links.
-std::uint32_t find_root(std::uint32_t* parent, std::uint32_t i) {
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
-}
-
-void join(std::uint32_t* parent, std::uint32_t a, std::uint32_t b) {
-    if (parent[a] == parent[b]) return;  // as most are: their island was joined by other links
-    a = find_root(parent, a);
-    b = find_root(parent, b);
-    if (a < b) {
-        parent[b] = a;
-    } else {
-        parent[a] = b;
-    }
-}
-
-/// A touching contact or a joint, as far as the plan is concerned: bodies by number (0: at rest), colour.
+/// A touching contact or a joint, as far as the plan is concerned: its bodies (null_index: none) and its colour, in place of which comes its place.
 struct Edge {
-    std::uint32_t constraint, a, b, color;
+    std::uint32_t constraint, a, b, place;
 };
 
-constexpr std::uint32_t kinematic_bit = 1u << 31;
+/// Union-find over bodies, with path halving; the smaller index becomes the root, so the roots do not depend on the order of the links.
+struct Islands {
+    std::uint32_t* parent;  // by body; null_index for what links nothing: static and kinematic bodies, and those at rest
+    BitSet guided;          // bodies that touch a kinematic one or are joined to one
+
+    std::uint32_t parent_of(std::uint32_t i) const { return i != null_index ? parent[i] : null_index; }
+
+    std::uint32_t root_of(std::uint32_t i) const {
+        while (parent[i] != i) {
+            parent[i] = parent[parent[i]];
+            i = parent[i];
+        }
+        return i;
+    }
+
+    void link(const Core& core, std::uint32_t a, std::uint32_t b) const {
+        const std::uint32_t over_a = parent_of(a), over_b = parent_of(b);
+        if (over_a == over_b) return;  // as most are: their island was joined by other links
+        if (over_a == null_index || over_b == null_index) {
+            const std::uint32_t other = over_a == null_index ? a : b;
+            if (other != null_index && core.is_awake(other)) guided.set(over_a == null_index ? b : a);
+            return;
+        }
+        a = root_of(over_a);
+        b = root_of(over_b);
+        if (a < b) {
+            parent[b] = a;
+        } else {
+            parent[a] = b;
+        }
+    }
+};
+
+constexpr std::uint32_t guided_bit = 1u << 31;
+
+inline constexpr std::uint32_t body_words = 16;  // of 64 bodies that are worth a task
 
 // The touching contacts, cut into parts that are planned side by side: each lists its edges in its own piece of the array, counts them by place, and puts
 // them where the counts of all say. What is listed and put is the same however it is cut.
@@ -50,7 +65,7 @@ struct EdgeList {
     }
 };
 
-EdgeList list_edges(const Core& core, const Plan& plan, Edge* edges) {
+EdgeList list_edges(const Core& core, Edge* edges) {
     const BitSet awake = core.awake_contacts;
     EdgeList list;
     list.edges = edges;
@@ -67,7 +82,7 @@ EdgeList list_edges(const Core& core, const Plan& plan, Edge* edges) {
         awake.for_each_in(first, end, [&](std::uint32_t i) {
             const ContactManifold& m = core.manifolds[i];
             if ((m.flags & contact_touching) == 0) return;
-            edges[at++] = {i, plan.slot_of[m.body_a], plan.slot_of[m.body_b], m.color()};
+            edges[at++] = {i, m.body_a, m.body_b, m.color()};
         });
         list.end[part] = at;
     });
@@ -87,8 +102,8 @@ void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&&
             std::memset(count, 0, part_size * 4);
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
                 Edge& e = list.edges[k];
-                e.a = batch_of(e) * places + (e.color == no_color ? color_count : e.color);
-                ++count[e.a];
+                e.place = batch_of(e) * places + (e.place == no_color ? color_count : e.place);
+                ++count[e.place];
             }
         }
     });
@@ -127,7 +142,7 @@ void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&&
             std::uint32_t* at = next + p * part_size;
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
                 const Edge& e = list.edges[k];
-                (e.color == no_color ? overflows : plan.contacts)[at[e.a]++] = e.constraint;
+                (e.place % places == color_count ? overflows : plan.contacts)[at[e.place]++] = e.constraint;
             }
         }
     });
@@ -138,21 +153,19 @@ void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&&
 template <class BatchOf>
 void plan_joints(const Core& core, Plan& plan, Edge* edges, BatchOf&& batch_of, Arena temporary) {
     constexpr std::uint32_t places = (color_count + 1) * joint_kernel_count;  // per batch
-    const auto place_of = [&](const Edge& e) {
-        const auto kernel = static_cast<std::uint32_t>(kernel_of(core.joints[e.constraint]));
-        return (e.color == no_color ? 0u : e.color + 1) * joint_kernel_count + kernel;
-    };
     std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * places);
     if (!has_joints || plan.joint_count == 0) return;
     std::memset(next, 0, std::size_t{plan.batch_count} * places * 4);
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) {
         Edge& e = edges[k];
-        e.a = batch_of(e) * places + place_of(e);
-        ++next[e.a];
-        if (e.color == no_color) {
+        const std::uint32_t color = e.place;
+        const auto kernel = static_cast<std::uint32_t>(kernel_of(core.joints[e.constraint]));
+        e.place = batch_of(e) * places + (color == no_color ? 0u : color + 1) * joint_kernel_count + kernel;
+        ++next[e.place];
+        if (color == no_color) {
             ++plan.overflow_joints;
         } else {
-            plan.colors |= 1u << e.color;
+            plan.colors |= 1u << color;
         }
     }
     std::uint32_t at = 0;
@@ -173,7 +186,7 @@ void plan_joints(const Core& core, Plan& plan, Edge* edges, BatchOf&& batch_of, 
         }
         plan.batches[b].end_run = plan.run_count;
     }
-    for (std::uint32_t k = 0; k < plan.joint_count; ++k) plan.joints[next[edges[k].a]++] = edges[k].constraint;
+    for (std::uint32_t k = 0; k < plan.joint_count; ++k) plan.joints[next[edges[k].place]++] = edges[k].constraint;
 }
 
 }  // namespace
@@ -190,103 +203,89 @@ Plan make_plan(const Core& core, Arena& arena) {
     plan.contacts = arena.take<std::uint32_t>(row_capacity(core.capacity));
     plan.joints = arena.take<std::uint32_t>(joint_row_capacity(core.capacity));
     plan.runs = arena.take<JointRun>(joint_run_capacity(core.capacity));
-    std::memset(plan.slot_of, 0, std::size_t{bodies} * 4);
     Arena temporary = arena;  // what follows is used only here, so the solve may take the same scratch
 
-    // Awake bodies in slot order get a number from 1; islands are joined over these.
-    std::uint32_t* list = temporary.take<std::uint32_t>(bodies + 1);
-    std::uint32_t* parent = temporary.take<std::uint32_t>(bodies + 1);
-    std::uint32_t* island = temporary.take<std::uint32_t>(bodies + 1);
-    std::uint32_t n = 1;
-    core.awake_bodies.for_each([&](std::uint32_t body) {
-        plan.slot_of[body] = n;
-        parent[n] = n;
-        island[n] = core.poses[body].inv_mass > 0 ? 0 : null_index;  // kinematic bodies belong to no island
-        list[n++] = body;
+    const BitSet awake = core.awake_bodies;
+    const auto words = static_cast<std::uint32_t>(words_for(bodies));
+    const Islands links{temporary.take<std::uint32_t>(bodies), {temporary.take<std::uint64_t>(words), words}};
+    for_ranges(core, words, body_words, [&](std::uint32_t first, std::uint32_t end) {
+        const std::uint32_t begin = 64 * first;
+        const std::size_t count = (64 * end < bodies ? 64 * end : bodies) - begin;
+        std::memset(plan.slot_of + begin, 0, count * 4);
+        std::memset(links.parent + begin, 0xff, count * 4);
+        std::memset(links.guided.words + first, 0, std::size_t{end - first} * 8);
+        awake.for_each_in(first, end, [&](std::uint32_t body) {
+            if (core.poses[body].inv_mass > 0) links.parent[body] = body;
+        });
     });
-    island[0] = null_index;
-    plan.slot_count = n;
 
-    // How many constraints each body adds to its island, and whether one of them is with a kinematic body.
-    std::uint32_t* weight = temporary.take<std::uint32_t>(bodies + 1);
-    std::memset(weight, 0, std::size_t{n} * 4);
-    const auto add_edge = [&](const Edge& e) {
-        const bool moves_a = island[e.a] != null_index, moves_b = island[e.b] != null_index;
-        std::uint32_t& w = weight[moves_a ? e.a : e.b];
-        ++w;
-        if (moves_a && moves_b) {
-            join(parent, e.a, e.b);
-        } else if ((moves_a ? e.b : e.a) != 0) {
-            w |= kinematic_bit;
-        }
-    };
-    const EdgeList edges = list_edges(core, plan, temporary.take<Edge>(contacts));
-    edges.for_each(add_edge);
+    const EdgeList edges = list_edges(core, temporary.take<Edge>(contacts));
+    edges.for_each([&](const Edge& e) { links.link(core, e.a, e.b); });
     for (std::uint32_t p = 0; p < edges.parts; ++p) plan.touching_count += edges.end[p] - edges.first[p];
     Edge* joint_edges = temporary.take<Edge>(joints);
     const BitSet awake_joints = has_joints ? core.awake_joints : BitSet{};
     awake_joints.for_each([&](std::uint32_t i) {
         const Joint& j = core.joints[i];
-        const Edge e{i, j.body_a != null_index ? plan.slot_of[j.body_a] : 0u, plan.slot_of[j.body_b], j.color()};
-        const bool moves_a = island[e.a] != null_index, moves_b = island[e.b] != null_index;
-        if (!moves_a && !moves_b) return;  // both bodies have become static or kinematic
-        joint_edges[plan.joint_count++] = e;
-        add_edge(e);
+        if (links.parent_of(j.body_a) == null_index && links.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
+        joint_edges[plan.joint_count++] = {i, j.body_a, j.body_b, j.color()};
+        links.link(core, j.body_a, j.body_b);
     });
 
-    // Number the islands by their roots; a root is the smallest of its island, so one pass in order is enough. An island's weight takes its number's place
-    // in `weight`, which is never beyond the body whose own weight was just read.
-    std::uint32_t islands = 0;
-    for (std::uint32_t i = 1; i < n; ++i) {
-        if (island[i] == null_index) continue;
-        const std::uint32_t own = weight[i];
-        if (parent[i] == i) {
-            island[i] = islands;
-            weight[islands++] = own;
-            continue;
+    // Number the islands by their roots and count their bodies; a root is the smallest of its island, so one pass in order is enough. `slot_of` keeps the
+    // body's island until there are slots.
+    std::uint32_t* island = plan.slot_of;
+    std::uint32_t* size = temporary.take<std::uint32_t>(bodies);
+    std::uint32_t kinematic = 0;
+    awake.for_each([&](std::uint32_t body) {
+        if (links.parent[body] == null_index) {
+            ++kinematic;
+            return;
         }
-        parent[i] = find_root(parent, i);
-        island[i] = island[parent[i]];
-        weight[island[i]] = ((weight[island[i]] & ~kinematic_bit) + (own & ~kinematic_bit)) | ((weight[island[i]] | own) & kinematic_bit);
-    }
-    plan.island_count = islands;
-    const auto batch_of = [&](const Edge& e) { return weight[island[e.a] != null_index ? island[e.a] : island[e.b]]; };  // once it is known
+        const std::uint32_t root = links.root_of(body);
+        if (root == body) {
+            size[plan.island_count] = 0;
+            island[body] = plan.island_count++;
+        }
+        const std::uint32_t k = island[body] = island[root];
+        ++size[k];
+        if (links.guided.test(body)) size[k] |= guided_bit;
+    });
 
     // Islands into batches, in order. Those that touch a kinematic body all go to batch 0, together with the kinematic bodies, so that no two batches ever
-    // share a moving body. `weight` becomes the batch of the island.
+    // share a moving body. `size` becomes the batch of the island, and `parent` that of the body.
+    plan.batches[0] = Batch{};
+    plan.batches[1] = Batch{};
+    plan.batches[0].end_slot = kinematic;
     std::uint32_t batch = 1;
-    std::uint32_t filled = 0;
-    for (std::uint32_t i = 0; i < islands; ++i) {
-        if ((weight[i] & kinematic_bit) != 0) {
-            weight[i] = 0;
-            continue;
-        }
-        filled += weight[i];
-        weight[i] = batch;
-        if (filled < batch_contacts) continue;
-        ++batch;
-        filled = 0;
+    for (std::uint32_t i = 0; i < plan.island_count; ++i) {
+        const std::uint32_t count = size[i] & ~guided_bit;
+        size[i] = (size[i] & guided_bit) != 0 ? 0 : batch;
+        plan.batches[size[i]].end_slot += count;
+        if (plan.batches[batch].end_slot >= batch_bodies) plan.batches[++batch] = Batch{};
     }
     plan.batch_count = batch + 1;
-    for (std::uint32_t b = 0; b < plan.batch_count; ++b) plan.batches[b] = Batch{};
-
-    // Bodies into batch order: a counting sort.
-    const auto batch_of_number = [&](std::uint32_t i) { return island[i] == null_index ? 0u : weight[island[i]]; };
-    for (std::uint32_t i = 1; i < n; ++i) ++plan.batches[batch_of_number(i)].end_slot;
-    std::uint32_t at = 1;
+    plan.slot_count = 1;
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
-        const std::uint32_t count = plan.batches[b].end_slot;
-        plan.batches[b].first_slot = plan.batches[b].end_slot = at;
-        at += count;
+        Batch& to = plan.batches[b];
+        to.first_slot = plan.slot_count;
+        plan.slot_count += to.end_slot;
+        to.end_slot = to.first_slot;
     }
     plan.body_of[0] = null_index;
-    for (std::uint32_t i = 1; i < n; ++i) {
-        const std::uint32_t slot = plan.batches[batch_of_number(i)].end_slot++;
-        plan.body_of[slot] = list[i];
-        plan.island_of[slot] = island[i];
-        plan.slot_of[list[i]] = slot;
-    }
+    awake.for_each([&](std::uint32_t body) {
+        const bool moves = links.parent[body] != null_index;
+        const std::uint32_t in = moves ? size[island[body]] : 0;
+        const std::uint32_t slot = plan.batches[in].end_slot++;
+        plan.body_of[slot] = body;
+        plan.island_of[slot] = moves ? island[body] : null_index;
+        plan.slot_of[body] = slot;
+        if (moves) links.parent[body] = in;
+    });
 
+    const auto batch_of = [&](const Edge& e) {
+        const std::uint32_t of_a = links.parent_of(e.a);
+        return of_a != null_index ? of_a : links.parent[e.b];
+    };
     plan_contacts(core, plan, edges, batch_of, temporary);
     plan_joints(core, plan, joint_edges, batch_of, temporary);
     return plan;

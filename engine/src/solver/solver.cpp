@@ -242,7 +242,7 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
     }
 }
 
-inline constexpr std::uint32_t wide_contacts = 2 * batch_contacts;  // from so many contacts and joints on all workers solve a batch together
+inline constexpr std::uint32_t wide_contacts = 4096;  // from so many contacts and joints on all workers solve a batch together
 inline constexpr std::uint32_t contact_grain = 192;                 // contacts of a colour, joints of a run and bodies that are worth a task
 inline constexpr std::uint32_t joint_grain = 128;
 inline constexpr std::uint32_t body_grain = 512;
