@@ -16,6 +16,7 @@ Run::Run(Scene made, const RunOptions& options) : pool(options.workers), scene(s
                      options.substeps.value_or(scene.world.solver.substeps) == scene.world.solver.substeps;
     scene.steps = options.steps.value_or(scene.steps);
     scene.dt = options.dt.value_or(scene.dt);
+    scene.world.solver.joint_trees = options.joint_trees.value_or(scene.world.solver.joint_trees);
     scene.world.solver.substeps = options.substeps.value_or(scene.world.solver.substeps);
     scene.world.lanes = options.lanes;
     scene.world.tasks = pool.tasks();

@@ -30,6 +30,10 @@ struct alignas(W * 4) HingeRows {
     std::uint8_t pad[W * 4 - 4];
 };
 
+/// The angle of a hinge whose point a tree holds (tree_solve.hpp).
+template <std::uint32_t W>
+struct alignas(W * 4) AngleRows : HingeRows<W> {};
+
 inline JointKernel revolute_kernel(const Joint& j) { return coordinate_parts(j) == 0 ? JointKernel::point : JointKernel::hinge; }
 
 /// The angle of q to 0.08 rad, without a branch.
@@ -60,12 +64,40 @@ void prepare(HingeRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, turning);
 }
 
+template <std::uint32_t W>
+void prepare(AngleRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
+    const Joint& j = in.joints[joint];
+    const JointPose p = pose_of(j, in.poses, in.bodies_in);
+    set_ends(r.ends, lane, joint, in, p);
+    r.angle[lane] = unwrap(angle_of(p), j.coordinate);
+    r.parts |= coordinate_parts(j);
+    const float turning = set_coordinate(r.free, lane, j, in.numbers);
+    warm_start(r.applied, r.ends, lane, in, {0, 0}, turning, turning);
+}
+
 template <class L>
 ISLET_LANE void solve(SolverBody* bodies, PointRows<L::width>& r, const JointSweep& n) {
     JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
     const JointArms<L> arms(r.ends, s);
     aim_arms<L>(s, n, cross(arms.ra, s.p), cross(arms.rb, s.p));
     solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
+    scatter<L>(bodies, r.ends, r.applied, s);
+}
+
+/// What acts on the angle.
+template <class L>
+ISLET_LANE void solve_angle(JointBodies<L>& s, HingeRows<L::width>& r, const JointSweep& n) {
+    using F = typename L::F;
+    const F k = s.ia + s.ib;
+    const F x = L::load(r.angle) + s.dqb - s.dqa;
+    s.push_angular(solve_motor_and_friction<L>(r.free, r.parts, k, s.wb - s.wa, n));
+    s.push_angular(solve_spring_and_limits<L>(r.free, r.parts, x, k, s.wb - s.wa, L::splat(0.0f), n));
+}
+
+template <class L>
+ISLET_LANE void solve(SolverBody* bodies, AngleRows<L::width>& r, const JointSweep& n) {
+    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
+    solve_angle<L>(s, r, n);
     scatter<L>(bodies, r.ends, r.applied, s);
 }
 
@@ -76,11 +108,7 @@ ISLET_LANE void solve(SolverBody* bodies, HingeRows<L::width>& r, const JointSwe
     const JointArms<L> arms(r.ends, s);
     const F turning = coordinate_impulse<L>(r.free);
     aim_arms<L>(s, n, cross(arms.ra, s.p) + turning, cross(arms.rb, s.p) + turning);
-
-    const F k = s.ia + s.ib;
-    const F x = L::load(r.angle) + s.dqb - s.dqa;
-    s.push_angular(solve_motor_and_friction<L>(r.free, r.parts, k, s.wb - s.wa, n));
-    s.push_angular(solve_spring_and_limits<L>(r.free, r.parts, x, k, s.wb - s.wa, L::splat(0.0f), n));
+    solve_angle<L>(s, r, n);
     solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
     scatter<L>(bodies, r.ends, r.applied, s);
 }
@@ -96,6 +124,13 @@ void store(const PointRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
     store_applied(r.applied, r.ends, lane, j, out);
     j.impulse = j.force_impulse;
     j.torque_impulse = 0;
+    j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
+}
+
+template <std::uint32_t W>
+void store(const AngleRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+    get_coordinate(r.free, lane, j);
+    j.torque_impulse = coordinate_impulse(j);
     j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
 }
 

@@ -1,6 +1,8 @@
 #include "island/batches.hpp"
 
 #include "constraint/joint_runs.hpp"
+#include "island/joint_trees.hpp"
+#include "island/union_find.hpp"
 #include "memory/parallel.hpp"
 
 namespace islet::detail {
@@ -12,20 +14,11 @@ struct Edge {
     std::uint32_t constraint, a, b, place;
 };
 
-/// Union-find over bodies, with path halving; the smaller index becomes the root, so the roots do not depend on the order of the links.
-struct Islands {
-    std::uint32_t* parent;  // by body; null_index for what links nothing: static and kinematic bodies, and those at rest
-    BitSet guided;          // bodies that touch a kinematic one or are joined to one
+/// Sets of linked bodies. What links nothing has the parent null_index: static and kinematic bodies, and those at rest.
+struct Islands : UnionFind {
+    BitSet guided;  // bodies that touch a kinematic one or are joined to one
 
     std::uint32_t parent_of(std::uint32_t i) const { return i != null_index ? parent[i] : null_index; }
-
-    std::uint32_t root_of(std::uint32_t i) const {
-        while (parent[i] != i) {
-            parent[i] = parent[parent[i]];
-            i = parent[i];
-        }
-        return i;
-    }
 
     void link(const Core& core, std::uint32_t a, std::uint32_t b) const {
         const std::uint32_t over_a = parent_of(a), over_b = parent_of(b);
@@ -35,13 +28,7 @@ struct Islands {
             if (other != null_index && core.is_awake(other)) guided.set(over_a == null_index ? b : a);
             return;
         }
-        a = root_of(over_a);
-        b = root_of(over_b);
-        if (a < b) {
-            parent[b] = a;
-        } else {
-            parent[a] = b;
-        }
+        join(root_of(over_a), root_of(over_b));
     }
 };
 
@@ -189,6 +176,35 @@ void plan_joints(const Core& core, Plan& plan, Edge* edges, BatchOf&& batch_of, 
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) plan.joints[next[edges[k].place]++] = edges[k].constraint;
 }
 
+// Bodies of trees by batch, and leaves first in each.
+void plan_trees(const Core& core, Plan& plan, const std::uint32_t* batch_of, Arena temporary) {
+    TreeBody* ordered = temporary.take<TreeBody>(tree_capacity(core.capacity));
+    std::uint32_t* place_of = temporary.take<std::uint32_t>(core.state->body_pool.high_water);  // of a body, in plan.tree_bodies
+    const std::uint32_t count = order_trees(core, ordered, temporary);
+    for (std::uint32_t i = 0; i < count; ++i) ++plan.batches[batch_of[ordered[i].body]].end_tree;
+    std::uint32_t at = 0;
+    for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
+        Batch& batch = plan.batches[b];
+        batch.first_tree = at;
+        at += batch.end_tree;
+        batch.end_tree = batch.first_tree;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t place = plan.batches[batch_of[ordered[i].body]].end_tree++;
+        plan.tree_bodies[place] = ordered[i];
+        place_of[ordered[i].body] = place;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const TreeBody& b = plan.tree_bodies[i];
+        plan.tree_parents[i] = null_index;
+        if (b.joint == null_index) continue;
+        const Joint& j = core.joints[b.joint];
+        const std::uint32_t parent = j.body_a == b.body ? j.body_b : j.body_a;
+        if (core.poses[parent].inv_mass > 0) plan.tree_parents[i] = place_of[parent] - plan.batches[batch_of[parent]].first_tree;
+    }
+    plan.tree_count = count;
+}
+
 }  // namespace
 
 Plan make_plan(const Core& core, Arena& arena) {
@@ -203,11 +219,13 @@ Plan make_plan(const Core& core, Arena& arena) {
     plan.contacts = arena.take<std::uint32_t>(row_capacity(core.capacity));
     plan.joints = arena.take<std::uint32_t>(joint_row_capacity(core.capacity));
     plan.runs = arena.take<JointRun>(joint_run_capacity(core.capacity));
+    plan.tree_bodies = arena.take<TreeBody>(tree_capacity(core.capacity));
+    plan.tree_parents = arena.take<std::uint32_t>(tree_capacity(core.capacity));
     Arena temporary = arena;  // what follows is used only here, so the solve may take the same scratch
 
     const BitSet awake = core.awake_bodies;
     const auto words = static_cast<std::uint32_t>(words_for(bodies));
-    const Islands links{temporary.take<std::uint32_t>(bodies), {temporary.take<std::uint64_t>(words), words}};
+    const Islands links{{temporary.take<std::uint32_t>(bodies)}, {temporary.take<std::uint64_t>(words), words}};
     for_ranges(core, words, body_words, [&](std::uint32_t first, std::uint32_t end) {
         const std::uint32_t begin = 64 * first;
         const std::size_t count = (64 * end < bodies ? 64 * end : bodies) - begin;
@@ -227,7 +245,9 @@ Plan make_plan(const Core& core, Arena& arena) {
     awake_joints.for_each([&](std::uint32_t i) {
         const Joint& j = core.joints[i];
         if (links.parent_of(j.body_a) == null_index && links.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
-        joint_edges[plan.joint_count++] = {i, j.body_a, j.body_b, j.color()};
+        ++plan.awake_joints;
+        plan.has_trees = plan.has_trees || (j.flags & joint_exact) != 0;
+        if ((j.flags & joint_exact) == 0 || coordinate_parts(j) != 0) joint_edges[plan.joint_count++] = {i, j.body_a, j.body_b, j.color()};
         links.link(core, j.body_a, j.body_b);
     });
 
@@ -288,6 +308,7 @@ Plan make_plan(const Core& core, Arena& arena) {
     };
     plan_contacts(core, plan, edges, batch_of, temporary);
     plan_joints(core, plan, joint_edges, batch_of, temporary);
+    if (plan.has_trees) plan_trees(core, plan, links.parent, temporary);
     return plan;
 }
 
