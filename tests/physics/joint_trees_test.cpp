@@ -167,37 +167,5 @@ TEST(JointTrees, ABallDroppedOnAStackWithItsChainComesToRest) {
     EXPECT_EQ(chain.world->validate(), nullptr);
 }
 
-TEST(JointTrees, MotorsAndLimitsActOnHingesOfTreesToo) {
-    // A heavy arm of two bars: the first is held at a limit, the second turned by a motor that is strong enough.
-    for (const JointTrees trees : {JointTrees::off, JointTrees::all}) {
-        SCOPED_TRACE(static_cast<int>(trees));
-        WorldDef def = sleepless();
-        def.solver.joint_trees = trees;
-        TestWorld world({.bodies = 8, .shapes = 8, .contacts = 8, .joints = 8}, def);
-        const BodyId post = world->create_body({});
-        const ShapeDef ghost{.filter = {.group = -1}};
-        const BodyId upper = world.add(make_box(0.5f, 0.1f), Vec2{0.5f, 0}, ghost), lower = world.add(make_box(0.5f, 0.1f), Vec2{1.5f, 0}, ghost);
-        RevoluteJointDef held;
-        held.base.body_a = post;
-        held.base.body_b = upper;
-        held.base.frame_b.position = {-0.5f, 0};
-        held.limit = {.enable = true, .lower = -0.25f, .upper = 0.25f};
-        const JointId first = world->create_joint(held);
-        RevoluteJointDef turned;
-        turned.base.body_a = upper;
-        turned.base.body_b = lower;
-        turned.base.frame_a.position = {0.5f, 0};
-        turned.base.frame_b.position = {-0.5f, 0};
-        turned.motor = {.enable = true, .speed = 1.5f, .max_force = 50};
-        const JointId second = world->create_joint(turned);
-        world.step(240);
-        EXPECT_NEAR(double(world->joint_position(first)), -0.25, 0.02);
-        const double off = trees == JointTrees::all ? 0.12 : 0.02;  // (JointTrees::all says so)
-        EXPECT_NEAR(double(world->joint_position(second)) / (1.5 * 4), 1, off);
-        EXPECT_NEAR(double(world->joint_speed(second)) / 1.5, 1, off);
-        EXPECT_LT(double(world->joint_error(second).linear), 0.005);
-    }
-}
-
 }  // namespace
 }  // namespace islet::test

@@ -19,7 +19,7 @@ namespace islet {
 inline constexpr std::size_t world_alignment = 64;
 
 /// No capacity may exceed this.
-inline constexpr std::uint32_t max_capacity = 1u << 22;
+inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u << 18;
 
 namespace detail {
 
@@ -47,7 +47,7 @@ inline constexpr std::size_t solver_motion_bytes = 32;
 inline constexpr std::size_t row_bytes = 128;     // per contact, in a block of rows
 inline constexpr std::size_t joint_bytes = 232;
 inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
-inline constexpr std::uint32_t joint_kernel_count = 10;
+inline constexpr std::uint32_t joint_kernel_count = 9;
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t tree_link_bytes = 140;  // per body of a tree of joints
 inline constexpr std::size_t batch_bytes = 164;

@@ -91,12 +91,12 @@ enum class Schedule : std::uint8_t {
     classic,  ///< per substep: integrate, `iterations` sweeps with Baumgarte bias, integrate positions. Use with substeps = 1.
 };
 
-/// Which hinges (revolute joints) are solved exactly, all of a tree at once, instead of one by one in sweeps. What closes a loop is always swept.
+/// Which hinges (revolute joints) are solved exactly, all of a tree at once, instead of one by one in sweeps. What closes a loop is always swept, and so is
+/// a hinge with a spring, a limit, a motor or friction.
 enum class JointTrees : std::uint8_t {
     off,        ///< none
-    automatic,  ///< trees in which a hinge bears much more than the bodies it joins weigh, if they are without loops, springs, limits and motors:
-                ///< chains with a load, cranes, long ropes
-    all,        ///< all there are. Motors, springs and limits in them are less exact than where everything is swept.
+    automatic,  ///< trees in which a hinge bears much more than the bodies it joins weigh, and of which none is swept: chains with a load, long ropes
+    all,        ///< all there are
 };
 
 /// How the solver works. Change it at any time with World::set_solver.

@@ -31,7 +31,6 @@ namespace islet::detail {
 enum class JointKernel : std::uint32_t {
     point,     ///< revolute joints without spring, limit, motor and friction
     hinge,     ///< other revolute joints
-    angle,     ///< their angle alone, where a tree holds the point (tree_solve.hpp)
     slider,    ///< prismatic joints
     distance,
     weld,
@@ -45,8 +44,7 @@ static_assert(static_cast<std::uint32_t>(JointKernel::gear) + 1 == joint_kernel_
 constexpr bool has_kernel(JointKernel kernel) {
     switch (kernel) {
         case JointKernel::point:
-        case JointKernel::hinge:
-        case JointKernel::angle: return has_joint(JointType::revolute);
+        case JointKernel::hinge: return has_joint(JointType::revolute);
         case JointKernel::slider: return has_joint(JointType::prismatic);
         case JointKernel::distance: return has_joint(JointType::distance);
         case JointKernel::weld: return has_joint(JointType::weld);

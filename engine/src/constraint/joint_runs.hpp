@@ -14,7 +14,7 @@ namespace islet::detail {
 
 inline JointKernel kernel_of(const Joint& j) {
     switch (j.joint_type()) {
-        case JointType::revolute: return (j.flags & joint_exact) != 0 ? JointKernel::angle : revolute_kernel(j);
+        case JointType::revolute: return revolute_kernel(j);
         case JointType::prismatic: return JointKernel::slider;
         case JointType::distance: return JointKernel::distance;
         case JointType::weld: return JointKernel::weld;
@@ -37,9 +37,6 @@ ISLET_LANE auto visit_rows(JointKernel kernel, std::byte* rows, Visit&& visit) {
             break;
         case JointKernel::hinge:
             if constexpr (has_kernel(JointKernel::hinge)) return visit(reinterpret_cast<HingeRows<W>*>(rows));
-            break;
-        case JointKernel::angle:
-            if constexpr (has_kernel(JointKernel::angle)) return visit(reinterpret_cast<AngleRows<W>*>(rows));
             break;
         case JointKernel::slider:
             if constexpr (has_kernel(JointKernel::slider)) return visit(reinterpret_cast<SliderRows<W>*>(rows));

@@ -30,10 +30,6 @@ struct alignas(W * 4) HingeRows {
     std::uint8_t pad[W * 4 - 4];
 };
 
-/// The angle of a hinge whose point a tree holds (tree_solve.hpp).
-template <std::uint32_t W>
-struct alignas(W * 4) AngleRows : HingeRows<W> {};
-
 inline JointKernel revolute_kernel(const Joint& j) { return coordinate_parts(j) == 0 ? JointKernel::point : JointKernel::hinge; }
 
 /// The angle of q to 0.08 rad, without a branch.
@@ -42,6 +38,9 @@ inline float rough_angle(Rot q) {
     return 0.5f * pi * (q.c >= 0 ? quarter : (q.s < 0 ? -2.0f : 2.0f) - quarter);
 }
 
+/// The angle, roughly, continuous past full turns.
+inline float rough_coordinate(const Joint& j, const JointPose& p) { return unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate); }
+
 template <std::uint32_t W>
 void prepare(PointRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
     const Joint& j = in.joints[joint];
@@ -49,7 +48,7 @@ void prepare(PointRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     set_ends(r.ends, lane, joint, in, p);
     // Nothing here needs the angle, but full turns are counted for readers and gears: a rough one tells how many there were (5 % of a step of
     // 19 800 hinges; the exact one, 12 %).
-    r.angle[lane] = unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate);
+    r.angle[lane] = rough_coordinate(j, p);
     warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, 0);
 }
 
@@ -64,40 +63,12 @@ void prepare(HingeRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, turning);
 }
 
-template <std::uint32_t W>
-void prepare(AngleRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
-    const JointPose p = pose_of(j, in.poses, in.bodies_in);
-    set_ends(r.ends, lane, joint, in, p);
-    r.angle[lane] = unwrap(angle_of(p), j.coordinate);
-    r.parts |= coordinate_parts(j);
-    const float turning = set_coordinate(r.free, lane, j, in.numbers);
-    warm_start(r.applied, r.ends, lane, in, {0, 0}, turning, turning);
-}
-
 template <class L>
 ISLET_LANE void solve(SolverBody* bodies, PointRows<L::width>& r, const JointSweep& n) {
     JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
     const JointArms<L> arms(r.ends, s);
     aim_arms<L>(s, n, cross(arms.ra, s.p), cross(arms.rb, s.p));
     solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
-    scatter<L>(bodies, r.ends, r.applied, s);
-}
-
-/// What acts on the angle.
-template <class L>
-ISLET_LANE void solve_angle(JointBodies<L>& s, HingeRows<L::width>& r, const JointSweep& n) {
-    using F = typename L::F;
-    const F k = s.ia + s.ib;
-    const F x = L::load(r.angle) + s.dqb - s.dqa;
-    s.push_angular(solve_motor_and_friction<L>(r.free, r.parts, k, s.wb - s.wa, n));
-    s.push_angular(solve_spring_and_limits<L>(r.free, r.parts, x, k, s.wb - s.wa, L::splat(0.0f), n));
-}
-
-template <class L>
-ISLET_LANE void solve(SolverBody* bodies, AngleRows<L::width>& r, const JointSweep& n) {
-    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
-    solve_angle<L>(s, r, n);
     scatter<L>(bodies, r.ends, r.applied, s);
 }
 
@@ -108,7 +79,11 @@ ISLET_LANE void solve(SolverBody* bodies, HingeRows<L::width>& r, const JointSwe
     const JointArms<L> arms(r.ends, s);
     const F turning = coordinate_impulse<L>(r.free);
     aim_arms<L>(s, n, cross(arms.ra, s.p) + turning, cross(arms.rb, s.p) + turning);
-    solve_angle<L>(s, r, n);
+
+    const F k = s.ia + s.ib;
+    const F x = L::load(r.angle) + s.dqb - s.dqa;
+    s.push_angular(solve_motor_and_friction<L>(r.free, r.parts, k, s.wb - s.wa, n));
+    s.push_angular(solve_spring_and_limits<L>(r.free, r.parts, x, k, s.wb - s.wa, L::splat(0.0f), n));
     solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
     scatter<L>(bodies, r.ends, r.applied, s);
 }
@@ -124,13 +99,6 @@ void store(const PointRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
     store_applied(r.applied, r.ends, lane, j, out);
     j.impulse = j.force_impulse;
     j.torque_impulse = 0;
-    j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
-}
-
-template <std::uint32_t W>
-void store(const AngleRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
-    get_coordinate(r.free, lane, j);
-    j.torque_impulse = coordinate_impulse(j);
     j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
 }
 

@@ -52,7 +52,7 @@ struct Plan {
     JointRun* runs = nullptr;
     std::uint32_t run_count = 0;
     std::uint32_t joint_count = 0;            // in runs
-    std::uint32_t awake_joints = 0;           // in runs or trees, or both: a tree leaves the angle of a hinge to a run, if something acts on it
+    std::uint32_t awake_joints = 0;           // in runs or trees
     bool has_trees = false;
     std::uint32_t overflow_joints = 0;
     TreeBody* tree_bodies = nullptr;          // of each batch leaves first
@@ -61,6 +61,9 @@ struct Plan {
     std::uint32_t colors = 0;                 // in use
     std::uint32_t touching_count = 0;
 };
+
+/// The bodies of trees by batch, in each leaves first. `batch_of`: by body.
+ISLET_OPTIONAL void plan_trees(const Core& core, Plan& plan, const std::uint32_t* batch_of, Arena temporary);
 
 Plan make_plan(const Core& core, Arena& arena);
 

@@ -101,7 +101,7 @@ void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const 
         l.rc = is_b ? p.rb : p.ra;
         l.rp = is_b ? p.ra : p.rb;
         l.d = l.sign * p.d;
-        l.angle = unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate);
+        l.angle = rough_coordinate(j, p);
     }
 }
 

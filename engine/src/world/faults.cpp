@@ -4,6 +4,7 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
+#include "island/joint_trees.hpp"
 #include "memory/joint_graph.hpp"
 #include "world/bounds.hpp"
 #include "world/joints.hpp"
@@ -223,7 +224,7 @@ const char* fault_in_place(const Core& c, std::uint32_t i) {
 
 const char* fault_in_box(const Core& c, std::uint32_t s) {
     const Vec2 center = c.poses[c.shapes[s].body].center;
-    const float rounding = 1.0e-3f * (1.0f + abs(center.x) + abs(center.y)) * 0.01f + 1.0e-4f;
+    const float rounding = 1.0e-4f + 1.0e-5f * (1.0f + abs(center.x) + abs(center.y));
     return contains(expand(c.boxes[s], rounding), shape_aabb(c, s)) ? nullptr : "a shape has left its fat box";
 }
 
@@ -239,7 +240,8 @@ const char* fault_in_contact(const Core& c, std::uint32_t i) {
     const bool touching = (m.flags & contact_touching) != 0;
     if (touching != (m.count() > 0)) return "a contact touches without points, or the reverse";
     if (!touching && m.color() != no_color) return "a contact that does not touch has a colour";
-    if (touching && c.is_dynamic(m.body_a) && c.is_dynamic(m.body_b) && awake_a != awake_b) return "an island is half asleep";
+    const std::uint32_t asleep = awake_a ? m.body_b : m.body_a;
+    if (touching && awake_a != awake_b && c.is_dynamic(asleep)) return "what sleeps touches what is awake";
     return nullptr;
 }
 
@@ -275,6 +277,19 @@ const char* fault_in_gear_counts(const Core& c, Arena scratch) {
     return first_fault(pool, c.joints, [&](std::uint32_t i) { return c.joints[i].gear_count == gears[i] ? nullptr : "a joint miscounts its gears"; });
 }
 
+// What is marked as a tree of hinges must be one, unless it is to be marked anew anyway.
+const char* fault_in_trees(const Core& c, Arena scratch) {
+    if (!has_joint(JointType::revolute) || c.state->trees_stale != 0) return nullptr;
+    const Forest forest(c.state->body_pool.high_water, scratch);
+    std::uint32_t marked = 0;
+    for (std::uint32_t i = 0; i < c.state->joint_pool.high_water; ++i) {
+        if (!live_joint(c, i) || (c.joints[i].flags & joint_exact) == 0) continue;
+        ++marked;
+        if (!forest.add(c, c.joints[i])) return "hinges that are no tree are solved as one";
+    }
+    return marked == c.state->exact_joints ? nullptr : "the hinges of trees are miscounted";
+}
+
 const char* fault_in_pairs(const Core& c, Arena scratch) {
     const std::uint32_t size = next_power_of_two(2 * c.state->contact_pool.high_water + 1);
     PairSet seen{scratch.take<std::uint64_t>(size), size - 1};
@@ -299,6 +314,7 @@ const char* find_fault(const Core& c, Arena scratch) {
     if (bad == nullptr) bad = first_fault(s.contact_pool, c.contacts, [&](std::uint32_t i) { return fault_in_contact(c, i); });
     if (bad == nullptr) bad = first_fault(s.joint_pool, c.joints, [&](std::uint32_t i) { return fault_in_joint(c, i); });
     if (bad == nullptr) bad = fault_in_gear_counts(c, scratch);
+    if (bad == nullptr) bad = fault_in_trees(c, scratch);
     if (bad == nullptr) bad = fault_in_pairs(c, scratch);
     if (bad == nullptr) bad = tree_validate({&c.state->tree, c.tree});
     return bad;

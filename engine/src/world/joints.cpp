@@ -243,6 +243,7 @@ void World::set_joint_friction(JointId id, float friction) {
     Core& c = core();
     const std::uint32_t i = find_joint(c, id, with_friction);
     if (i == null_index || !check_not_negative(c, friction)) return;
+    c.state->trees_stale = 1;  // friction too has a hinge swept
     c.joints[i].friction = friction;
     if (friction == 0) c.joints[i].friction_impulse = 0;
     wake_bodies(c, c.joints[i]);
