@@ -15,8 +15,8 @@ targets=(cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 riscv32)
 
 # Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
 declare -A most_flash=(
-    [cortex-m3]='109000 78000 47000' [cortex-m4f]='96500 65536 39300' [cortex-m7]='96500 65536 39300' [cortex-m33]='96500 65536 39300'
-    [cortex-m55]='96700 66000 39400' [riscv32]='102500 70100 42400'
+    [cortex-m3]='142500 78000 47000' [cortex-m4f]='130000 65536 39300' [cortex-m7]='130000 65536 39300' [cortex-m33]='130000 65536 39300'
+    [cortex-m55]='125000 66000 39400' [riscv32]='144000 70100 42400'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
