@@ -262,6 +262,20 @@ TEST(LcpArguments, AZeroOrTinyDiagonalIsRefusedByItsRowOrRegularised) {
     }
 }
 
+TEST(LcpArguments, RegularisationChangesTheStepsAndNotTheSolution) {
+    // x_0 = 1 because of row 1, whose diagonal is missing; x_1 = 1 because of row 0.
+    const LcpCase c = lcp_case("no diagonal", {2, -1, 1, 0}, {-1, -1});
+    const LcpData<double> data(c);
+    const std::vector<std::uint32_t> together = {0};
+    for (const Method m : {Method::pgs, Method::symmetric_pgs, Method::red_black, Method::block_pgs, Method::newton, Method::lemke}) {
+        lcp::Options<double> o = {.method = m, .max_iterations = 10000, .tolerance = 1e-10, .regularisation = 1};
+        if (m == Method::block_pgs) o.blocks = together;
+        const LcpRun<double> r = run(data.sparse_problem(), o);
+        EXPECT_EQ(r.result.status, Status::converged) << static_cast<int>(m);
+        for (const double x : r.x) EXPECT_NEAR(x, 1, 1e-9) << static_cast<int>(m);
+    }
+}
+
 TEST(LcpArguments, ARowOfNothingIsJudgedByItsQ) {
     // w = q whatever x is: with q = 0 any x within the bounds will do, with q > 0 only 0 does, with q < 0 nothing does.
     for (int m = 0; m <= static_cast<int>(Method::lemke); ++m) {

@@ -180,6 +180,16 @@ TEST(Lcp, DenseAndSparseMatricesGiveTheSameBits) {
     }
 }
 
+TEST(Lcp, ZerosThatAreStoredDoNotTurnAMinusZeroAround) {
+    LcpCase c = lcp_case("minus zero", {1, 0, 0, 1}, {-0.0, 0});
+    c.lo = {-10, -10};
+    c.hi = {10, 10};
+    const LcpData<double> data(c);
+    const auto o = options_for(Method::pgs, data, 0.0, 1);
+    const LcpRun<double> a = run(data.dense_problem(), o, {-0.0, 5}), b = run(data.sparse_problem(), o, {-0.0, 5});
+    EXPECT_EQ(std::memcmp(a.x.data(), b.x.data(), 2 * sizeof(double)), 0);
+}
+
 TEST(Lcp, AWarmStartTakesFewerIterations) {
     LcpCase c = string_case(200, 0.01, 3);
     const LcpData<double> before(c);
@@ -230,6 +240,88 @@ TEST(Lcp, OneBlockWithFrictionIsSolvedExactlyInOneIteration) {
         const LcpData<double> data(c);
         EXPECT_EQ(expect_the_truth(c, data, options_for(Method::block_pgs, data, 1e-13, 1)).status, Status::converged) << push;
     }
+}
+
+TEST(Lcp, OneBlockOfRowsThatSayTheSameIsSolvedExactlyToo) {
+    // The equations of all rows together are singular: some choice of fewer rows solves them.
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        LcpCase c = semi_definite_case(2 + seed % 5, seed);
+        c.blocks = {0};
+        const LcpData<double> data(c);
+        EXPECT_EQ(expect_the_truth(c, data, options_for(Method::block_pgs, data, 1e-11, 1)).status, Status::converged) << c.name << ", seed " << seed;
+    }
+}
+
+TEST(Lcp, NoFrictionWhereTheNormalRowPulls) {
+    LcpCase c = lcp_case("sticky", {1, 0, 0, 1}, {0.5, -1});
+    c.lo = {-1, 0};
+    c.hi = {1, 0.5};
+    c.friction = {lcp::no_row, 0};
+    for (const Method m : all_methods) {
+        const LcpData<double> data(c);
+        lcp::Options<double> o = options_for(m, data, 1e-9, 100);
+        const LcpRun<double> r = run(data.sparse_problem(), o);
+        EXPECT_EQ(r.result.status, Status::converged) << name_of(m);
+        EXPECT_NEAR(r.x[0], -0.5, 1e-8) << name_of(m);
+        EXPECT_NEAR(r.x[1], 0, 1e-8) << name_of(m);
+    }
+}
+
+TEST(Lcp, NewtonIsThereInOneStepWhereTheRightRowsAreFree) {
+    const auto steps = [](const LcpCase& c, std::vector<double> start, std::vector<double> solution) {
+        const LcpData<double> data(c);
+        const LcpRun<double> r = run(data.sparse_problem(), options_for(Method::newton, data, 1e-12, 10), std::move(start));
+        EXPECT_EQ(r.result.status, Status::converged) << c.name;
+        for (std::size_t i = 0; i < c.n; ++i) EXPECT_NEAR(r.x[i], solution[i], 1e-12) << c.name;
+        return r.result.iterations;
+    };
+    // A start outside the bounds: the free row must know where the other one is going.
+    EXPECT_EQ(steps(lcp_case("outside", {2, 1, 1, 2}, {-5, 10}), {0, -3}, {2.5, 0}), 1u);
+    // Sliding: friction follows the normal row, x_0 + 0.3 (-0.25 x_0) = 1.
+    LcpCase sliding = lcp_case("sliding", {1, 0.3, 0.3, 2}, {-1, 1});
+    sliding.lo = {0, 0};
+    sliding.hi = {std::numeric_limits<double>::infinity(), 0.25};
+    sliding.friction = {lcp::no_row, 0};
+    EXPECT_EQ(steps(sliding, {0.9, -0.2}, {1 / 0.925, -0.25 / 0.925}), 1u);
+    // The normal row goes to its upper bound, and friction with it.
+    LcpCase pressed = lcp_case("pressed", {1, 0, 0, 1}, {-10, -10});
+    pressed.lo = {0, 0};
+    pressed.hi = {2, 0.5};
+    pressed.friction = {lcp::no_row, 0};
+    EXPECT_EQ(steps(pressed, {3, 1}, {2, 1}), 1u);
+    // Rows that must be exchanged before anything can be divided.
+    LcpCase crossed = lcp_case("crossed", {0, 1, 1, 0}, {-1, -2});
+    crossed.lo.assign(2, -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(steps(crossed, {0, 0}, {2, 1}), 1u);
+}
+
+TEST(Lcp, NewtonNeverLeavesXWorseThanItWas) {
+    // Matrices of no kind at all, on which it often fails.
+    int failed = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        Random random(seed);
+        const std::size_t n = 2 + seed % 5;
+        std::vector<double> m = random_vector(n * n, -1, 1, random);
+        for (std::size_t i = 0; i < n; ++i) m[i * n + i] = 0.1;
+        const LcpCase c = lcp_case("anything " + std::to_string(n), m, random_vector(n, -1, 1, random));
+        const LcpData<double> data(c);
+        const auto square = [&](const std::vector<double>& x) {
+            double sum = 0;
+            for (std::size_t i = 0; i < n; ++i) {
+                double w = c.q[i];
+                for (std::size_t j = 0; j < n; ++j) w += m[i * n + j] * x[j];
+                sum += std::min(x[i], w) * std::min(x[i], w);
+            }
+            return sum;
+        };
+        const std::vector<double> start = random_vector(n, 0, 1, random);
+        for (const std::uint32_t limit : {1u, 3u, 100u}) {
+            const LcpRun<double> r = run(data.sparse_problem(), options_for(Method::newton, data, 1e-9, limit), start);
+            failed += r.result.status != Status::converged ? 1 : 0;
+            EXPECT_LE(square(r.x), square(start) * (1 + 1e-12)) << "seed " << seed << ", " << limit << " iterations";
+        }
+    }
+    EXPECT_GT(failed, 50);
 }
 
 TEST(Lcp, OrderRelaxationAndDirectionMatter) {
