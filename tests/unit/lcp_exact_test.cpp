@@ -129,8 +129,9 @@ TEST(LcpExact, DegenerateTiesEndToo) {
     for (const std::size_t boxes : {1, 2, 5, 12}) EXPECT_EQ(lemke(tower_case(boxes, 0, 0)).result.status, Status::converged) << boxes;
 }
 
-// (Without this rule Lemke's method can go round for ever. Kostreva's matrix, Cottle, Pang, Stone 1992, example 4.4.16: a P-matrix on which it does.)
-TEST(LcpExact, TheExampleOnWhichLemkesMethodCyclesIsSolved) {
+// A P-matrix on which pivoting can go round for ever where ties are decided without care (of the kind in Kostreva: Cycling in linear complementarity
+// problems, 1979): rows in a ring, all of them equal.
+TEST(LcpExact, RowsInARingDoNotSendThePivotsRound) {
     const LcpCase c = lcp_case("cycle", {1, 2, 0, 0, 1, 2, 2, 0, 1}, {-1, -1, -1});
     const LcpRun<double> r = lemke(c);
     EXPECT_EQ(r.result.status, Status::converged);
@@ -194,6 +195,9 @@ TEST(LcpExact, TheLastDigitsAreRightAfterManyPivots) {
         const LcpRun<float> r = run(data.sparse_problem(), lcp::Options<float>{.method = Method::lemke, .tolerance = 3e-6f});
         EXPECT_EQ(r.result.status, Status::converged) << r.result.residuals.natural;
     }
+    const LcpData<float> tower(tower_case(40, 0, 0));
+    const LcpRun<float> r = run(tower.sparse_problem(), lcp::Options<float>{.method = Method::lemke, .tolerance = 5e-6f});
+    EXPECT_EQ(r.result.status, Status::converged) << r.result.residuals.natural;
 }
 
 TEST(LcpExact, NewtonAgreesWithLemke) {

@@ -6,7 +6,7 @@
 // w_i off 0 there may be only one. An x that crosses to its other bound stops itself. If nothing stops the variable that came in, the path
 // is a ray, and if M is positive semi-definite there is no solution.
 //
-// Sources: Lemke 1965; Cottle, Pang, Stone: The Linear Complementarity Problem (1992), sections 4.4 and 4.9 (cycling and its prevention); upper bounds
+// Sources: Lemke 1965; Cottle, Pang, Stone: The Linear Complementarity Problem (1992), chapter 4; upper bounds
 // as in the simplex method with bounded variables. Rows without any bound are made basic first. At the end the free rows are solved once
 // more from the numbers given, which takes away what rounding the pivots piled up.
 #include "lcp/dictionary.hpp"
