@@ -295,6 +295,13 @@ TEST(Lcp, NewtonIsThereInOneStepWhereTheRightRowsAreFree) {
     EXPECT_EQ(steps(crossed, {0, 0}, {2, 1}), 1u);
 }
 
+TEST(Lcp, NewtonStandsATallTowerWithFrictionInAFewSteps) {
+    // Four rows for three degrees of freedom of each box: the equations have no unique solution.
+    const LcpCase c = tower_case(15, 0.5, 0.05);
+    const LcpData<double> data(c);
+    EXPECT_EQ(expect_the_truth(c, data, options_for(Method::newton, data, 1e-8, 15)).status, Status::converged);
+}
+
 TEST(Lcp, NewtonNeverLeavesXWorseThanItWas) {
     // Matrices of no kind at all, on which it often fails.
     int failed = 0;

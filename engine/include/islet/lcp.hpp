@@ -77,7 +77,7 @@ enum class Status : std::uint8_t {
     stalled,            ///< the method got no further, or ended where rounding leaves the residual above the tolerance
     diverged,           ///< the next value of `row` would not have been finite
     ray,                ///< lemke ended on a ray: if M is positive semi-definite there is no solution
-    singular,           ///< newton, lemke: the equations of the free rows have no unique solution; `row` is where it showed
+    singular,           ///< newton, lemke: the equations of the free rows have no unique solution and nothing helped; `row` is where it showed
     bad_diagonal,       ///< the diagonal of `row` is not positive, or tiny, even after regularisation
     not_finite,         ///< a NaN or infinity in `row` of M, q or x, or among the options
     bad_size,           ///< spans that do not fit together, no matrix, two matrices, or too many rows
@@ -103,7 +103,7 @@ struct Options {
     /// Relaxation: below 1 damps, above 1 hurries.
     T omega = T(1);
     /// Added to a diagonal that is zero, negative or tiny (at most the rounding unit times the largest entry of its row), where the step is divided by it:
-    /// shorter steps, to a solution of the same problem. In newton also added to the pivots of a singular system. 0 refuses such rows: bad_diagonal.
+    /// shorter steps, to a solution of the same problem. 0 refuses such rows: bad_diagonal. In newton the least that a singular system is damped with.
     T regularisation = T(0);
     /// The residual costs as much as a sweep: pgs and its relatives measure it after every so many iterations, and at the end.
     std::uint32_t check_every = 1;

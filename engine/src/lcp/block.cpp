@@ -54,7 +54,7 @@ bool solve_places(const Block<T>& block, const Place* places, T* y) {
             if (slope[j] != T(0)) a[k * max_block_rows + index[block.friction[j]]] += block.a[i][j] * slope[j];
         }
     }
-    if (solve_linear(a, max_block_rows, count, b, scales, T(0)) != no_row) return false;
+    if (solve_linear(a, max_block_rows, count, b, scales) != no_row) return false;
     for (std::uint32_t k = 0; k < count; ++k) y[rows[k]] = b[k];
     for (std::uint32_t i = 0; i < block.size; ++i)
         if (slope[i] != T(0)) y[i] = slope[i] * larger(y[block.friction[i]], T(0));

@@ -253,7 +253,7 @@ void refine(const Task<T>& task, const Lemke<T>& s) {
         rhs[k] = -row_value(task.problem, rows[k], task.x);
     }
     T* const kept = s.d.at;
-    if (solve_linear(a, m, m, rhs, kept, T(0)) != no_row) return;
+    if (solve_linear(a, m, m, rhs, kept) != no_row) return;
     const T before = natural_residual(task.problem, task.x);
     for (std::uint32_t k = 0; k < m; ++k) {
         const std::uint32_t i = rows[k];

@@ -22,7 +22,7 @@ std::uint32_t pivot_row(const T* a, std::size_t stride, std::uint32_t n, std::ui
 }  // namespace
 
 template <class T>
-std::uint32_t solve_linear(T* a, std::size_t stride, std::uint32_t n, T* b, T* scales, T regularisation) {
+std::uint32_t solve_linear(T* a, std::size_t stride, std::uint32_t n, T* b, T* scales) {
     for (std::uint32_t i = 0; i < n; ++i) {
         scales[i] = T(0);
         for (std::uint32_t j = 0; j < n; ++j) scales[i] = larger(scales[i], magnitude(a[i * stride + j]));
@@ -35,10 +35,8 @@ std::uint32_t solve_linear(T* a, std::size_t stride, std::uint32_t n, T* b, T* s
             exchange(b[p], b[k]);
             exchange(scales[p], scales[k]);
         }
-        T& pivot = a[k * stride + k];
-        const T least = larger(lost * scales[k], Numbers<T>::smallest);
-        if (!(magnitude(pivot) > least)) pivot += regularisation;
-        if (!(magnitude(pivot) > least)) return k;
+        const T pivot = a[k * stride + k];
+        if (!(magnitude(pivot) > larger(lost * scales[k], Numbers<T>::smallest))) return k;
         for (std::uint32_t i = k + 1; i < n; ++i) {
             const T factor = a[i * stride + k] / pivot;
             if (factor == T(0)) continue;
@@ -55,7 +53,7 @@ std::uint32_t solve_linear(T* a, std::size_t stride, std::uint32_t n, T* b, T* s
     return no_row;
 }
 
-template std::uint32_t solve_linear(float*, std::size_t, std::uint32_t, float*, float*, float);
-template std::uint32_t solve_linear(double*, std::size_t, std::uint32_t, double*, double*, double);
+template std::uint32_t solve_linear(float*, std::size_t, std::uint32_t, float*, float*);
+template std::uint32_t solve_linear(double*, std::size_t, std::uint32_t, double*, double*);
 
 }  // namespace islet::lcp

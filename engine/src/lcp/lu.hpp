@@ -6,9 +6,9 @@
 namespace islet::lcp {
 
 /// Factors the n by n matrix a (rows `stride` apart) in place and turns b into the solution of a x = b. Rows are compared in relation to their largest
-/// entries (`scales`, n numbers of scratch), so that a row in other units is not taken for a small one. A pivot lost in rounding gets
-/// `regularisation` added; if it is still lost, the column is returned, and a and b are of no use. Returns no_row if all went well.
+/// entries (`scales`, n numbers of scratch), so that a row in other units is not taken for a small one. Returns
+/// the column whose pivot is lost in rounding, with which a and b are of no use, or no_row if all went well.
 template <class T>
-std::uint32_t solve_linear(T* a, std::size_t stride, std::uint32_t n, T* b, T* scales, T regularisation);
+std::uint32_t solve_linear(T* a, std::size_t stride, std::uint32_t n, T* b, T* scales);
 
 }  // namespace islet::lcp

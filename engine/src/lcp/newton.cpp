@@ -2,9 +2,10 @@
 // derivative is M's; elsewhere the row is at a bound and its derivative is 1 (for friction with a part in the normal row). Only the free rows
 // need solving, the others follow.
 //
-// A step is halved until |F|^2 falls (Armijo). Where the equations have no unique solution, or no length of step will do, which happens on the
-// kinks of F, one sweep of PGS moves x elsewhere; the best x so far is kept. Sources: Qi and Sun 1993 (the method), Erleben: Numerical methods for linear
-// complementarity problems in physics-based animation, SIGGRAPH 2013 (the minimum map and the falling back).
+// A step is halved until |F|^2 falls (Armijo). Where the equations have no unique solution, as with rows that say the same, or no length of step will do,
+// which happens on the kinks of F, a step with a damped matrix is tried (Levenberg), and if that will not do either, one sweep of PGS moves x
+// elsewhere; the best x so far is kept. Sources: Qi and Sun 1993 (the method), Erleben: Numerical methods for linear complementarity problems in
+// physics-based animation, SIGGRAPH 2013 (the minimum map and the falling back).
 #include "lcp/lu.hpp"
 #include "lcp/sweep.hpp"
 #include "lcp/task.hpp"
@@ -15,6 +16,10 @@ namespace {
 constexpr std::uint32_t most_halvings = 12;
 constexpr std::uint32_t most_without_gain = 30;  // iterations since the best x, after which it is given up
 constexpr double least_descent = 1e-4;           // Armijo's share of what the slope promises
+
+/// Damping in relation to the largest entry: the root of the rounding unit, so that half of the digits say where to go.
+template <class T>
+constexpr T damping = sizeof(T) == sizeof(float) ? T(3e-4) : T(1e-8);
 
 template <class T>
 struct Newton {
@@ -69,7 +74,8 @@ T friction_slope(const Task<T>& task, const Newton<T>& s, std::uint32_t i) {
 
 /// The Newton step; returns the row where its equations failed, or no_row.
 template <class T>
-std::uint32_t find_step(const Task<T>& task, Newton<T>& s) {
+std::uint32_t find_step(const Task<T>& task, Newton<T>& s, bool damped) {
+    classify(task, s);
     const std::size_t m = s.free_count;
     for (std::uint32_t i = 0; i < task.rows; ++i)
         if (s.index[i] == no_row) s.step[i] = -s.f[i];
@@ -93,7 +99,13 @@ std::uint32_t find_step(const Task<T>& task, Newton<T>& s) {
             if (s.normal[j] != no_row) a[s.index[s.normal[j]]] += row.values[e] * friction_slope(task, s, j);
         }
     }
-    const std::uint32_t failed = solve_linear(s.matrix, m, s.free_count, s.rhs, s.trial, task.options.regularisation);
+    if (damped) {
+        T largest = T(0);
+        for (std::size_t k = 0; k < m * m; ++k) largest = larger(largest, magnitude(s.matrix[k]));
+        const T added = larger(damping<T> * largest, task.options.regularisation);
+        for (std::size_t k = 0; k < m; ++k) s.matrix[k * m + k] += added;
+    }
+    const std::uint32_t failed = solve_linear(s.matrix, m, s.free_count, s.rhs, s.trial);
     if (failed != no_row) return s.free_rows[failed];
     for (std::size_t k = 0; k < m; ++k) s.step[s.free_rows[k]] = s.rhs[k];
     for (std::uint32_t i = 0; i < task.rows; ++i)
@@ -101,13 +113,13 @@ std::uint32_t find_step(const Task<T>& task, Newton<T>& s) {
     return no_row;
 }
 
-/// Goes along the step as far as |F|^2 falls enough; false, with x where it was, if it does nowhere.
+/// Goes along the step as far as |F|^2 falls enough; false, with x and f as they were, if it does nowhere.
 template <class T>
 bool search_along(const Task<T>& task, Newton<T>& s, T square) {
     T length = T(1);
     for (std::uint32_t halving = 0; halving <= most_halvings; ++halving, length *= T(0.5)) {
         for (std::uint32_t i = 0; i < task.rows; ++i) s.trial[i] = task.x[i] + length * s.step[i];
-        if (squared_map(task, s.trial, s.f) > (T(1) - T(2 * least_descent) * length) * square) continue;
+        if (squared_map(task, s.trial, s.rhs) > (T(1) - T(2 * least_descent) * length) * square) continue;
         for (std::uint32_t i = 0; i < task.rows; ++i) task.x[i] = s.trial[i];
         return true;
     }
@@ -141,9 +153,14 @@ Result<T> run_newton(Task<T> task) {
             status = Status::stalled;
             break;
         }
-        classify(task, s);
-        const std::uint32_t singular = find_step(task, s);
-        if (singular != no_row || !search_along(task, s, square)) {
+        bool moved = false;
+        std::uint32_t singular = no_row;
+        for (const bool damped : {false, true}) {
+            singular = find_step(task, s, damped);
+            moved = singular == no_row && search_along(task, s, square);
+            if (moved) break;
+        }
+        if (!moved) {
             if (!can_sweep) {
                 status = singular != no_row ? Status::singular : Status::stalled;
                 row = singular;
