@@ -29,7 +29,7 @@ constexpr std::uint32_t systick_mask = 0x00ffffffu;
 
 std::uint64_t ticks;         // since start
 std::uint32_t last_value;    // of the counter, which counts down
-std::uint64_t ticks_per_calibration;
+std::uint32_t instructions_per_tick;  // times 256
 
 constexpr std::uint32_t calibration_loops = 500000;  // of two instructions
 
@@ -46,11 +46,12 @@ void calibrate() {
     hardware(systick_control) = 5;  // on, processor clock, no interrupt
     last_value = hardware(systick_value);
     count_ticks();
-    const std::uint64_t before = ticks;
+    const auto before = static_cast<std::uint32_t>(ticks);
     std::uint32_t n = calibration_loops;
     __asm__ volatile("1: subs %0, %0, #1\n bne 1b" : "+r"(n) : : "cc");
     count_ticks();
-    ticks_per_calibration = ticks - before;
+    const std::uint32_t taken = static_cast<std::uint32_t>(ticks) - before;
+    instructions_per_tick = (256 * 2 * calibration_loops + taken / 2) / taken;
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ void print(const char* text) { semihosting(sys_write0, text); }
 
 std::uint64_t instructions() {
     count_ticks();
-    return ticks * (2 * calibration_loops) / ticks_per_calibration;
+    return ticks * instructions_per_tick / 256;
 }
 
 std::size_t stack_used() { return painted_stack_used(); }

@@ -36,7 +36,7 @@ bool play(const char* name) {
     print(" hash ");
     print_hash(world.hash());
     print(" instructions ");
-    print_decimal(static_cast<std::uint32_t>(sum / steps));
+    print_decimal(static_cast<std::uint32_t>(sum) / steps);
     print(" most ");
     print_decimal(static_cast<std::uint32_t>(most));
     print("\n");

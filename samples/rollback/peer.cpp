@@ -34,7 +34,7 @@ Peer::Peer(int player, samples::Scene scene, const PeerDef& def)
 }
 
 void Peer::receive(const Packet& packet) {
-    sent_ = std::max(sent_, packet.known);
+    sent_ = std::max(sent_, std::min(packet.known, known(own_)));  // whatever it claims
     for (std::size_t i = 0; i < packet.inputs.size(); ++i) {
         const int frame = packet.first + static_cast<int>(i);
         if (frame != known(other_)) continue;  // had it already, or one before it is still missing

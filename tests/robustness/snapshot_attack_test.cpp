@@ -7,6 +7,7 @@
 #include "support/forge.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
+#include "world/sleep.hpp"
 
 namespace islet::test {
 namespace {
@@ -79,6 +80,21 @@ TEST_F(Attack, TwoWordsMayBeExchangedAndRecordsRepeated) {
     }
     EXPECT_GT(accepted_, 100);
     EXPECT_GT(refused_, 1000);
+}
+
+// No few words make this one: a box asleep on a kinematic floor that is awake. Such a box has no batch, so nothing may touch it and want to be solved.
+TEST(Attacks, NothingSleepsOnWhatIsAwake) {
+    TestWorld source;
+    source.add_box({0, -1}, 20, 1, {}, BodyType::kinematic);
+    const BodyId box = source.add_box({0, 0.5f});
+    for (int i = 0; i < 10; ++i) source->step(1.0f / 60);
+    ASSERT_GT(source->report().touching_contacts, 0u);
+    detail::put_to_sleep(detail::Core::of(*source), box.index1 - 1);
+    EXPECT_NE(source->validate(), nullptr);
+
+    const Image image = save(*source);
+    TestWorld victim;
+    EXPECT_FALSE(victim->load(image.bytes())) << "the next step would write outside the world's block";
 }
 
 }  // namespace

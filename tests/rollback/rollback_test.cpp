@@ -298,5 +298,15 @@ TEST(Rollback, WithoutDelayNothingIsEverPlayedTwiceForLong) {
     for (const PeerReport& p : r.peers) EXPECT_LE(p.deepest, 1);
 }
 
+// A packet comes from outside: what it says may be anything.
+TEST(APeerAlone, BelievesNobodyWhoClaimsInputsThatWereNeverSent) {
+    Peer peer(0, samples::find_scene("pyramid")->make());
+    for (int i = 0; i < 5; ++i) peer.play(pretend(0, i));
+    Packet liar;
+    liar.known = 1000;
+    peer.receive(liar);
+    EXPECT_LE(peer.packet().inputs.size(), 5u);
+}
+
 }  // namespace
 }  // namespace islet::test

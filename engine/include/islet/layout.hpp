@@ -19,7 +19,7 @@ namespace islet {
 inline constexpr std::size_t world_alignment = 64;
 
 /// No capacity may exceed this.
-inline constexpr std::uint32_t max_capacity = 1u << 22;
+inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u << 18;
 
 namespace detail {
 

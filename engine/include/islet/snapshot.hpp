@@ -49,9 +49,9 @@ constexpr std::size_t max_delta_bytes(std::size_t to_bytes) {
 /// overlap the images.
 std::size_t delta(std::span<const std::byte> from, std::span<const std::byte> to, std::span<std::byte> out, Error* error = nullptr);
 
-/// The image that `delta` leads to from the image `from`. Returns the bytes written to `out`, or 0 with *error set if given: corrupt_image if the
-/// delta is broken or hostile, wrong_delta if it starts from another image than `from`, image_too_small if `out` is; `out` then holds nothing of
-/// use. The result is as trustworthy as the delta: load it, unless this program made both.
+/// The image that `delta` leads to from the image `from`. Returns the bytes written to `out`, or 0 with *error set if given: what read_snapshot finds
+/// wrong with the image or, for a delta, would; corrupt_image also if the delta is hostile; wrong_delta if it starts from another image than `from`;
+/// image_too_small if `out` is. `out` then holds nothing of use. The result is as trustworthy as the delta: load it, unless this program made both.
 /// `out` may not overlap what it is made from.
 std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> delta, std::span<std::byte> out, Error* error = nullptr);
 

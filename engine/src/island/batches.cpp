@@ -27,14 +27,15 @@ struct Islands {
         return i;
     }
 
+    void guide(const Core& core, std::uint32_t body, std::uint32_t by) const {
+        if (by != null_index && core.is_awake(by)) guided.set(body);
+    }
+
     void link(const Core& core, std::uint32_t a, std::uint32_t b) const {
         const std::uint32_t over_a = parent_of(a), over_b = parent_of(b);
-        if (over_a == over_b) return;  // as most are: their island was joined by other links
-        if (over_a == null_index || over_b == null_index) {
-            const std::uint32_t other = over_a == null_index ? a : b;
-            if (other != null_index && core.is_awake(other)) guided.set(over_a == null_index ? b : a);
-            return;
-        }
+        if (over_a == over_b) return;  // as most are: their island was joined by other links. Or neither links anything.
+        if (over_a == null_index) return guide(core, b, a);
+        if (over_b == null_index) return guide(core, a, b);
         a = root_of(over_a);
         b = root_of(over_b);
         if (a < b) {
@@ -47,7 +48,7 @@ struct Islands {
 
 constexpr std::uint32_t guided_bit = 1u << 31;
 
-inline constexpr std::uint32_t body_words = 16;  // of 64 bodies that are worth a task
+inline constexpr std::uint32_t body_grain = 16;  // words of 64 bodies that are worth a task
 
 // The touching contacts, cut into parts that are planned side by side: each lists its edges in its own piece of the array, counts them by place, and puts
 // them where the counts of all say. What is listed and put is the same however it is cut.
@@ -208,7 +209,7 @@ Plan make_plan(const Core& core, Arena& arena) {
     const BitSet awake = core.awake_bodies;
     const auto words = static_cast<std::uint32_t>(words_for(bodies));
     const Islands links{temporary.take<std::uint32_t>(bodies), {temporary.take<std::uint64_t>(words), words}};
-    for_ranges(core, words, body_words, [&](std::uint32_t first, std::uint32_t end) {
+    for_ranges(core, words, body_grain, [&](std::uint32_t first, std::uint32_t end) {
         const std::uint32_t begin = 64 * first;
         const std::size_t count = (64 * end < bodies ? 64 * end : bodies) - begin;
         std::memset(plan.slot_of + begin, 0, count * 4);
@@ -229,6 +230,13 @@ Plan make_plan(const Core& core, Arena& arena) {
         if (links.parent_of(j.body_a) == null_index && links.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
         joint_edges[plan.joint_count++] = {i, j.body_a, j.body_b, j.color()};
         links.link(core, j.body_a, j.body_b);
+        if (j.joint_type() != JointType::gear) return;
+        // A gear's row reads the four bodies of its two joints, and not all of them are its own.
+        const std::uint32_t moving = links.parent_of(j.body_a) != null_index ? j.body_a : j.body_b;
+        for (const std::uint32_t joint : {j.joint1, j.joint2}) {
+            links.link(core, moving, core.joints[joint].body_a);
+            links.link(core, moving, core.joints[joint].body_b);
+        }
     });
 
     // Number the islands by their roots and count their bodies; a root is the smallest of its island, so one pass in order is enough. `slot_of` keeps the

@@ -1,4 +1,4 @@
-// The solve: all substeps of one batch after another.
+// The solve: batches side by side, the substeps of each one after another.
 #pragma once
 
 #include "island/batches.hpp"

@@ -20,6 +20,7 @@ namespace {
 
 inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the bodies may slip before a manifold is made anew
 inline constexpr std::uint32_t update_grain = 4;                // words of 64 contacts that are worth a task
+inline constexpr std::uint32_t clear_grain = 16;                // words of 64 bodies that are worth a task
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
 // Against what cannot be pushed, a fast body looks as far ahead as it may come in this step.
@@ -214,7 +215,7 @@ void update_contacts(Core& core, float dt) {
             end_touch(core, i);
         }
     });
-    for_ranges(core, core.awake_bodies.word_count, 16, [&](std::uint32_t first, std::uint32_t end) {
+    for_ranges(core, core.awake_bodies.word_count, clear_grain, [&](std::uint32_t first, std::uint32_t end) {
         core.awake_bodies.for_each_in(first, end,
                                       [&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
     });

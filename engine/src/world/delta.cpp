@@ -37,6 +37,7 @@ struct Parts {
         Core nowhere;
         std::uint64_t at = sizeof(ImageHeader);
         for_each_part(nowhere, h, [&](auto&, std::uint64_t bytes) {
+            if (count == most) __builtin_trap();  // a part was added: raise `most`
             start[count] = at;
             size[count++] = bytes;
             at += bytes;
@@ -132,7 +133,7 @@ struct Unpacker {
     }
 };
 
-/// Calls visit(old word, place in the new image, number of the word in its group) for each word of the new image behind its header; done() after
+/// Calls word(old word, place in the new image, number of the word in its group) for each word of the new image behind its header; done() after
 /// each group.
 template <class Word, class Done>
 void for_each_word(std::span<const std::byte> from, const Parts& old_parts, const Parts& new_parts, Word&& word, Done&& done) {

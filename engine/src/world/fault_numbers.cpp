@@ -59,7 +59,7 @@ const char* fault_in_numbers(const Body& b, const Pose& pose, const Motion& moti
     if (!not_negative(motion.sleep_time) || !is_finite(motion.slack)) return "a body's rest is not finite";
     if (!not_negative(b.linear_damping) || !not_negative(b.angular_damping) || !is_finite(b.gravity_scale) || !not_negative(b.sleep_threshold))
         return "a body's damping, gravity or sleep threshold is out of range";
-    if (!(b.mass >= 0) || !(b.inertia >= 0)) return "a body's mass or size is out of range";
+    if (!(b.mass >= 0) || !(b.inertia >= 0)) return "a body's mass or inertia is out of range";
     // The solver bears any force and any stretch, so those are not looked at.
     constexpr float rounding = 1.001f;
     const bool dynamic = b.type() == BodyType::dynamic;

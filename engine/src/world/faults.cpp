@@ -223,7 +223,7 @@ const char* fault_in_place(const Core& c, std::uint32_t i) {
 
 const char* fault_in_box(const Core& c, std::uint32_t s) {
     const Vec2 center = c.poses[c.shapes[s].body].center;
-    const float rounding = 1.0e-3f * (1.0f + abs(center.x) + abs(center.y)) * 0.01f + 1.0e-4f;
+    const float rounding = 1.0e-4f + 1.0e-5f * (1.0f + abs(center.x) + abs(center.y));
     return contains(expand(c.boxes[s], rounding), shape_aabb(c, s)) ? nullptr : "a shape has left its fat box";
 }
 
@@ -239,7 +239,8 @@ const char* fault_in_contact(const Core& c, std::uint32_t i) {
     const bool touching = (m.flags & contact_touching) != 0;
     if (touching != (m.count() > 0)) return "a contact touches without points, or the reverse";
     if (!touching && m.color() != no_color) return "a contact that does not touch has a colour";
-    if (touching && c.is_dynamic(m.body_a) && c.is_dynamic(m.body_b) && awake_a != awake_b) return "an island is half asleep";
+    const std::uint32_t asleep = awake_a ? m.body_b : m.body_a;
+    if (touching && awake_a != awake_b && c.is_dynamic(asleep)) return "what sleeps touches what is awake";
     return nullptr;
 }
 
