@@ -100,7 +100,8 @@ TEST(LcpExact, LemkeSaysRayExactlyWhereEnumerationFindsNothing) {
     for (std::uint32_t seed = 0; seed < 120; ++seed) {
         Random random(seed);
         const std::size_t n = 2 + seed % 4;
-        const LcpCase c = lcp_case("rank " + std::to_string(1 + seed % 2), random_gram(n, 1 + seed % 2, 0, random), random_vector(n, -1, 2, random));
+        const std::vector<double> m = random_gram(n, 1 + seed % 2, 0, random);
+        const LcpCase c = lcp_case("rank " + std::to_string(1 + seed % 2), m, random_vector(n, -1, 2, random));
         const bool solvable = !enumerate(c).empty();
         const Status status = lemke(c, 1e-9).result.status;
         EXPECT_EQ(status, solvable ? Status::converged : Status::ray) << c.name << ", seed " << seed;

@@ -140,8 +140,9 @@ inline std::vector<double> random_vector(std::size_t n, double lo, double hi, Ra
 /// Symmetric and positive definite. With bounds: some rows one-sided, some two-sided, some fixed, some without any.
 inline LcpCase positive_definite_case(std::size_t n, bool bounded, std::uint32_t seed) {
     Random random(seed);
-    LcpCase c = lcp_case("positive definite " + std::to_string(n) + (bounded ? " bounded" : ""), random_gram(n, n, 0.3, random),
-                         random_vector(n, -1, 1, random));
+    // (One after the other: compilers differ in the order in which they evaluate arguments.)
+    const std::vector<double> m = random_gram(n, n, 0.3, random);
+    LcpCase c = lcp_case("positive definite " + std::to_string(n) + (bounded ? " bounded" : ""), m, random_vector(n, -1, 1, random));
     if (!bounded) return c;
     constexpr double inf = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
