@@ -110,14 +110,13 @@ TEST(LcpArguments, RandomDamageToASparseMatrixIsRefusedOrHarmless) {
         t.sparse = true;
         for (std::uint32_t k = 0; k < 2; ++k) {
             std::vector<std::uint32_t>& damaged = random.one_in(2) ? t.row_starts : t.columns;
-            damaged[random.below(static_cast<std::uint32_t>(damaged.size()))] = random.one_in(3) ? static_cast<std::uint32_t>(random.bits()) : random.below(6);
+            damaged[random.below(static_cast<std::uint32_t>(damaged.size()))] =
+                random.one_in(3) ? static_cast<std::uint32_t>(random.bits()) : random.below(6);
         }
         for (int m = 0; m <= static_cast<int>(Method::lemke); ++m) {
             t.options.method = static_cast<Method>(m);
             const auto r = t.solve();
-            if (r.status == Status::converged) {
-                EXPECT_LE(r.residuals.natural, t.options.tolerance);
-            }
+            if (r.status == Status::converged) { EXPECT_LE(r.residuals.natural, t.options.tolerance); }
         }
     }
 }
@@ -197,7 +196,8 @@ TEST(LcpArguments, OptionsOutsideTheirRangesAreRefused) {
     blocks(far, 1);
     const LcpCase seven = string_case(7, 1, 1);
     const LcpData<double> data(seven);
-    EXPECT_EQ(run(data.sparse_problem(), O{.method = Method::block_pgs, .blocks = one}).result.status, Status::bad_blocks) << "a block of seven";
+    EXPECT_EQ(run(data.sparse_problem(), O{.method = Method::block_pgs, .blocks = one}).result.status, Status::bad_blocks)
+        << "a block of seven";
     Two t;
     std::vector<std::byte> memory(1000);
     t.options.method = Method::jacobi;
@@ -282,8 +282,10 @@ TEST(LcpArguments, ARowOfNothingIsJudgedByItsQ) {
         const auto with = [&](double q, double start) {
             const LcpCase c = lcp_case("nothing", {0}, {q});
             const LcpData<double> data(c);
-            return run(data.dense_problem(),
-                       lcp::Options<double>{.method = static_cast<Method>(m), .max_iterations = 50, .tolerance = 1e-9, .regularisation = 0.5}, {start});
+            return run(
+                data.dense_problem(),
+                lcp::Options<double>{.method = static_cast<Method>(m), .max_iterations = 50, .tolerance = 1e-9, .regularisation = 0.5},
+                {start});
         };
         EXPECT_EQ(with(0, 3).result.status, Status::converged) << m;
         EXPECT_EQ(with(0, 3).x[0], 3) << m;
@@ -312,9 +314,9 @@ TEST(LcpArguments, ResidualsAreThoseOfTheDefinition) {
     // w = (1, -1, 2) at x = (0.5, 2, -3), by hand.
     const std::vector<double> m = {0, 0, 0, 0, 0, 0, 0, 0, 0}, q = {1, -1, 2}, lo = {0, 0, -1}, hi = {4, 3, 1}, x = {0.5, 2, -3};
     const auto r = lcp::residuals<double>({.dense = {m}, .q = q, .lo = lo, .hi = hi}, x);
-    EXPECT_EQ(r.infeasibility, 2);      // the third is 2 below its bound
-    EXPECT_EQ(r.complementarity, 4);    // and that times its w
-    EXPECT_EQ(r.natural, 2);            // -3 - clamp(-3 - 2, -1, 1)
+    EXPECT_EQ(r.infeasibility, 2);    // the third is 2 below its bound
+    EXPECT_EQ(r.complementarity, 4);  // and that times its w
+    EXPECT_EQ(r.natural, 2);          // -3 - clamp(-3 - 2, -1, 1)
     const std::vector<double> y = {0.5, 2, -1};
     const auto s = lcp::residuals<double>({.dense = {m}, .q = q, .lo = lo, .hi = hi}, y);
     EXPECT_EQ(s.infeasibility, 0);

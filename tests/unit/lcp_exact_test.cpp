@@ -70,7 +70,8 @@ std::vector<std::vector<double>> enumerate(const LcpCase& c) {
 
 LcpRun<double> lemke(const LcpCase& c, double tolerance = 1e-10, std::uint32_t limit = 5000, std::vector<double> start = {}) {
     const LcpData<double> data(c);
-    return run(data.sparse_problem(), lcp::Options<double>{.method = Method::lemke, .max_iterations = limit, .tolerance = tolerance}, std::move(start));
+    return run(data.sparse_problem(), lcp::Options<double>{.method = Method::lemke, .max_iterations = limit, .tolerance = tolerance},
+               std::move(start));
 }
 
 TEST(LcpExact, LemkeFindsTheOneSolutionThatEnumerationFinds) {

@@ -47,14 +47,22 @@ struct LcpData {
     std::vector<std::uint32_t> row_starts, columns, friction, blocks;
 
     explicit LcpData(const LcpCase& c)
-        : values(c.values.begin(), c.values.end()), q(c.q.begin(), c.q.end()), lo(c.lo.begin(), c.lo.end()), hi(c.hi.begin(), c.hi.end()),
-          row_starts(c.row_starts), columns(c.columns), friction(c.friction), blocks(c.blocks) {
+        : values(c.values.begin(), c.values.end()),
+          q(c.q.begin(), c.q.end()),
+          lo(c.lo.begin(), c.lo.end()),
+          hi(c.hi.begin(), c.hi.end()),
+          row_starts(c.row_starts),
+          columns(c.columns),
+          friction(c.friction),
+          blocks(c.blocks) {
         if (c.n > 400) return;  // too large to be worth it
         dense.assign(c.n * c.n, T(0));
         for (std::size_t i = 0; i < c.n; ++i)
             for (std::uint32_t k = row_starts[i]; k < row_starts[i + 1]; ++k) dense[i * c.n + columns[k]] = values[k];
     }
-    lcp::Problem<T> sparse_problem() const { return {.sparse = {row_starts, columns, values}, .q = q, .lo = lo, .hi = hi, .friction = friction}; }
+    lcp::Problem<T> sparse_problem() const {
+        return {.sparse = {row_starts, columns, values}, .q = q, .lo = lo, .hi = hi, .friction = friction};
+    }
     lcp::Problem<T> dense_problem() const { return {.dense = {dense}, .q = q, .lo = lo, .hi = hi, .friction = friction}; }
 };
 

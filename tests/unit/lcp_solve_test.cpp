@@ -15,7 +15,8 @@ const std::vector<Method> all_methods = {Method::pgs,    Method::psor,      Meth
                                          Method::jacobi, Method::l1_jacobi, Method::nncg,          Method::newton,    Method::lemke};
 
 const char* name_of(Method m) {
-    const char* const names[] = {"pgs", "psor", "symmetric pgs", "red-black", "block pgs", "jacobi", "l1 jacobi", "nncg", "newton", "lemke"};
+    const char* const names[] = {"pgs",    "psor",      "symmetric pgs", "red-black", "block pgs",
+                                 "jacobi", "l1 jacobi", "nncg",          "newton",    "lemke"};
     return names[static_cast<std::size_t>(m)];
 }
 
@@ -45,8 +46,9 @@ lcp::Result<T> expect_the_truth(const LcpCase& c, const LcpData<T>& data, const 
         EXPECT_EQ(r.result.row, lcp::no_row);
     } else {
         EXPECT_GT(own.natural + own.rounding, options.tolerance) << lcp::describe(r.result.status);
-        EXPECT_TRUE(r.result.status == Status::iteration_limit || r.result.status == Status::stalled || r.result.status == Status::diverged ||
-                    r.result.status == Status::singular || r.result.status == Status::ray || r.result.status == Status::bad_diagonal)
+        EXPECT_TRUE(r.result.status == Status::iteration_limit || r.result.status == Status::stalled ||
+                    r.result.status == Status::diverged || r.result.status == Status::singular || r.result.status == Status::ray ||
+                    r.result.status == Status::bad_diagonal)
             << lcp::describe(r.result.status);
     }
     EXPECT_LE(r.result.iterations, options.max_iterations);
@@ -98,8 +100,10 @@ TEST(Lcp, EveryMethodSolvesPositiveDefiniteProblemsWithAndWithoutBounds) {
             const LcpData<double> wide(c);
             const LcpData<float> narrow(c);
             for (const Method m : all_methods) {
-                EXPECT_EQ(expect_the_truth(c, wide, options_for(m, wide, 1e-9, 5000)).status, Status::converged) << c.name << ", " << name_of(m);
-                EXPECT_EQ(expect_the_truth(c, narrow, options_for(m, narrow, 1e-5f, 5000)).status, Status::converged) << c.name << ", " << name_of(m);
+                EXPECT_EQ(expect_the_truth(c, wide, options_for(m, wide, 1e-9, 5000)).status, Status::converged)
+                    << c.name << ", " << name_of(m);
+                EXPECT_EQ(expect_the_truth(c, narrow, options_for(m, narrow, 1e-5f, 5000)).status, Status::converged)
+                    << c.name << ", " << name_of(m);
             }
         }
     }
@@ -131,7 +135,8 @@ TEST(Lcp, TheSupportForcesOfATowerAreItsWeight) {
     const LcpData<double> data(c);
     const LcpRun<double> r = run(data.sparse_problem(), options_for(Method::pgs, data, 1e-11, 20000));
     ASSERT_EQ(r.result.status, Status::converged);
-    for (std::size_t box = 0; box < 6; ++box) EXPECT_NEAR(r.x[4 * box] + r.x[4 * box + 2], static_cast<double>(6 - box) * 10 / 60, 1e-8) << box;
+    for (std::size_t box = 0; box < 6; ++box)
+        EXPECT_NEAR(r.x[4 * box] + r.x[4 * box + 2], static_cast<double>(6 - box) * 10 / 60, 1e-8) << box;
 }
 
 TEST(Lcp, FrictionHoldsUpToItsCoefficientAndNoFurther) {
@@ -248,7 +253,8 @@ TEST(Lcp, OneBlockOfRowsThatSayTheSameIsSolvedExactlyToo) {
         LcpCase c = semi_definite_case(2 + seed % 5, seed);
         c.blocks = {0};
         const LcpData<double> data(c);
-        EXPECT_EQ(expect_the_truth(c, data, options_for(Method::block_pgs, data, 1e-11, 1)).status, Status::converged) << c.name << ", seed " << seed;
+        EXPECT_EQ(expect_the_truth(c, data, options_for(Method::block_pgs, data, 1e-11, 1)).status, Status::converged)
+            << c.name << ", seed " << seed;
     }
 }
 

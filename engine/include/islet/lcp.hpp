@@ -166,7 +166,8 @@ constexpr std::size_t workspace_bytes(Method method, std::size_t rows) {
 }
 
 /// Solves the problem from the start x (the warm start; zeros are as good as any) and leaves in x the last iterate, which is finite. x, workspace and
-/// history may overlap nothing else; workspace needs no alignment. On statuses from bad_diagonal on, x is as it was; on ray and singular (lemke), too.
+/// history may overlap nothing else; workspace needs no alignment. On statuses from bad_diagonal on, x is as it was; so it is
+/// where lemke ends with ray or singular, unless there is friction.
 template <class T>
 Result<T> solve(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace);
 

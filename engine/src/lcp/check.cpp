@@ -91,7 +91,8 @@ Verdict check(const Problem<T>& problem, std::span<const T> x) {
 
 template <class T>
 Verdict check(const Options<T>& options, std::size_t rows) {
-    if (!is_finite(options.tolerance) || !is_finite(options.omega) || !is_finite(options.regularisation)) return {Status::not_finite, no_row};
+    if (!is_finite(options.tolerance) || !is_finite(options.omega) || !is_finite(options.regularisation))
+        return {Status::not_finite, no_row};
     if (options.method > Method::lemke || options.check_every == 0 || options.tolerance < T(0) || options.regularisation < T(0) ||
         !(options.omega > T(0) && options.omega < T(2)))
         return {Status::bad_option, no_row};

@@ -10,12 +10,12 @@ namespace islet::lcp {
 template <class T>
 struct Dictionary {
     std::uint32_t n;
-    T* coefficients;        // n rows of n + 1: how much a basic variable moves as a nonbasic one does
-    T* value;               // of the basic variable of each row
-    T* at;                  // of each x while it is nonbasic: the bound it stands at
-    std::uint32_t* basic;   // the variable of each row
+    T* coefficients;          // n rows of n + 1: how much a basic variable moves as a nonbasic one does
+    T* value;                 // of the basic variable of each row
+    T* at;                    // of each x while it is nonbasic: the bound it stands at
+    std::uint32_t* basic;     // the variable of each row
     std::uint32_t* nonbasic;  // the variable of each column
-    std::uint32_t* place;   // of each variable: its row, or n + its column
+    std::uint32_t* place;     // of each variable: its row, or n + its column
 
     std::uint32_t z() const { return 2 * n; }
     T* row(std::uint32_t r) const { return coefficients + static_cast<std::size_t>(r) * (n + 1); }

@@ -15,7 +15,12 @@
 namespace islet::lcp {
 namespace {
 
-enum class Kind : std::uint32_t { at_lo, at_hi, fixed, unbounded };  // a row while its x is nonbasic; fixed: lo = hi; the last two are never at odds
+enum class Kind : std::uint32_t {
+    at_lo,
+    at_hi,
+    fixed,
+    unbounded
+};  // a row while its x is nonbasic; fixed: lo = hi; the last two are never at odds
 
 constexpr std::uint32_t most_friction_rounds = 200;
 
@@ -290,7 +295,8 @@ Result<T> run_lemke(Task<T> task) {
         }
         fill(task, s);
         const std::uint32_t singular = settle_unbounded(task, s);
-        if (singular != no_row) return finish(task, s.pivots == task.options.max_iterations ? Status::iteration_limit : Status::singular, singular, s.pivots);
+        if (singular != no_row)
+            return finish(task, s.pivots == task.options.max_iterations ? Status::iteration_limit : Status::singular, singular, s.pivots);
         status = follow(task, s);
         if (status != Status::converged) return finish(task, status, no_row, s.pivots);
         read_off(task, s);

@@ -25,7 +25,7 @@ template <class T>
 struct Newton {
     T* matrix;
     T* divisors;
-    T* f;       // the natural map at x
+    T* f;  // the natural map at x
     T* step;
     T* rhs;
     T* trial;
