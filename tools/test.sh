@@ -36,7 +36,6 @@ if $all; then
     need chromium command_exists chromium
     need_firmware_tools
     need_emulators
-    need_emulators
 fi
 if $coverage; then need gcovr command_exists gcovr; fi
 install_missing

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -71,10 +72,13 @@ const std::vector<Source>& engine_sources() {
     return sources;
 }
 
-// Every line of the engine that matches.
-std::string lines_with(const std::regex& pattern) {
+bool belongs_to_lcp(const std::string& name) { return name.rfind("src/lcp/", 0) == 0 || name == "include/islet/lcp.hpp"; }
+
+// Every line of the engine's files, or of some of them, that matches.
+std::string lines_with(const std::regex& pattern, const std::function<bool(const std::string& name)>& wanted = [](const std::string&) { return true; }) {
     std::string found;
     for (const Source& source : engine_sources()) {
+        if (!wanted(source.name)) continue;
         std::istringstream lines(source.text);
         std::string line;
         for (int number = 1; std::getline(lines, line); ++number)
@@ -124,7 +128,20 @@ TEST(CoreRules, NoThreadsNoClockNoOutput) {
     EXPECT_EQ(lines_with(std::regex(R"(\b(thread_local|mutex|printf|fopen|getenv|std::c(out|err)|chrono|clock_gettime|rand)\b)")), "");
 }
 
-TEST(CoreRules, NoDoublePrecision) { EXPECT_EQ(lines_with(std::regex(R"(\bdouble\b)")), "") << "a Cortex-M has no unit for it"; }
+TEST(CoreRules, NoDoublePrecision) {
+    // The matrix solvers come in both precisions, and nothing of the engine includes them.
+    EXPECT_EQ(lines_with(std::regex(R"(\bdouble\b)"), [](const std::string& name) { return !belongs_to_lcp(name); }), "")
+        << "a Cortex-M has no unit for it";
+}
+
+// The solvers of plain matrices know nothing of bodies, nor of anything else of the engine; and a program that does not include them links nothing of them.
+TEST(CoreRules, TheMatrixSolversAndTheEngineDoNotKnowEachOther) {
+    const std::regex own(R"re(^\s*#\s*include\s*["<](?!lcp/|islet/lcp\.hpp)[a-z0-9_]+[/.])re");
+    const std::regex theirs(R"re(^\s*#\s*include\s*["<](lcp/|islet/lcp\.hpp))re");
+    EXPECT_EQ(lines_with(own, belongs_to_lcp), "");
+    EXPECT_EQ(lines_with(theirs, [](const std::string& name) { return !belongs_to_lcp(name); }), "");
+    EXPECT_NE(lines_with(theirs, belongs_to_lcp), "") << "the folder or its headers are called otherwise now";
+}
 
 TEST(CoreRules, FoldersIncludeOnlyFoldersBelowThem) {
     const std::vector<std::string> order = {"math", "memory",     "geometry", "collide", "broadphase",

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "islet/islet.hpp"
+#include "islet/lcp.hpp"
 #include "support/joint_world.hpp"
 
 // Sanitizers bring their own malloc, which may not be replaced; the operators may.
@@ -339,6 +340,27 @@ TEST(NoHeap, GoingBackAllocatesNothing) {
     EXPECT_EQ(watch.stop(), 0);
     EXPECT_TRUE(back && forth && refused);
     EXPECT_EQ(applied, m);
+}
+
+TEST(NoHeap, NoMatrixSolverAllocates) {
+    const double m[] = {2, 1, 0, 1, 2, 1, 0, 1, 2}, q[] = {-1, 1, -1}, lo[] = {0, -1, 0}, hi[] = {1, 1, 0.5};
+    const std::uint32_t friction[] = {lcp::no_row, lcp::no_row, 0}, blocks[] = {0, 2};
+    alignas(double) static std::byte memory[1024];
+    int solved = 0;
+    const Watch watch;
+    for (std::uint8_t method = 0; method <= static_cast<std::uint8_t>(lcp::Method::lemke); ++method) {
+        double x[3] = {};
+        lcp::Options<double> options;
+        options.method = static_cast<lcp::Method>(method);
+        options.omega = 0.7;
+        if (options.method == lcp::Method::block_pgs) options.blocks = blocks;
+        const auto result = lcp::solve<double>({.dense = {m}, .q = q, .lo = lo, .hi = hi, .friction = friction}, options, x, memory);
+        solved += result.status == lcp::Status::converged ? 1 : 0;
+        solved += lcp::residuals<double>({.dense = {m}, .q = q}, {x, 2}).natural > 1e30 ? 1 : 0;  // refused: the sizes do not fit
+    }
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_EQ(solved, 20);
 }
 
 TEST(NoHeap, DestroyingEverythingAllocatesNothing) {

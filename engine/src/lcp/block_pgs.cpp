@@ -1,0 +1,102 @@
+// Block PGS: the rows of a block see each other's final values instead of taking turns. Worth it where a few rows are tightly coupled, as the two
+// points of a contact or the normal and friction of one, and blocks are coupled loosely.
+//
+// A block that has no unique solution (two rows that say the same) is swept row by row.
+#include "lcp/block.hpp"
+#include "lcp/sweep.hpp"
+#include "lcp/task.hpp"
+
+namespace islet::lcp {
+namespace {
+
+struct Range {
+    std::uint32_t first, end;
+};
+
+template <class T>
+Range block_range(const Task<T>& task, std::uint32_t block) {
+    const std::span<const std::uint32_t> starts = task.options.blocks;
+    if (starts.empty()) return {block, block + 1};
+    return {starts[block], block + 1 < starts.size() ? starts[block + 1] : task.rows};
+}
+
+/// What the rows of the block are to each other while all others keep their values.
+template <class T>
+void cut_out(const Task<T>& task, const T* divisors, Range range, Block<T>& block) {
+    block.size = range.end - range.first;
+    for (std::uint32_t k = 0; k < block.size; ++k) {
+        const std::uint32_t i = range.first + k;
+        for (std::uint32_t l = 0; l < block.size; ++l) block.a[k][l] = T(0);
+        block.b[k] = task.problem.q[i] + T(0);
+        const Row<T> row = row_of(task.problem, i);
+        for (std::uint32_t e = 0; e < row.count; ++e) {
+            const std::uint32_t j = row.column(e);
+            if (j >= range.first && j < range.end)
+                block.a[k][j - range.first] = row.values[e];
+            else
+                block.b[k] += row.values[e] * task.x[j];
+        }
+        // A regularised diagonal shortens the step from x; at the solution that makes no difference.
+        const T added = divisors[i] - block.a[k][k];
+        block.a[k][k] = divisors[i];
+        block.b[k] -= added * task.x[i];
+
+        const std::uint32_t normal = has_friction(task.problem, i) ? task.problem.friction[i] : no_row;
+        const bool inside = normal != no_row && normal >= range.first && normal < range.end;
+        const Bounds<T> bounds = bounds_of(task.problem, i, task.x);
+        block.friction[k] = inside ? normal - range.first : no_row;
+        block.lo[k] = bounds.lo;
+        block.hi[k] = inside ? task.problem.hi[i] : bounds.hi;
+    }
+}
+
+/// Returns the row that failed, or no_row.
+template <class T>
+std::uint32_t update_block(const Task<T>& task, const T* divisors, Range range) {
+    const T omega = task.options.omega;
+    Block<T> block;
+    T y[max_block_rows];
+    for (std::uint32_t k = 0; k < range.end - range.first; ++k) y[k] = task.x[range.first + k];
+    if (range.end - range.first > 1) {
+        cut_out(task, divisors, range, block);
+        if (solve_block(block, y)) {
+            for (std::uint32_t k = 0; k < block.size; ++k)
+                if (!is_finite(y[k])) return range.first + k;
+            T* const x = task.x + range.first;
+            for (std::uint32_t k = 0; k < block.size; ++k) x[k] = omega == T(1) ? y[k] : x[k] + omega * (y[k] - x[k]);
+            if (omega == T(1)) return no_row;
+            for (std::uint32_t k = 0; k < block.size; ++k) {
+                const Bounds<T> b = bounds_of(task.problem, range.first + k, task.x);
+                x[k] = clamp(x[k], b.lo, b.hi);
+            }
+            return no_row;
+        }
+    }
+    for (std::uint32_t i = range.first; i < range.end; ++i)
+        if (!solve_row(task.problem, i, omega, divisors[i], task.x)) return i;
+    return no_row;
+}
+
+}  // namespace
+
+template <class T>
+Result<T> run_blocks(Task<T> task) {
+    T* const divisors = task.memory.template take<T>(task.size());
+    if (const Verdict v = find_divisors(task.problem, task.options.regularisation, false, divisors); !v.good())
+        return finish(task, v.status, v.row, 0);
+    if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
+    const std::uint32_t blocks = task.options.blocks.empty() ? task.rows : static_cast<std::uint32_t>(task.options.blocks.size());
+    for (std::uint32_t done = 0; done < task.options.max_iterations; ++done) {
+        for (std::uint32_t block = 0; block < blocks; ++block) {
+            const std::uint32_t failed = update_block(task, divisors, block_range(task, block));
+            if (failed != no_row) return finish(task, Status::diverged, failed, done + 1);
+        }
+        if (reached(task, done + 1)) return finish(task, Status::converged, no_row, done + 1);
+    }
+    return finish(task, Status::iteration_limit, no_row, task.options.max_iterations);
+}
+
+template Result<float> run_blocks(Task<float>);
+template Result<double> run_blocks(Task<double>);
+
+}  // namespace islet::lcp

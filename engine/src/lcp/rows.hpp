@@ -1,0 +1,65 @@
+// A row of a problem: its w, its entries, its bounds.
+#pragma once
+
+#include "islet/lcp.hpp"
+#include "lcp/scalar.hpp"
+
+namespace islet::lcp {
+
+template <class T>
+std::uint32_t row_count(const Problem<T>& problem) {
+    return static_cast<std::uint32_t>(problem.q.size());
+}
+
+/// The entries of a row in ascending columns. `columns` is null if they are all there.
+template <class T>
+struct Row {
+    const T* values;
+    const std::uint32_t* columns;
+    std::uint32_t count;
+
+    std::uint32_t column(std::uint32_t k) const { return columns != nullptr ? columns[k] : k; }
+};
+
+template <class T>
+Row<T> row_of(const Problem<T>& problem, std::uint32_t i) {
+    if (!problem.dense.values.empty()) return {problem.dense.values.data() + i * problem.q.size(), nullptr, row_count(problem)};
+    const std::uint32_t first = problem.sparse.row_starts[i];
+    return {problem.sparse.values.data() + first, problem.sparse.columns.data() + first, problem.sparse.row_starts[i + 1] - first};
+}
+
+/// w_i = q_i + sum of M_ij x_j. The sum is never -0 (q_i + 0 is not, nor is any sum that begins so), so adding the zeros that a dense matrix has and a
+/// sparse one leaves out changes no bit.
+template <class T>
+T row_value(const Problem<T>& problem, std::uint32_t i, const T* x) {
+    const Row<T> row = row_of(problem, i);
+    T sum = problem.q[i] + T(0);
+    if (row.columns == nullptr) {
+        for (std::uint32_t j = 0; j < row.count; ++j) sum += row.values[j] * x[j];
+    } else {
+        for (std::uint32_t k = 0; k < row.count; ++k) sum += row.values[k] * x[row.columns[k]];
+    }
+    return sum;
+}
+
+template <class T>
+struct Bounds {
+    T lo;
+    T hi;
+};
+
+template <class T>
+bool has_friction(const Problem<T>& problem, std::uint32_t i) {
+    return !problem.friction.empty() && problem.friction[i] != no_row;
+}
+
+template <class T>
+Bounds<T> bounds_of(const Problem<T>& problem, std::uint32_t i, const T* x) {
+    if (has_friction(problem, i)) {
+        const T limit = problem.hi[i] * larger(x[problem.friction[i]], T(0));
+        return {-limit, limit};
+    }
+    return {problem.lo.empty() ? T(0) : problem.lo[i], problem.hi.empty() ? Numbers<T>::infinity : problem.hi[i]};
+}
+
+}  // namespace islet::lcp
