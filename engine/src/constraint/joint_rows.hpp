@@ -132,11 +132,9 @@ inline float unwrap(float angle, float near) {
 }
 
 template <std::uint32_t W>
-void set_ends(JointEnds<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in, const JointPose& p) {
-    const Joint& j = in.joints[joint];
+void set_ends(JointEnds<W>& r, std::uint32_t lane, const Joint& j, const JointInput& in, const JointPose& p) {
     r.body_a[lane] = j.body_a == null_index ? 0 : in.slot_of[j.body_a];
     r.body_b[lane] = in.slot_of[j.body_b];
-    r.joint[lane] = joint;
     r.rax[lane] = p.ra.x;
     r.ray[lane] = p.ra.y;
     r.rbx[lane] = p.rb.x;

@@ -22,10 +22,7 @@ struct alignas(W * 4) PulleyRows {
 };
 
 template <std::uint32_t W>
-void prepare(PulleyRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
-    const JointPose p = pose_of(j, in.poses, in.bodies_in);
-    set_ends(r.ends, lane, joint, in, p);
+void prepare(PulleyRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const Vec2 a = in.poses[j.body_a].center - j.ground_a;
     const Vec2 b = in.poses[j.body_b].center - j.ground_b;
     r.ax[lane] = a.x;
