@@ -58,7 +58,7 @@ void prepare(HingeRows<W>& r, std::uint32_t lane, const Joint& j, const JointPos
 }
 
 template <class L>
-ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, PointRows<L::width>& r, const JointSweep& n) {
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, PointRows<L::width>&, const JointSweep& n) {
     aim_arms<L>(s, n, cross(arms.ra, s.p), cross(arms.rb, s.p));
     solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
 }

@@ -70,7 +70,7 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, WeldRows<L::w
 }
 
 template <std::uint32_t W>
-void store(const WeldRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+void store(const WeldRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
     j.impulse = j.force_impulse;
     j.angular_impulse = j.torque_impulse = r.turning[lane];
 }
