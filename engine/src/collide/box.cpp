@@ -26,7 +26,7 @@ struct Box {
     float radius = 0;
 };
 
-Box box_of(const Polygon& p) {
+ISLET_SHARED Box box_of(const Polygon& p) {
     const Vec2 half = 0.5f * (p.vertices[2] - p.vertices[0]);
     return {0.5f * (p.vertices[0] + p.vertices[2]), p.normals[0], -dot(half, p.normals[0]), dot(half, p.normals[1]), p.radius};
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "constraint/coordinate.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 
@@ -39,7 +40,7 @@ inline float rough_angle(Rot q) {
 }
 
 /// The angle, roughly, continuous past full turns.
-inline float rough_coordinate(const Joint& j, const JointPose& p) { return unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate); }
+ISLET_SHARED float rough_coordinate(const Joint& j, const JointPose& p) { return unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate); }
 
 template <std::uint32_t W>
 void prepare(PointRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {

@@ -2,6 +2,7 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 
@@ -86,7 +87,7 @@ namespace {
 Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g, t), 0.5f * speculative_distance); }
 
 // How far the inner box may move before it leaves the outer one.
-float room_in(const Aabb& outer, const Aabb& inner) {
+ISLET_SHARED float room_in(const Aabb& outer, const Aabb& inner) {
     return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
 }
 

@@ -3,6 +3,7 @@
 #include "broadphase/pairs.hpp"
 #include "constraint/gear.hpp"
 #include "constraint/mouse.hpp"
+#include "math/copies.hpp"
 #include "math/float_mode.hpp"
 #include "memory/colors.hpp"
 #include "memory/joint_graph.hpp"
@@ -67,7 +68,7 @@ void end_forbidden_contacts(Core& core, const Joint& j) {
 namespace {
 
 /// A joint on which nothing acts, filled by the definition's parts below; its bodies and its place come last.
-Joint new_joint(JointType type, std::uint64_t user_data) {
+ISLET_SHARED Joint new_joint(JointType type, std::uint64_t user_data) {
     Joint j;
     j.type = static_cast<std::uint32_t>(type);
     j.user_data = user_data;
