@@ -29,7 +29,7 @@ inline constexpr float least_distance = 1.0e-6f;  // m; below, a distance has no
 inline bool is_rod(const Joint& j) { return (coordinate_parts(j) & (part_spring | part_limit | part_motor)) == 0; }
 
 template <std::uint32_t W>
-void prepare(DistanceRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+WarmStart prepare(DistanceRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const Vec2 d = gap_of(p);
     const float x = length(d);
     const Vec2 u = x > least_distance ? Vec2{d.x / x, d.y / x} : Vec2{};
@@ -40,8 +40,7 @@ void prepare(DistanceRows<W>& r, std::uint32_t lane, const Joint& j, const Joint
     const float along = set_coordinate(r.free, lane, j, in.numbers);
     r.free.target[lane] = j.length;
     r.rod[lane] = rigid ? in.numbers.warm * j.impulse.x : 0;
-    const Vec2 impulse = (along + r.rod[lane]) * u;
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, impulse, 0);
+    return {(along + r.rod[lane]) * u, 0};
 }
 
 template <class L>

@@ -44,7 +44,7 @@ inline GearSide gear_side(const Joint& j, const JointPose& p) {
     return {c, u, cross(gap_of(p) + p.ra, u), cross(p.rb, u)};
 }
 
-inline void prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const JointPose&, const JointInput& in) {
+inline WarmStart prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const JointPose&, const JointInput& in) {
     const Joint& j1 = in.joints[j.joint1];
     const Joint& j2 = in.joints[j.joint2];
     const GearSide side1 = gear_side(j1, pose_of(j1, in.poses, in.bodies_in));
@@ -83,6 +83,7 @@ inline void prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const JointPo
         b.dp += (b.inv_mass * r.impulse) * Vec2{r.ux[i], r.uy[i]};
         b.dq += b.inv_inertia * r.impulse * r.s[i];
     }
+    return {};
 }
 
 template <class L>

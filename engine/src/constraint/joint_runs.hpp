@@ -70,6 +70,8 @@ std::size_t joint_block_bytes(JointKernel kernel) {
 /// What a joint applies lies right behind its ends, so that all kernels share the way there and back; pulleys and gears, which know no such pair of
 /// impulses, go their own.
 constexpr bool has_applied(JointKernel kernel) { return kernel < JointKernel::pulley; }
+/// The impulse acts on A along a line of A, where B's anchor is, and not at A's own anchor.
+constexpr bool acts_on_line(JointKernel kernel) { return kernel == JointKernel::slider || kernel == JointKernel::wheel; }
 template <std::uint32_t W>
 JointEnds<W>& ends_of(std::byte* row) {
     return *reinterpret_cast<JointEnds<W>*>(row);
@@ -92,11 +94,14 @@ void prepare_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, c
             const Joint& j = in.joints[joint];
             const JointPose p = pose_of(j, in.poses, in.bodies_in);
             set_ends(ends_of<W>(rows), lane, j, in, p);
-            visit_rows<W>(kernel, rows, [&](auto* r) {
-                using Rows = std::remove_pointer_t<decltype(r)>;
-                static_assert(sizeof(Rows) <= joint_row_bytes * W);
-                prepare(*r, lane, j, p, in);
+            const WarmStart start = visit_rows<W>(kernel, rows, [&](auto* r) {
+                static_assert(sizeof(*r) <= joint_row_bytes * W);
+                return prepare(*r, lane, j, p, in);
             });
+            if (!has_applied(kernel)) continue;
+            const Vec2 arm_a = acts_on_line(kernel) ? gap_of(p) + p.ra : p.ra;
+            warm_start(applied_of<W>(rows), ends_of<W>(rows), lane, in, start.impulse, cross(arm_a, start.impulse) + start.turning,
+                       cross(p.rb, start.impulse) + start.turning);
         }
     }
 }

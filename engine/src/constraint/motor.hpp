@@ -26,7 +26,7 @@ struct alignas(W * 4) DriveRows {
 inline Softness drive_softness(float hertz, float damping_ratio, float h) { return hertz > 0 ? make_soft(hertz, damping_ratio, h) : Softness{}; }
 
 template <std::uint32_t W>
-void prepare(DriveRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+WarmStart prepare(DriveRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const float h = in.numbers.h;
     const Softness linear = drive_softness(j.linear_hertz, j.linear_damping_ratio, h);
     const Softness angular = drive_softness(j.angular_hertz, j.angular_damping_ratio, h);
@@ -44,7 +44,7 @@ void prepare(DriveRows<W>& r, std::uint32_t lane, const Joint& j, const JointPos
     r.max_p[lane] = h * j.motor_max;
     r.max_turning[lane] = h * j.max_torque;
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, r.turning[lane]);
+    return {in.numbers.warm * j.impulse, r.turning[lane]};
 }
 
 template <class L>

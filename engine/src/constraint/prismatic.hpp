@@ -46,7 +46,7 @@ struct DirectionRow {
 };
 
 template <std::uint32_t W>
-void prepare(SliderRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+WarmStart prepare(SliderRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const Vec2 u = {p.qa.c, p.qa.s};
     const Vec2 n = left_perp(u);
     r.ux[lane] = u.x;
@@ -56,7 +56,7 @@ void prepare(SliderRows<W>& r, std::uint32_t lane, const Joint& j, const JointPo
     const float along = set_coordinate(r.free, lane, j, in.numbers);
     r.across[lane] = in.numbers.warm * j.impulse.x;
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
-    warm_start_along_line(r.applied, r.ends, lane, in, p, along * u + r.across[lane] * n, r.turning[lane]);
+    return {along * u + r.across[lane] * n, r.turning[lane]};
 }
 
 template <class L>

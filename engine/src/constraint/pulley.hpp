@@ -39,13 +39,14 @@ void prepare(RopeRows<W>& r, std::uint32_t lane, SolverBody& body, Vec2 from_gro
 }
 
 template <std::uint32_t W>
-void prepare(PulleyRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+WarmStart prepare(PulleyRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const float tension = in.numbers.warm * j.impulse.x;
     r.ratio[lane] = j.ratio;
     r.constant[lane] = j.length;
     r.tension[lane] = tension;
     prepare(r.a, lane, in.bodies[r.ends.body_a[lane]], in.poses[j.body_a].center - j.ground_a, p.ra, tension);
     prepare(r.b, lane, in.bodies[r.ends.body_b[lane]], in.poses[j.body_b].center - j.ground_b, p.rb, tension * j.ratio);
+    return {};
 }
 
 /// One side of the rope and its body.

@@ -43,19 +43,19 @@ inline float rough_angle(Rot q) {
 ISLET_SHARED float rough_coordinate(const Joint& j, const JointPose& p) { return unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate); }
 
 template <std::uint32_t W>
-void prepare(PointRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+WarmStart prepare(PointRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     // Nothing here needs the angle, but full turns are counted for readers and gears: a rough one tells how many there were (5 % of a step of
     // 19 800 hinges; the exact one, 12 %).
     r.angle[lane] = rough_coordinate(j, p);
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, 0);
+    return {in.numbers.warm * j.impulse, 0};
 }
 
 template <std::uint32_t W>
-void prepare(HingeRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+WarmStart prepare(HingeRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     r.angle[lane] = unwrap(angle_of(p), j.coordinate);
     r.parts |= coordinate_parts(j);
     const float turning = set_coordinate(r.free, lane, j, in.numbers);
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, turning);
+    return {in.numbers.warm * j.impulse, turning};
 }
 
 template <class L>

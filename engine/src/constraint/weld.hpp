@@ -24,7 +24,7 @@ struct alignas(W * 4) WeldRows {
 ISLET_LANE float give_of(const Softness& s) { return s.impulse_scale / max(s.mass_scale, 1.0e-12f); }
 
 template <std::uint32_t W>
-void prepare(WeldRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+WarmStart prepare(WeldRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     r.angle[lane] = angle_of(p);
     const Softness linear = make_soft(j.linear_hertz, j.linear_damping_ratio, in.numbers.h);
     const Softness angular = make_soft(j.angular_hertz, j.angular_damping_ratio, in.numbers.h);
@@ -35,7 +35,7 @@ void prepare(WeldRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose
     r.angular_rate[lane] = angular.rate;
     r.angular_give[lane] = give_of(angular);
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, r.turning[lane]);
+    return {in.numbers.warm * j.impulse, r.turning[lane]};
 }
 
 template <class L>

@@ -23,7 +23,7 @@ struct alignas(W * 4) WheelRows {
 };
 
 template <std::uint32_t W>
-void prepare(WheelRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+WarmStart prepare(WheelRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const Vec2 u = {p.qa.c, p.qa.s};
     r.ux[lane] = u.x;
     r.uy[lane] = u.y;
@@ -32,7 +32,7 @@ void prepare(WheelRows<W>& r, std::uint32_t lane, const Joint& j, const JointPos
     r.across[lane] = in.numbers.warm * j.impulse.x;
     const float along = r.free.spring[lane] + r.free.low[lane] - r.free.high[lane];
     const float turning = r.free.motor[lane] + r.free.friction[lane];
-    warm_start_along_line(r.applied, r.ends, lane, in, p, along * u + r.across[lane] * left_perp(u), turning);
+    return {along * u + r.across[lane] * left_perp(u), turning};
 }
 
 template <class L>
