@@ -1,6 +1,7 @@
 #include "island/batches.hpp"
 
 #include "constraint/joint_runs.hpp"
+#include "island/heights.hpp"
 #include "island/joint_trees.hpp"
 #include "island/union_find.hpp"
 #include "memory/parallel.hpp"
@@ -8,11 +9,6 @@
 namespace islet::detail {
 
 namespace {
-
-/// A touching contact or a joint, as far as the plan is concerned: its bodies (null_index: none) and its colour, in place of which comes its place.
-struct Edge {
-    std::uint32_t constraint, a, b, place;
-};
 
 /// Sets of linked bodies. What links nothing has the parent null_index: static and kinematic bodies, and those at rest.
 struct Islands : UnionFind {
@@ -60,7 +56,7 @@ EdgeList list_edges(const Core& core, Edge* edges) {
     EdgeList list;
     list.edges = edges;
     list.words = awake.word_count;
-    if (has_workers(core)) {
+    if (has_workers(core) && !is_ordered(core.state->solver) && !has_shock(core.state->solver)) {
         list.words = range_count(awake.word_count, plan_parts(core.capacity));
         list.parts_with_threads = range_count(awake.word_count, list.words);
         for (std::uint32_t p = 1; p < list.parts(); ++p)
@@ -195,6 +191,7 @@ Plan make_plan(const Core& core, Arena& arena) {
     plan.runs = arena.take<JointRun>(joint_run_capacity(core.capacity));
     plan.tree_bodies = arena.take<TreeBody>(tree_capacity(core.capacity));
     plan.tree_parents = arena.take<std::uint32_t>(tree_capacity(core.capacity));
+    if (has_shock(core.state->solver)) plan.lightness = arena.take<float>(bodies);
     Arena temporary = arena;  // what follows is used only here, so the solve may take the same scratch
 
     const BitSet awake = core.awake_bodies;
@@ -212,6 +209,8 @@ Plan make_plan(const Core& core, Arena& arena) {
     });
 
     const EdgeList edges = list_edges(core, temporary.take<Edge>(contacts));
+    if (has_shock(core.state->solver)) lighten_by_height(core, edges.edges, edges.end[0], plan.lightness);
+    if (is_ordered(core.state->solver)) put_in_order(core, edges.edges, edges.end[0]);
     edges.for_each([&](const Edge& e) { links.link(core, e.a, e.b); });
     for (std::uint32_t p = 0; p < edges.parts(); ++p) plan.touching_count += edges.end[p] - edges.first[p];
     Edge* joint_edges = temporary.take<Edge>(joints);

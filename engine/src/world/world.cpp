@@ -83,6 +83,7 @@ void point_into(Core& core, std::byte* block, const Layout& l) {
     core.begin_events = place<TouchEvent>(block, l.begin_events);
     core.end_events = place<TouchEvent>(block, l.end_events);
     core.moved_events = place<BodyId>(block, l.moved_events);
+    core.residuals = place<float>(block, l.residuals);
     core.slept_events = place<BodyId>(block, l.slept_events);
     core.break_events = place<JointBreakEvent>(block, l.break_events);
     core.scratch = block + l.scratch;
@@ -122,6 +123,7 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     state.restitution_threshold = def.restitution_threshold;
     state.max_speed = def.max_speed;
     state.solver = pack(def.solver);
+    forget_residuals(core);
     state.enable_sleep = has_sleep && def.enable_sleep ? 1 : 0;
     return world;
 }
@@ -137,13 +139,14 @@ World& create_default(std::span<std::byte> block, const Capacity& capacity, Erro
 
 bool check_solver(const SolverDef& d, Error& error) {
     const bool finite = all_finite(d.contact_hertz, d.contact_damping_ratio, d.contact_push_speed, d.joint_hertz, d.joint_damping_ratio,
-                                   d.baumgarte, d.omega, d.joint_tree_load);
+                                   d.baumgarte, d.omega, d.joint_tree_load, d.shock, d.tolerance);
     const bool sane = (d.schedule == Schedule::soft || d.schedule == Schedule::classic) && d.substeps >= 1 && d.substeps <= 64 &&
                       d.iterations >= 1 && d.iterations <= 256 && d.relax_iterations <= 256 && d.contact_hertz > 0 &&
                       d.contact_damping_ratio >= 0 && d.contact_push_speed >= 0 && d.joint_hertz > 0 &&
                       d.joint_damping_ratio >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 &&
-                      d.omega < 2 && d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1;
-    error = !finite ? Error::not_finite : !sane ? Error::out_of_range : Error::none;
+                      d.omega < 2 && d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1 && d.sweep_order <= SweepOrder::downward &&
+                      d.shock >= 0 && d.shock <= 1 && d.tolerance >= 0;
+    error = !finite ? Error::not_finite : !sane ? Error::out_of_range : !has_tuning && needs_tuning(d) ? Error::feature_cut : Error::none;
     return error == Error::none;
 }
 
@@ -160,8 +163,17 @@ SolverDef World::solver() const { return unpack(core().state->solver); }
 void World::set_solver(const SolverDef& solver) {
     Error error = Error::none;
     if (!check_solver(solver, error)) return core().fail(error);
-    core().state->solver = pack(solver);
-    core().state->trees_stale = 1;
+    State& state = *core().state;
+    const SolverState before = state.solver;
+    state.solver = pack(solver);
+    if (before.joint_trees != state.solver.joint_trees || before.joint_tree_load != state.solver.joint_tree_load) state.trees_stale = 1;
+    forget_residuals(core());
+}
+
+float World::residual(BodyId body) const {
+    const Core& c = core();
+    const std::uint32_t i = find_body(c, body);
+    return i != null_index ? c.residuals[i] : 0;
 }
 
 TaskSystem World::tasks() const { return core().tasks; }
