@@ -82,7 +82,7 @@ template <class L>
 ISLET_LANE void scatter_pushed(float* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b, typename L::F ma, typename L::F mb,
                                const typename L::F out_a[4], const typename L::F out_b[4]) {
     constexpr std::uint32_t words = sizeof(SolverBody) / 4;
-    if (L::positive(min(ma, mb)) == (1u << L::width) - 1) {
+    if (L::width > 1 && L::positive(min(ma, mb)) == (1u << L::width) - 1) {
         L::template scatter4<words>(bodies, body_a, out_a);
         L::template scatter4<words>(bodies, body_b, out_b);
     } else {

@@ -18,10 +18,7 @@ void sort_by_place(Edge* contacts, std::uint32_t count) {
 void sort_along(const Core& core, Vec2 up, Edge* contacts, std::uint32_t count) {
     for (std::uint32_t k = 0; k < count; ++k) {
         const ContactManifold& m = core.manifolds[contacts[k].constraint];
-        const float height = dot(up, core.poses[m.body_a].center + m.anchors[0]);
-        std::uint32_t bits = 0;
-        std::memcpy(&bits, &height, 4);
-        contacts[k].place = (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
+        contacts[k].place = sort_key(dot(up, core.poses[m.body_a].center + m.anchors[0]));
     }
     sort_by_place(contacts, count);
 }
