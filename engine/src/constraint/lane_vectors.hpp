@@ -44,7 +44,7 @@ ISLET_LANE LaneVec<F> left_perp(LaneVec<F> a) {
 
 /// 1 / k, or 0 where k is not above 0.
 template <class L>
-ISLET_LANE typename L::F inverse_or_zero(typename L::F k) {
+ISLET_LANE_SHARED typename L::F inverse_or_zero(typename L::F k) {
     const typename L::F zero = L::splat(0.0f);
     return select(k > zero, L::splat(1.0f) / k, zero);
 }

@@ -27,8 +27,7 @@ void sort_along(const Core& core, Vec2 up, Edge* contacts, std::uint32_t count) 
 
 void put_in_order(const Core& core, Edge* contacts, std::uint32_t count) {
     const auto order = static_cast<SweepOrder>(core.state->solver.sweep_order);
-    if (order == SweepOrder::upward) sort_along(core, up_of(core), contacts, count);
-    if (order == SweepOrder::downward) sort_along(core, -up_of(core), contacts, count);
+    if (order != SweepOrder::as_found) sort_along(core, order == SweepOrder::upward ? up_of(core) : -up_of(core), contacts, count);
     for (std::uint32_t k = 0; k < count; ++k) contacts[k].place = no_color;
 }
 

@@ -155,16 +155,16 @@ void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
     }
 }
 
+// a, but at most `bound` on either side, and 0 if it is not a number.
+ISLET_SHARED float within(float a, float bound) { return a == a ? clamp(a, -bound, bound) : 0; }
+
 // Also of velocities that overflowed: what is infinite becomes very large first, and what is not a number becomes zero.
 Vec2 limit_speed(Vec2 v, float max_speed) {
     constexpr float huge = 1.0e18f;  // its square is still a number
-    v.x = v.x == v.x ? clamp(v.x, -huge, huge) : 0;
-    v.y = v.y == v.y ? clamp(v.y, -huge, huge) : 0;
+    v = {within(v.x, huge), within(v.y, huge)};
     const float speed = length(v);
     return speed > max_speed ? (max_speed / speed) * v : v;
 }
-
-ISLET_SHARED float limit_turn(float w, float max_turn) { return w == w ? clamp(w, -max_turn, max_turn) : 0; }
 
 // v <- factor (v + a) + warm start. Within a step anchors and normals do not change, so the warm start of a later substep, M^-1 J^T lambda summed over a
 // body's rows, is just what the sweeps of the substep before made of its velocity: v - v_free. One addition a body replaces a pass over all rows.
@@ -185,7 +185,7 @@ void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_
         Vec2 v = m.linear_factor * (b.v + m.a);
         float w = m.angular_factor * (b.w + m.alpha);
         if (!(dot(v, v) <= max_speed * max_speed)) v = limit_speed(v, max_speed);
-        w = limit_turn(w, max_turn);
+        w = within(w, max_turn);
         m.v_free = v;
         m.w_free = w;
         b.v = v + dv;
@@ -200,7 +200,7 @@ void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_s
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
         if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
-        b.w = limit_turn(b.w, max_turn);
+        b.w = within(b.w, max_turn);
         b.dp += h * b.v;
         b.dq += h * b.w;
     }
@@ -215,7 +215,7 @@ void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) 
         Pose& pose = s.core.poses[i];
         Motion& motion = s.core.motions[i];
         motion.v = limit_speed(b.v, s.numbers.max_speed);
-        motion.w = limit_turn(b.w, s.numbers.max_turn);
+        motion.w = within(b.w, s.numbers.max_turn);
         motion.force = {0, 0};
         motion.torque = 0;
         pose.center = max(min(pose.center + b.dp, Vec2{max_position, max_position}), Vec2{-max_position, -max_position});

@@ -29,7 +29,7 @@ struct Hasher {
         const auto* bytes = reinterpret_cast<const std::byte*>(items);
         for (std::size_t i = 0; i < std::size_t{count} * sizeof(T); i += 4) {
             std::uint32_t w = 0;
-            __builtin_memcpy(&w, bytes + i, 4);  // not a call even where the C library is not to be trusted with its own names
+            __builtin_memcpy(&w, bytes + i, 4);  // std::memcpy may be a call (-ffreestanding)
             word(w);
         }
     }
