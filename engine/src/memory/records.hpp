@@ -254,7 +254,7 @@ struct State {
     Vec2 gravity;
     float restitution_threshold = 1;
     float max_speed = 400;                                         // 16
-    SolverState solver = pack(SolverDef{});                        // 76
+    SolverState solver;                                            // 76
     std::uint32_t enable_sleep = 1;
     std::uint32_t moved_count = 0;                                 // shapes whose fat box changed since pairs were last found
     std::uint64_t steps = 0;

@@ -1,5 +1,6 @@
 #include "solver/solver.hpp"
 
+#include "math/copies.hpp"
 #include "math/lanes.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
@@ -163,7 +164,7 @@ Vec2 limit_speed(Vec2 v, float max_speed) {
     return speed > max_speed ? (max_speed / speed) * v : v;
 }
 
-float limit_turn(float w, float max_turn) { return w == w ? clamp(w, -max_turn, max_turn) : 0; }
+ISLET_SHARED float limit_turn(float w, float max_turn) { return w == w ? clamp(w, -max_turn, max_turn) : 0; }
 
 // v <- factor (v + a) + warm start. Within a step anchors and normals do not change, so the warm start of a later substep, M^-1 J^T lambda summed over a
 // body's rows, is just what the sweeps of the substep before made of its velocity: v - v_free. One addition a body replaces a pass over all rows.
@@ -307,6 +308,7 @@ struct BatchSolve {
     /// work(part of the run, its rows), of a run that has a colour.
     template <class Work>
     void over_run(const JointRun& r, Work&& work) {
+        if (!has_threads || !wide) return work(r, s.joint_rows + r.offset);
         JointRun block = r;
         block.blocks = 1;
         const std::size_t block_bytes = joint_run_bytes_of(block, W);
