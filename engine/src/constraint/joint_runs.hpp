@@ -90,7 +90,7 @@ void over_rows(JointKernel kernel, Body&& body) {
             body([](std::byte* row, auto&& visit) { return visit(reinterpret_cast<decltype(r)>(row)); });
         });
     } else {
-        body([&](std::byte* row, auto&& visit) { return visit_rows<W>(kernel, row, visit); });
+        body([kernel](std::byte* row, auto&& visit) { return visit_rows<W>(kernel, row, visit); });
     }
 }
 
