@@ -15,8 +15,8 @@ targets=(cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 riscv32)
 
 # Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
 declare -A most_flash=(
-    [cortex-m3]='108400 77500 47300' [cortex-m4f]='96000 65536 39600' [cortex-m7]='96000 65536 39600' [cortex-m33]='96000 65536 39600'
-    [cortex-m55]='96200 65600 39600' [riscv32]='102500 69500 42500'
+    [cortex-m3]='110700 78500 47500' [cortex-m4f]='97700 65536 39900' [cortex-m7]='97400 65536 39700'
+    [cortex-m33]='97400 65536 39700' [cortex-m55]='97700 65800 39800' [riscv32]='104400 70000 42700'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
@@ -148,7 +148,7 @@ log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --
 [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
     complain "what is left out changes the pyramid"
 cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
-at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 33800
+at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 34600
 
 if [ "$mode" = json ]; then
     separator=
