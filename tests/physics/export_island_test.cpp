@@ -65,14 +65,16 @@ TEST(ExportedStatics, FrictionHoldsWhatItCanAndNoMore) {
         const ExportedIsland island(*s.w, s.box, h);
         const WideSolution x = solve(island, lcp::Method::newton);
         ASSERT_EQ(x.result.status, lcp::Status::converged);
-        EXPECT_NEAR(std::fabs(island.sum_of(RowKind::friction, x.x)), double(slope) * weight(*s.w, s.box) * double(h), 1e-3 * weight(*s.w, s.box) * double(h))
+        EXPECT_NEAR(std::fabs(island.sum_of(RowKind::friction, x.x)), double(slope) * weight(*s.w, s.box) * double(h),
+                    1e-3 * weight(*s.w, s.box) * double(h))
             << "it holds the box against " << slope << " of its weight";
     }
     const Slope s(0.8f);
     const ExportedIsland island(*s.w, s.box, h);
     const WideSolution x = solve(island, lcp::Method::newton);
     ASSERT_EQ(x.result.status, lcp::Status::converged);
-    EXPECT_NEAR(std::fabs(island.sum_of(RowKind::friction, x.x)), 0.5 * island.sum_of(RowKind::normal, x.x), 1e-6) << "sliding: mu times the normal impulse";
+    EXPECT_NEAR(std::fabs(island.sum_of(RowKind::friction, x.x)), 0.5 * island.sum_of(RowKind::normal, x.x), 1e-6)
+        << "sliding: mu times the normal impulse";
     EXPECT_NEAR(island.sum_of(RowKind::normal, x.x), weight(*s.w, s.box) * double(h), 1e-3 * weight(*s.w, s.box) * double(h));
 }
 
@@ -85,8 +87,8 @@ TEST(ExportedStatics, EachJointOfAHangingChainCarriesWhatHangsBelow) {
     double below = 0;
     for (int i = 0; i < links; ++i) {
         const BodyId link = w.add_box({0, 19.5f - static_cast<float>(i)}, 0.1f, 0.5f, dense(1 + static_cast<float>(i % 3)));
-        joints.push_back(w->create_joint(RevoluteJointDef{
-            .base = {.body_a = above, .body_b = link, .frame_a = {{0, i == 0 ? 0.0f : -0.5f}}, .frame_b = {{0, 0.5f}}}}));
+        joints.push_back(w->create_joint(
+            RevoluteJointDef{.base = {.body_a = above, .body_b = link, .frame_a = {{0, i == 0 ? 0.0f : -0.5f}}, .frame_b = {{0, 0.5f}}}}));
         below += weight(*w, link);
         above = link;
     }
@@ -97,7 +99,9 @@ TEST(ExportedStatics, EachJointOfAHangingChainCarriesWhatHangsBelow) {
         ASSERT_EQ(s.result.status, lcp::Status::converged) << lcp::describe(s.result.status);
         double carried = below;
         for (int i = 0; i < links; ++i) {
-            EXPECT_NEAR(impulse_of(island, s.x, joints[static_cast<std::size_t>(i)], RowKind::joint, 1), carried * double(h), 1e-4 * below * double(h)) << "joint " << i;
+            EXPECT_NEAR(impulse_of(island, s.x, joints[static_cast<std::size_t>(i)], RowKind::joint, 1), carried * double(h),
+                        1e-4 * below * double(h))
+                << "joint " << i;
             EXPECT_NEAR(impulse_of(island, s.x, joints[static_cast<std::size_t>(i)], RowKind::joint, 0), 0, 1e-6);
             carried -= weight(*w, island->bodies[static_cast<std::size_t>(i)].id);
         }
@@ -127,8 +131,9 @@ TEST(ExportedStatics, AMotorGivesWhatIsNeededUpToWhatItHas) {
         const BodyId wall = w->create_body({});
         const BodyId arm = w.add_box({1, 0}, 1, 0.1f);
         const double needed = weight(*w, arm) * 1.0;  // N m
-        const JointId hinge = w->create_joint(RevoluteJointDef{.base = {.body_a = wall, .body_b = arm, .frame_b = {{-1, 0}}},
-                                                               .motor = {.enable = true, .speed = 0, .max_force = strength * static_cast<float>(needed)}});
+        const JointId hinge =
+            w->create_joint(RevoluteJointDef{.base = {.body_a = wall, .body_b = arm, .frame_b = {{-1, 0}}},
+                                             .motor = {.enable = true, .speed = 0, .max_force = strength * static_cast<float>(needed)}});
         const ExportedIsland island(*w, arm, h);
         const WideSolution s = solve(island, lcp::Method::lemke);
         ASSERT_EQ(s.result.status, lcp::Status::converged);
@@ -178,7 +183,8 @@ BodyId add_pyramid(TestWorld& w, int rows) {
     w.add_ground();
     BodyId last;
     for (int i = 0; i < rows; ++i)
-        for (int k = 0; k < rows - i; ++k) last = w.add_box({static_cast<float>(k) + 0.5f * static_cast<float>(i), 0.5f + static_cast<float>(i)}, 0.48f, 0.5f);
+        for (int k = 0; k < rows - i; ++k)
+            last = w.add_box({static_cast<float>(k) + 0.5f * static_cast<float>(i), 0.5f + static_cast<float>(i)}, 0.48f, 0.5f);
     return last;
 }
 
@@ -232,7 +238,8 @@ TEST(ExportedPiles, FloatSolversTakeTheProblemAsItIs) {
         const ExportedIsland island(*w, top, h);
         std::vector<float> x(island->impulses.size());
         std::vector<std::byte> memory(lcp::workspace_bytes<float>(method, x.size()));
-        const lcp::Result<float> result = lcp::solve<float>(island->lcp, {.method = method, .max_iterations = 20000, .tolerance = 1e-5f}, x, memory);
+        const lcp::Result<float> result =
+            lcp::solve<float>(island->lcp, {.method = method, .max_iterations = 20000, .tolerance = 1e-5f}, x, memory);
         EXPECT_EQ(result.status, lcp::Status::converged) << lcp::describe(result.status) << " " << result.residuals.natural;
         EXPECT_NEAR(from_the_ground(island, {x.begin(), x.end()}), 10 * 0.96 * 10 * double(h), 2e-3 * 10 * 0.96 * 10 * double(h));
     }

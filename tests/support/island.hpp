@@ -65,8 +65,9 @@ struct WideProblem {
                     for (std::uint32_t c = 0; c < p.rows[k].end_count; ++c) {
                         const RowEnd& f = p.rows[k].ends[c];
                         if (f.body == e.body)
-                            m[i * n + k] += static_cast<double>(b.inv_mass) * wide_dot(e.linear, f.linear) +
-                                            static_cast<double>(b.inv_inertia) * static_cast<double>(e.angular) * static_cast<double>(f.angular);
+                            m[i * n + k] +=
+                                static_cast<double>(b.inv_mass) * wide_dot(e.linear, f.linear) +
+                                static_cast<double>(b.inv_inertia) * static_cast<double>(e.angular) * static_cast<double>(f.angular);
                     }
                 }
             }
@@ -103,7 +104,8 @@ struct WideVelocity {
 };
 inline std::vector<WideVelocity> velocities_after(const IslandProblem& p, const std::vector<double>& x) {
     std::vector<WideVelocity> out;
-    for (const IslandBody& b : p.bodies) out.push_back({static_cast<double>(b.v_free.x), static_cast<double>(b.v_free.y), static_cast<double>(b.w_free)});
+    for (const IslandBody& b : p.bodies)
+        out.push_back({static_cast<double>(b.v_free.x), static_cast<double>(b.v_free.y), static_cast<double>(b.w_free)});
     for (std::size_t i = 0; i < x.size(); ++i) {
         for (std::uint32_t k = 0; k < p.rows[i].end_count; ++k) {
             const RowEnd& e = p.rows[i].ends[k];

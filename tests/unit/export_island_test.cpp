@@ -32,7 +32,8 @@ void add_heap(TestWorld& w, Random& random, int count) {
     BodyId before;
     for (int i = 0; i < count; ++i) {
         const Vec2 at = {random.between(-8, 8), random.between(1, 8)};
-        const BodyId body = random.one_in(2) ? w.add_box(at, 0.4f, random.between(0.1f, 0.5f)) : w.add_circle(at, random.between(0.2f, 0.5f));
+        const BodyId body =
+            random.one_in(2) ? w.add_box(at, 0.4f, random.between(0.1f, 0.5f)) : w.add_circle(at, random.between(0.2f, 0.5f));
         if (before && random.one_in(6)) w->create_joint(RevoluteJointDef{.base = test::base_at_b(*w, before, body)});
         before = body;
     }
@@ -133,12 +134,12 @@ TEST(ExportIsland, SleepersHaveOneToo) {
 }
 
 TEST(ExportIsland, FitsTheScratchOfTheSmallestWorld) {
-    for (const Capacity& tiny : {Capacity{.bodies = 1, .shapes = 1, .contacts = 1}, Capacity{.bodies = 2, .shapes = 2, .contacts = 1, .joints = 9}}) {
+    for (const Capacity& tiny :
+         {Capacity{.bodies = 1, .shapes = 1, .contacts = 1}, Capacity{.bodies = 2, .shapes = 2, .contacts = 1, .joints = 9}}) {
         TestWorld w(tiny);
         const BodyId body = w.add_box({0, 0.5f});
         const BodyId other = w.add_box({0, 1.5f});
-        while (other && test::join(*w, JointType::prismatic, body, other, true)) {
-        }
+        while (other && test::join(*w, JointType::prismatic, body, other, true)) {}
         w.step(5);
         EXPECT_GT(ExportedIsland(*w, body, h).bytes(), 0u);
     }
@@ -167,7 +168,8 @@ void expect_matrix_and_q_follow_from_the_rows(const IslandProblem& p) {
         for (std::uint32_t k = 0; k < row.end_count; ++k) {
             if (row.ends[k].body == no_body) continue;
             const IslandBody& b = p.bodies[row.ends[k].body];
-            speed += std::fabs(double(row.ends[k].linear.x) * double(b.v_free.x)) + std::fabs(double(row.ends[k].linear.y) * double(b.v_free.y)) +
+            speed += std::fabs(double(row.ends[k].linear.x) * double(b.v_free.x)) +
+                     std::fabs(double(row.ends[k].linear.y) * double(b.v_free.y)) +
                      std::fabs(double(row.ends[k].angular) * double(b.w_free));
         }
         ASSERT_NEAR(double(p.lcp.q[i]), wide.q[i], 16 * eps * speed) << "q of row " << i;
@@ -339,8 +341,9 @@ TEST(ExportIsland, RollingResistanceIsBoundByTheImpulsesThereAre) {
 
 TEST(ExportIsland, FreeVelocitiesHaveGravityForcesDampingAndTheSpeedLimit) {
     TestWorld w(test::roomy, {.gravity = {1, -10}, .max_speed = 50});
-    const BodyId box = w.add(make_box(0.5f, 1), {.type = BodyType::dynamic, .position = {0, 9}, .linear_damping = 2, .angular_damping = 3, .gravity_scale = 0.5f},
-                             {.density = 2});
+    const BodyId box = w.add(
+        make_box(0.5f, 1),
+        {.type = BodyType::dynamic, .position = {0, 9}, .linear_damping = 2, .angular_damping = 3, .gravity_scale = 0.5f}, {.density = 2});
     w->set_linear_velocity(box, {3, 4});
     w->set_angular_velocity(box, 5);
     w->apply_force_to_center(box, {8, 0});
@@ -362,8 +365,10 @@ TEST(ExportIsland, ABodyThatWouldSwingWithinASubstepHasTheInertiaTheSolverGivesI
     const BodyId wall = w->create_body({});
     const BodyId link = w.add(make_box(0.5f, 0.05f), {.type = BodyType::dynamic, .position = {0, 0}, .angle = -0.5f * pi});
     const BodyId weight = w.add_box({0, -2}, 1, 1, {.density = 1000});
-    const JointId above = w->create_joint(RevoluteJointDef{.base = {.body_a = wall, .body_b = link, .frame_a = {{0, 0.5f}}, .frame_b = {{-0.5f, 0}}}});
-    const JointId below = w->create_joint(RevoluteJointDef{.base = {.body_a = link, .body_b = weight, .frame_a = {{0.5f, 0}}, .frame_b = {{0, 1.5f}}}});
+    const JointId above =
+        w->create_joint(RevoluteJointDef{.base = {.body_a = wall, .body_b = link, .frame_a = {{0, 0.5f}}, .frame_b = {{-0.5f, 0}}}});
+    const JointId below =
+        w->create_joint(RevoluteJointDef{.base = {.body_a = link, .body_b = weight, .frame_a = {{0.5f, 0}}, .frame_b = {{0, 1.5f}}}});
     w.step(120, 1.0f / 60);
     // Pulled up at one end and down at the other, half a metre from its centre each: h^2 times that is more than its own inertia.
     const float own = w->rotational_inertia(link), stretch = h * h * 0.5f * (w->joint_force(above).y + w->joint_force(below).y);
@@ -411,7 +416,8 @@ TEST(ExportIsland, WritesNothingIntoTooLittleMemory) {
 
     EXPECT_EQ(w->export_island(box, h, {memory.data(), bytes}, out), bytes);
     EXPECT_EQ(out.rows.size(), 4u);
-    EXPECT_TRUE(std::all_of(memory.begin() + static_cast<std::ptrdiff_t>(bytes), memory.end(), [](std::byte b) { return b == std::byte{0x5a}; }));
+    EXPECT_TRUE(
+        std::all_of(memory.begin() + static_cast<std::ptrdiff_t>(bytes), memory.end(), [](std::byte b) { return b == std::byte{0x5a}; }));
 }
 
 TEST(ExportIsland, MemoryNeedsNoAlignment) {

@@ -35,7 +35,8 @@ struct Pair {
     BodyId a = add({1, 2}, 0.3f), b = add({3, 2.5f}, -0.4f);
 
     BodyId add(Vec2 at, float angle) {
-        const BodyId body = w.add(make_box(0.5f, 0.2f), {.type = BodyType::dynamic, .position = at, .angle = angle}, {.filter = {.group = -1}});
+        const BodyId body =
+            w.add(make_box(0.5f, 0.2f), {.type = BodyType::dynamic, .position = at, .angle = angle}, {.filter = {.group = -1}});
         w->create_shape(body, Circle{{0.4f, 0.3f}, 0.2f}, {.density = 3, .filter = {.group = -1}});
         return body;
     }
@@ -124,8 +125,8 @@ std::vector<Wanted> all_parts(const std::function<double()>& c, float lower, flo
 
 TEST(ExportJoints, RevoluteRows) {
     Pair p;
-    const JointId j = p.w->create_joint(
-        RevoluteJointDef{.base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -3, .upper = -0.35f}, .motor = motor, .friction = 2});
+    const JointId j = p.w->create_joint(RevoluteJointDef{
+        .base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -3, .upper = -0.35f}, .motor = motor, .friction = 2});
     std::vector<Wanted> rows = all_parts([&] { return p.position(j); }, -3, -0.35f, 2);
     rows.push_back({RowKind::joint, [&] { return p.gap(j, {1, 0}); }});
     rows.push_back({RowKind::joint, [&] { return p.gap(j, {0, 1}); }});
@@ -134,8 +135,8 @@ TEST(ExportJoints, RevoluteRows) {
 
 TEST(ExportJoints, PrismaticRows) {
     Pair p;
-    const JointId j = p.w->create_joint(
-        PrismaticJointDef{.base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -1, .upper = 2}, .motor = motor, .friction = 2});
+    const JointId j = p.w->create_joint(PrismaticJointDef{
+        .base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -1, .upper = 2}, .motor = motor, .friction = 2});
     std::vector<Wanted> rows = all_parts([&] { return p.position(j); }, -1, 2, 2);
     rows.push_back({RowKind::joint, [&] { return p.across(j); }});
     rows.push_back({RowKind::joint, [&] { return p.turned(); }});
@@ -144,8 +145,8 @@ TEST(ExportJoints, PrismaticRows) {
 
 TEST(ExportJoints, WheelRows) {
     Pair p;
-    const JointId j = p.w->create_joint(
-        WheelJointDef{.base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -1, .upper = 2}, .motor = motor, .friction = 2});
+    const JointId j = p.w->create_joint(WheelJointDef{
+        .base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -1, .upper = 2}, .motor = motor, .friction = 2});
     const auto turned = [&] { return p.turned(); };
     const auto strut = [&] { return p.position(j); };
     const float x = p.w->joint_position(j);
@@ -163,8 +164,8 @@ TEST(ExportJoints, DistanceRows) {
     const JointId rod = p.w->create_joint(DistanceJointDef{.base = p.base(), .length = 0.5f});
     expect_rows(p.w, rod, {{RowKind::joint, [&] { return p.position(rod); }}});
     p.w->destroy_joint(rod);
-    const JointId rope =
-        p.w->create_joint(DistanceJointDef{.base = p.base(), .spring = spring, .limit = {.enable = true, .lower = 0.1f, .upper = 3}, .motor = motor});
+    const JointId rope = p.w->create_joint(
+        DistanceJointDef{.base = p.base(), .spring = spring, .limit = {.enable = true, .lower = 0.1f, .upper = 3}, .motor = motor});
     expect_rows(p.w, rope, all_parts([&] { return p.position(rope); }, 0.1f, 3, 0));
 }
 
@@ -176,7 +177,15 @@ TEST(ExportJoints, WeldRows) {
                 WeldJointDef{.base = p.base(), .linear_hertz = soft_point ? 4.0f : 0.0f, .angular_hertz = soft_angle ? 5.0f : 0.0f});
             const RowKind point = soft_point ? RowKind::spring : RowKind::joint, angle = soft_angle ? RowKind::spring : RowKind::joint;
             expect_rows(p.w, j,
-                        {{point, [&] { return p.gap(j, {1, 0}); }}, {point, [&] { return p.gap(j, {0, 1}); }}, {angle, [&] { return p.turned(); }}});
+                        {{point,
+                          [&] {
+                              return p.gap(j, {1, 0});
+                          }},
+                         {point,
+                          [&] {
+                              return p.gap(j, {0, 1});
+                          }},
+                         {angle, [&] { return p.turned(); }}});
             const ExportedIsland island(*p.w, p.a, h);
             EXPECT_EQ(island->rows[0].softness > 0, soft_point);
             EXPECT_EQ(island->rows[2].softness > 0, soft_angle);
@@ -192,8 +201,16 @@ TEST(ExportJoints, MotorRows) {
     const Vec2 velocity = rotate(frame, {2, 1});
     expect_rows(p.w, j,
                 {{RowKind::motor, [&] { return p.turned(); }, -h * 4, h * 4, -3},
-                 {RowKind::motor, [&] { return p.gap(j, {1, 0}); }, -h * 20, h * 20, -velocity.x},
-                 {RowKind::motor, [&] { return p.gap(j, {0, 1}); }, -h * 20, h * 20, -velocity.y}});
+                 {RowKind::motor,
+                  [&] {
+                      return p.gap(j, {1, 0});
+                  },
+                  -h * 20, h * 20, -velocity.x},
+                 {RowKind::motor,
+                  [&] {
+                      return p.gap(j, {0, 1});
+                  },
+                  -h * 20, h * 20, -velocity.y}});
 }
 
 // Once it gives an impulse the first of its two rows goes along that.
@@ -218,18 +235,21 @@ TEST(ExportJoints, MouseRows) {
     const Vec2 e = island->rows[0].ends[0].linear, f = island->rows[1].ends[0].linear;
     EXPECT_NEAR(length(e), 1, 1e-6f);
     EXPECT_NEAR(dot(e, f), 0, 1e-6f);
-    expect_rows(p.w, j,
-                {{RowKind::motor, [&] { return p.gap(j, e); }, -h * 30, h * 30}, {RowKind::motor, [&] { return p.gap(j, f); }, -h * 30, h * 30}});
+    expect_rows(
+        p.w, j,
+        {{RowKind::motor, [&] { return p.gap(j, e); }, -h * 30, h * 30}, {RowKind::motor, [&] { return p.gap(j, f); }, -h * 30, h * 30}});
     // The engine's softness is a multiple of K: along these axes K is diagonal, so each row's softness is the same multiple of its own entry.
     const auto entry = [&](std::size_t r, std::size_t s) {
         double sum = 0;
         for (const RowEnd& a : {island->rows[r].ends[0]})
             for (const RowEnd& b : {island->rows[s].ends[0]})
-                sum += double(island->bodies[0].inv_mass) * double(dot(a.linear, b.linear)) + double(island->bodies[0].inv_inertia) * double(a.angular * b.angular);
+                sum += double(island->bodies[0].inv_mass) * double(dot(a.linear, b.linear)) +
+                       double(island->bodies[0].inv_inertia) * double(a.angular * b.angular);
         return sum;
     };
     EXPECT_NEAR(entry(0, 1), 0, 1e-5 * entry(0, 0));
-    EXPECT_NEAR(double(island->rows[0].softness) / entry(0, 0), double(island->rows[1].softness) / entry(1, 1), 1e-5 * double(island->rows[0].softness) / entry(0, 0));
+    EXPECT_NEAR(double(island->rows[0].softness) / entry(0, 0), double(island->rows[1].softness) / entry(1, 1),
+                1e-5 * double(island->rows[0].softness) / entry(0, 0));
 }
 
 TEST(ExportJoints, PulleyRows) {
@@ -303,7 +323,9 @@ TEST(ExportJoints, SolvedImpulsesMakeTheBodiesMoveAsTheJointsAllow) {
             const auto apart = [&](JointId j) {
                 return after->velocity_at(after->body_b(j), after->anchor_b(j)) - after->velocity_at(after->body_a(j), after->anchor_b(j));
             };
-            const auto spin = [&](JointId j) { return after->angular_velocity(after->body_b(j)) - after->angular_velocity(after->body_a(j)); };
+            const auto spin = [&](JointId j) {
+                return after->angular_velocity(after->body_b(j)) - after->angular_velocity(after->body_a(j));
+            };
             const auto sideways = [&](JointId j) {
                 const Rot q = make_rot(after->angle(after->body_a(j)) + after->frame_a(j).angle);
                 return dot(apart(j), left_perp({q.c, q.s}));
@@ -322,7 +344,8 @@ TEST(ExportJoints, SolvedImpulsesMakeTheBodiesMoveAsTheJointsAllow) {
             if (id == m.left) {
                 const JointId j = m[JointType::pulley];
                 const Vec2 ua = normalize(after->anchor_a(j) - after->ground_a(j)), ub = normalize(after->anchor_b(j) - after->ground_b(j));
-                const float rope = dot(ua, after->velocity_at(m.left, after->anchor_a(j))) + 1.5f * dot(ub, after->velocity_at(m.right, after->anchor_b(j)));
+                const float rope = dot(ua, after->velocity_at(m.left, after->anchor_a(j))) +
+                                   1.5f * dot(ub, after->velocity_at(m.right, after->anchor_b(j)));
                 EXPECT_NEAR(rope, 0, 1e-4f);
             }
         }

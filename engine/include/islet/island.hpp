@@ -10,9 +10,10 @@
 //
 //     M = J M_b^-1 J^T + diag(softness),   q = J v_free + bias.
 //
-// Each row wants lo <= x <= hi, w >= 0 where x = lo, w <= 0 where x = hi, and w = 0 between: a contact pushes or parts, a joint holds, a motor that has not
-// reached its speed gives all it has. It is the problem that the relaxing sweep of the default schedule works on: rigid rows at the velocity level, without
-// the bias that mends errors of position. The bounce of contacts is not part of it.
+// Each row wants lo <= x <= hi, w >= 0 where x = lo, w <= 0 where x = hi, and w = 0 between: a contact pushes or parts, a joint holds, a motor that has
+// not reached its speed gives all it has. It is the problem that the relaxing sweep of the default schedule works on: rigid rows at the velocity level,
+// without the bias that mends errors of position; and the springs, as the sweeps with bias have them. The bounce of contacts is not part of it.
+// A row that could push no body of the island, such as the angle of a weld between bodies of fixed rotation, is left out.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +28,8 @@ namespace islet {
 enum class RowKind : std::uint8_t {
     normal,          ///< of a point of a contact: 0, infinity; bias max(separation, 0) / h
     friction,        ///< of a point, along right_perp(normal): +-coefficient times the x of the point's normal row (Problem::friction); bias -tangent speed
-    rolling,         ///< of a contact. The engine bounds it by the resistance times the sum of the contact's normal impulses, which Problem::friction, that names
-                     ///< one row, cannot say: here the sum is that of `impulses`, frozen
+    rolling,         ///< of a contact. The engine bounds it by the resistance times the sum of the contact's normal impulses, which Problem::friction,
+                     ///< that names one row, cannot say: here the sum is that of `impulses`, frozen
     joint,           ///< what a joint locks: -infinity, infinity
     spring,          ///< -infinity, infinity; softness and bias are those of the spring, or of a soft weld
     limit,           ///< 0, infinity; the row of an upper limit is turned around. bias max(way left, 0) / h

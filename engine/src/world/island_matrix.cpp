@@ -63,7 +63,7 @@ IslandLinks link_island(IslandRows& counter, Arena& arena) {
     l.first_link = arena.take<std::uint32_t>(std::size_t{members.body_count} + 2);
 
     l.first_body[0] = 0;
-    const auto add = [&](std::uint32_t first_row, const std::uint32_t (&of)[4]) {
+    const auto add = [&](std::uint32_t first_row, const std::uint32_t(&of)[4]) {
         l.first_row[l.count] = first_row;
         l.first_body[l.count + 1] = l.first_body[l.count] + bodies_of_link(counter, of, l.bodies + l.first_body[l.count]);
         ++l.count;

@@ -1,4 +1,4 @@
-// The stages of World::export_island: find the island, count its rows, write them, couple them. What is needed along the way stands in the world's scratch.
+// The stages of World::export_island: find the island, count its rows, write them, couple them. What is needed on the way is in the world's scratch.
 #pragma once
 
 #include "islet/island.hpp"
@@ -8,11 +8,11 @@ namespace islet::detail {
 
 /// Who is in the island.
 struct IslandMembers {
-    BitSet contacts, joints;             // that touch or hold one of its bodies, by slot
-    std::uint32_t* bodies = nullptr;     // ascending
+    BitSet contacts, joints;          // that touch or hold one of its bodies, by slot
+    std::uint32_t* bodies = nullptr;  // ascending
     std::uint32_t body_count = 0;
-    std::uint32_t* place_of = nullptr;   // of a body of the island: its place among `bodies`
-    std::uint32_t link_count = 0;        // contacts and joints
+    std::uint32_t* place_of = nullptr;  // of a body of the island: its place among `bodies`
+    std::uint32_t link_count = 0;       // contacts and joints
 };
 
 /// The island of a body that can be pushed: what is linked to it by touching contacts and joints through bodies that can be pushed too.
@@ -22,9 +22,9 @@ IslandMembers find_island(const Core& core, std::uint32_t body, Arena& arena);
 struct IslandRows {
     const Core& core;
     const IslandMembers& members;
-    float h;                             // s
+    float h;  // s
     float inv_h = 1.0f / h;
-    float warm = 0;                      // by which the stored impulses are scaled
+    float warm = 0;  // by which the stored impulses are scaled
 
     // Where to; all null while rows are counted.
     IslandRow* rows = nullptr;
