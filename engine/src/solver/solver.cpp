@@ -195,9 +195,7 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
         }
         if ((any & (contact_special | contact_bouncy)) == 0) continue;
         for (std::uint32_t i = 0; i < W; ++i) {
-            r.restitution[i] = r.rolling_resistance[i] = r.tangent_speed[i] = 0;
-            if (r.contact[i] == null_index) continue;
-            const Surface surface = surface_of(core, r.contact[i]);
+            const Surface surface = r.contact[i] != null_index ? surface_of(core, r.contact[i]) : Surface{};
             r.restitution[i] = surface.restitution;
             r.rolling_resistance[i] = surface.rolling_resistance;
             r.tangent_speed[i] = surface.tangent_speed;
