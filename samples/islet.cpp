@@ -161,6 +161,10 @@ struct CommandLine {
         run->add_option("--steps", o.steps, "steps to take; the scene's own if not given")->check(CLI::Range(0, 100'000'000));
         run->add_option("--dt", o.dt, "length of a step, s")->check(CLI::Range(1e-6, 1.0))->check(finite_number);
         run->add_option("--substeps", o.substeps, "substeps of a step")->check(CLI::Range(1, 64));
+        static const std::map<std::string, islet::JointTrees> joint_trees = {
+            {"off", islet::JointTrees::off}, {"automatic", islet::JointTrees::automatic}, {"all", islet::JointTrees::all}};
+        run->add_option("--joint-trees", o.joint_trees, "which trees of hinges are solved exactly; the scene's own choice if not given")
+            ->transform(CLI::Transformer(joint_trees));
         run->add_option("--workers", o.workers, "threads to step with")->check(CLI::Range(1u, islet::max_workers));
         run->add_option("--lanes", o.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
         run->add_option("--hash-every", o.hash_every, "print the state's hash every so many steps")->check(CLI::Range(1, 100'000'000));

@@ -14,8 +14,11 @@ Run::Run(Scene made, const RunOptions& options) : pool(options.workers), scene(s
     // A check is stated for the scene as it stands: other steps or another time step would make its numbers meaningless.
     check_applies_ = scene.check && options.steps.value_or(scene.steps) == scene.steps && options.dt.value_or(scene.dt) == scene.dt &&
                      options.substeps.value_or(scene.world.solver.substeps) == scene.world.solver.substeps;
+    const JointTrees trees = options.joint_trees.value_or(scene.world.solver.joint_trees);
+    check_applies_ = check_applies_ && trees == scene.world.solver.joint_trees;
     scene.steps = options.steps.value_or(scene.steps);
     scene.dt = options.dt.value_or(scene.dt);
+    scene.world.solver.joint_trees = trees;
     scene.world.solver.substeps = options.substeps.value_or(scene.world.solver.substeps);
     scene.world.lanes = options.lanes;
     scene.world.tasks = pool.tasks();

@@ -17,6 +17,7 @@ struct RunOptions {
     std::optional<int> steps;  // the scene's own if not given; so are the next two
     std::optional<float> dt;   // s
     std::optional<std::uint32_t> substeps;
+    std::optional<JointTrees> joint_trees;
     std::uint32_t workers = 1;
     std::uint32_t lanes = 0;  // as in WorldDef
     int hash_every = 0;       // steps; 0: never

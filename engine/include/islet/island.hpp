@@ -65,7 +65,7 @@ struct IslandBody {
     float inv_mass = 0;     ///< 1/kg, > 0
     float inv_inertia = 0;  ///< 1/(kg m^2), as the solver takes it: of bodies pulled so hard that they would swing within a substep it is made less
     Vec2 v_free = {};       ///< m/s, of the centre of mass: after gravity, forces and damping over h, before any impulse
-    float w_free = 0;       ///< rad/s
+    float w_free = 0;       ///< rad/s; of a body in a tree of hinges that is solved exactly, scaled with the inertia
 };
 
 /// Spans into the memory given to World::export_island.

@@ -47,8 +47,10 @@ inline constexpr std::size_t solver_motion_bytes = 32;
 inline constexpr std::size_t row_bytes = 128;     // per contact, in a block of rows
 inline constexpr std::size_t joint_bytes = 232;
 inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
+inline constexpr std::uint32_t joint_kernel_count = 9;
 inline constexpr std::size_t joint_run_bytes = 24;
-inline constexpr std::size_t batch_bytes = 156;
+inline constexpr std::size_t tree_link_bytes = 140;  // per body of a tree of joints
+inline constexpr std::size_t batch_bytes = 164;
 inline constexpr std::uint32_t max_plan_parts = 8;  // that the touching contacts are cut into while they are planned
 inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are found
 inline constexpr std::uint32_t sort_digit_bits = max_lanes > 1 ? 11 : 8;  // of the sort by which pairs are found: three passes, or four in little memory
@@ -80,12 +82,15 @@ constexpr std::size_t row_capacity(const Capacity& c) {
 
 /// Runs of joints of one kernel and one colour in one batch, at most.
 constexpr std::size_t joint_run_capacity(const Capacity& c) {
-    const std::size_t runs = std::size_t{batch_capacity(c)} * (color_count + 1) * joint_type_count;
+    const std::size_t runs = std::size_t{batch_capacity(c)} * (color_count + 1) * joint_kernel_count;
     return runs < c.joints ? runs : c.joints;
 }
 
 /// Joint rows including the padding that fills up the last block of each run.
 constexpr std::size_t joint_row_capacity(const Capacity& c) { return c.joints + joint_run_capacity(c) * (max_lanes - 1); }
+
+/// Bodies in trees of joints that are solved exactly, at most.
+constexpr std::uint32_t tree_capacity(const Capacity& c) { return c.bodies < 2 * c.joints ? c.bodies : 2 * c.joints; }
 
 /// Offsets from the start of the block, bytes.
 struct Layout {
@@ -107,10 +112,12 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + sort_digits * 4 + 20 * 64;
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;
     const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
-                             joint_run_capacity(c) * joint_run_bytes + 7 * 64;
-    const std::size_t planning = bodies * 4 * 2 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 +
-                                 std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_type_count) * 4 + 9 * 64;
-    const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 + 4 * 64;
+                             joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 9 * 64;
+    const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_kernel_count) * 4 + 5 * 64;
+    const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * 64;
+    const std::size_t planning = bodies * 4 * 2 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 4 * 64 + max_of(tables, trees);
+    const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 +
+                             tree_capacity(c) * tree_link_bytes + 5 * 64;
     const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * 64;
     const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes) + max_of(rows, finish) + 2 * 64;
     return max_of(plan + max_of(planning, solve), max_of(pairs, collide));

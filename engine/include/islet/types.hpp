@@ -91,6 +91,14 @@ enum class Schedule : std::uint8_t {
     classic,  ///< per substep: integrate, `iterations` sweeps with Baumgarte bias, integrate positions. Use with substeps = 1.
 };
 
+/// Which hinges (revolute joints) are solved exactly, all of a tree at once, instead of one by one in sweeps. What closes a loop is always swept, and so is
+/// a hinge with a spring, a limit, a motor or friction.
+enum class JointTrees : std::uint8_t {
+    off,        ///< none
+    automatic,  ///< trees in which a hinge bears much more than the bodies it joins weigh, and of which none is swept: chains with a load, long ropes
+    all,        ///< all there are
+};
+
 /// How the solver works. Change it at any time with World::set_solver.
 struct SolverDef {
     Schedule schedule = Schedule::soft;
@@ -106,6 +114,9 @@ struct SolverDef {
     float baumgarte = 0.2f;              ///< 0 to 1. Share of overlaps and joint errors mended per step (classic schedule).
     float omega = 1.0f;                  ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
     bool warm_start = true;              ///< Start each step from the impulses of the last.
+    JointTrees joint_trees = JointTrees::automatic;  ///< Which hinges are solved exactly instead of swept.
+    float joint_tree_load = 10.0f;       ///< >= 1. Automatic: a tree is solved exactly if a hinge of it bears so many times the mass of the lighter of
+                                         ///< the two bodies it joins. Lower: more trees.
 };
 
 /// What a new world is like.

@@ -39,7 +39,7 @@ enum class JointKernel : std::uint32_t {
     pulley,
     gear,
 };
-inline constexpr std::uint32_t joint_kernel_count = 9;
+static_assert(static_cast<std::uint32_t>(JointKernel::gear) + 1 == joint_kernel_count);
 
 constexpr bool has_kernel(JointKernel kernel) {
     switch (kernel) {
@@ -62,6 +62,7 @@ struct JointSweep {
     float omega = 1;       // relaxation factor
     bool biased = false;   // false: velocities only
     Softness soft;         // of what is rigid; in a relax sweep (0, 1, 0)
+    float tree_rate = 0;   // 1/s, at which hinges solved exactly mend their error
 };
 
 /// Where joints find their inputs.
@@ -290,16 +291,21 @@ inline void forget_unsound(Joint& j) {
     j.spring_impulse = j.motor_impulse = j.friction_impulse = j.lower_impulse = j.upper_impulse = 0;
 }
 
-/// Writes back the impulse, for readers, and how the joint pulled its bodies outwards, for the next step's stability (stiffened() in solver.cpp).
+/// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in free_motion.hpp). What cannot
+/// be pushed is not stretched.
+inline void add_stretch(const JointOutput& out, std::uint32_t slot, std::uint32_t body, Vec2 arm, Vec2 p) {
+    const SolverBody& b = out.solved[slot];
+    if (b.inv_mass > 0) out.bodies[body].stretch += out.h * dot(turned(b.dq, arm.x, arm.y), p);
+}
+
+/// Writes back the impulse, for readers, and how the joint stretched its bodies.
 template <std::uint32_t W>
 void store_applied(const Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
     const Vec2 p = {applied.px[lane], applied.py[lane]};
     j.force_impulse = p;
     if (!is_sound(p.x, p.y, 0)) return;
-    // What cannot be pushed is not stretched.
-    const std::uint32_t a = r.body_a[lane], b = r.body_b[lane];
-    if (out.solved[b].inv_mass > 0) out.bodies[j.body_b].stretch += out.h * dot(turned(out.solved[b].dq, r.rbx[lane], r.rby[lane]), p);
-    if (out.solved[a].inv_mass > 0) out.bodies[j.body_a].stretch -= out.h * dot(turned(out.solved[a].dq, r.rax[lane], r.ray[lane]), p);
+    add_stretch(out, r.body_b[lane], j.body_b, {r.rbx[lane], r.rby[lane]}, p);
+    add_stretch(out, r.body_a[lane], j.body_a, {r.rax[lane], r.ray[lane]}, -p);
 }
 
 }  // namespace islet::detail

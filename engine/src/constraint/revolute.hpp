@@ -38,6 +38,9 @@ inline float rough_angle(Rot q) {
     return 0.5f * pi * (q.c >= 0 ? quarter : (q.s < 0 ? -2.0f : 2.0f) - quarter);
 }
 
+/// The angle, roughly, continuous past full turns.
+inline float rough_coordinate(const Joint& j, const JointPose& p) { return unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate); }
+
 template <std::uint32_t W>
 void prepare(PointRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
     const Joint& j = in.joints[joint];
@@ -45,7 +48,7 @@ void prepare(PointRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     set_ends(r.ends, lane, joint, in, p);
     // Nothing here needs the angle, but full turns are counted for readers and gears: a rough one tells how many there were (5 % of a step of
     // 19 800 hinges; the exact one, 12 %).
-    r.angle[lane] = unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate);
+    r.angle[lane] = rough_coordinate(j, p);
     warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, 0);
 }
 

@@ -1,6 +1,8 @@
 #include "island/batches.hpp"
 
 #include "constraint/joint_runs.hpp"
+#include "island/joint_trees.hpp"
+#include "island/union_find.hpp"
 #include "memory/parallel.hpp"
 
 namespace islet::detail {
@@ -12,20 +14,11 @@ struct Edge {
     std::uint32_t constraint, a, b, place;
 };
 
-/// Union-find over bodies, with path halving; the smaller index becomes the root, so the roots do not depend on the order of the links.
-struct Islands {
-    std::uint32_t* parent;  // by body; null_index for what links nothing: static and kinematic bodies, and those at rest
-    BitSet guided;          // bodies that touch a kinematic one or are joined to one
+/// Sets of linked bodies. What links nothing has the parent null_index: static and kinematic bodies, and those at rest.
+struct Islands : UnionFind {
+    BitSet guided;  // bodies that touch a kinematic one or are joined to one
 
     std::uint32_t parent_of(std::uint32_t i) const { return i != null_index ? parent[i] : null_index; }
-
-    std::uint32_t root_of(std::uint32_t i) const {
-        while (parent[i] != i) {
-            parent[i] = parent[parent[i]];
-            i = parent[i];
-        }
-        return i;
-    }
 
     void guide(const Core& core, std::uint32_t body, std::uint32_t by) const {
         if (by != null_index && core.is_awake(by)) guided.set(body);
@@ -36,13 +29,7 @@ struct Islands {
         if (over_a == over_b) return;  // as most are: their island was joined by other links. Or neither links anything.
         if (over_a == null_index) return guide(core, b, a);
         if (over_b == null_index) return guide(core, a, b);
-        a = root_of(over_a);
-        b = root_of(over_b);
-        if (a < b) {
-            parent[b] = a;
-        } else {
-            parent[a] = b;
-        }
+        join(root_of(over_a), root_of(over_b));
     }
 };
 
@@ -204,11 +191,13 @@ Plan make_plan(const Core& core, Arena& arena) {
     plan.contacts = arena.take<std::uint32_t>(row_capacity(core.capacity));
     plan.joints = arena.take<std::uint32_t>(joint_row_capacity(core.capacity));
     plan.runs = arena.take<JointRun>(joint_run_capacity(core.capacity));
+    plan.tree_bodies = arena.take<TreeBody>(tree_capacity(core.capacity));
+    plan.tree_parents = arena.take<std::uint32_t>(tree_capacity(core.capacity));
     Arena temporary = arena;  // what follows is used only here, so the solve may take the same scratch
 
     const BitSet awake = core.awake_bodies;
     const auto words = static_cast<std::uint32_t>(words_for(bodies));
-    const Islands links{temporary.take<std::uint32_t>(bodies), {temporary.take<std::uint64_t>(words), words}};
+    const Islands links{{temporary.take<std::uint32_t>(bodies)}, {temporary.take<std::uint64_t>(words), words}};
     for_ranges(core, words, body_grain, [&](std::uint32_t first, std::uint32_t end) {
         const std::uint32_t begin = 64 * first;
         const std::size_t count = (64 * end < bodies ? 64 * end : bodies) - begin;
@@ -228,7 +217,9 @@ Plan make_plan(const Core& core, Arena& arena) {
     awake_joints.for_each([&](std::uint32_t i) {
         const Joint& j = core.joints[i];
         if (links.parent_of(j.body_a) == null_index && links.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
-        joint_edges[plan.joint_count++] = {i, j.body_a, j.body_b, j.color()};
+        ++plan.awake_joints;
+        plan.has_trees = plan.has_trees || (j.flags & joint_exact) != 0;
+        if ((j.flags & joint_exact) == 0) joint_edges[plan.joint_count++] = {i, j.body_a, j.body_b, j.color()};
         links.link(core, j.body_a, j.body_b);
         if (j.joint_type() != JointType::gear) return;
         // A gear's row reads the four bodies of its two joints, and not all of them are its own.
@@ -296,6 +287,7 @@ Plan make_plan(const Core& core, Arena& arena) {
     };
     plan_contacts(core, plan, edges, batch_of, temporary);
     plan_joints(core, plan, joint_edges, batch_of, temporary);
+    if (plan.has_trees) plan_trees(core, plan, links.parent, temporary);
     return plan;
 }
 

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "constraint/joint_rows.hpp"
+#include "island/joint_trees.hpp"
 #include "memory/core.hpp"
 
 namespace islet::detail {
@@ -20,7 +21,8 @@ struct Batch {
     std::uint32_t first_slot = 0, end_slot = 0;
     std::uint32_t first_block[color_count + 1] = {};
     std::uint32_t first_overflow = 0, end_overflow = 0;
-    std::uint32_t first_run = 0, end_run = 0;  // of joints
+    std::uint32_t first_run = 0, end_run = 0;    // of joints
+    std::uint32_t first_tree = 0, end_tree = 0;  // bodies of trees
 };
 
 /// Joints of one kernel and one colour, in whole blocks of `lanes` joints; those without a colour come first and are solved one by one.
@@ -49,11 +51,19 @@ struct Plan {
     std::uint32_t* joints = nullptr;          // run by run; null_index in the padding
     JointRun* runs = nullptr;
     std::uint32_t run_count = 0;
-    std::uint32_t joint_count = 0;
+    std::uint32_t joint_count = 0;            // in runs
+    std::uint32_t awake_joints = 0;           // in runs or trees
+    bool has_trees = false;
     std::uint32_t overflow_joints = 0;
+    TreeBody* tree_bodies = nullptr;          // of each batch leaves first
+    std::uint32_t* tree_parents = nullptr;    // where in the batch's trees the parent stands; null_index if it cannot be pushed, or there is none
+    std::uint32_t tree_count = 0;
     std::uint32_t colors = 0;                 // in use
     std::uint32_t touching_count = 0;
 };
+
+/// The bodies of trees by batch, in each leaves first. `batch_of`: by body.
+ISLET_OPTIONAL void plan_trees(const Core& core, Plan& plan, const std::uint32_t* batch_of, Arena temporary);
 
 Plan make_plan(const Core& core, Arena& arena);
 

@@ -32,10 +32,12 @@ inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t 
 
 /// A mouse joint's side A is in no list.
 inline void link_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
+    core.state->trees_stale = 1;
     if (body != null_index) link_edge(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
 }
 
 inline void unlink_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
+    core.state->trees_stale = 1;
     if (body != null_index) unlink_edge(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
 }
 

@@ -61,7 +61,7 @@ struct Body {
     std::uint32_t next_free = null_index;
     std::uint32_t joint_head = 0;    // joint key, as contact_head
     std::uint32_t joint_count = 0;
-    float stretch = 0;               // kg m^2: h^2 times the geometric stiffness of the joints that pull at it (solver.cpp)
+    float stretch = 0;               // kg m^2: h^2 times the geometric stiffness of the joints that pull at it (free_motion.hpp)
 
     BodyType type() const { return static_cast<BodyType>(flags & body_type_mask); }
 };
@@ -146,6 +146,7 @@ enum JointFlags : std::uint32_t {
     joint_limit = 2u,
     joint_motor = 4u,
     joint_collide = 8u,        // the two bodies' shapes collide with each other
+    joint_exact = 16u,         // solved exactly, in a tree of hinges
     joint_color_shift = 8,     // 8 bits: colour, or no_color
 };
 
@@ -213,18 +214,20 @@ struct SolverState {
     float joint_hertz = 0, joint_damping_ratio = 0;
     float baumgarte = 0, omega = 0;
     std::uint32_t warm_start = 0;
+    std::uint32_t joint_trees = 0;  // JointTrees
+    float joint_tree_load = 0;
 };
 
 inline SolverState pack(const SolverDef& d) {
     return {static_cast<std::uint32_t>(d.schedule), d.substeps, d.iterations, d.relax_iterations,
             d.contact_hertz, d.contact_damping_ratio, d.contact_push_speed, d.joint_hertz, d.joint_damping_ratio,
-            d.baumgarte, d.omega, d.warm_start ? 1u : 0u};
+            d.baumgarte, d.omega, d.warm_start ? 1u : 0u, static_cast<std::uint32_t>(d.joint_trees), d.joint_tree_load};
 }
 
 inline SolverDef unpack(const SolverState& s) {
     return {static_cast<Schedule>(s.schedule), s.substeps, s.iterations, s.relax_iterations,
             s.contact_hertz, s.contact_damping_ratio, s.contact_push_speed, s.joint_hertz, s.joint_damping_ratio,
-            s.baumgarte, s.omega, s.warm_start != 0};
+            s.baumgarte, s.omega, s.warm_start != 0, static_cast<JointTrees>(s.joint_trees), s.joint_tree_load};
 }
 
 /// Everything persistent that is not in an array.
@@ -234,12 +237,14 @@ struct State {
     Vec2 gravity;
     float restitution_threshold = 1;
     float max_speed = 400;                                         // 16
-    SolverState solver = pack(SolverDef{});                        // 48
+    SolverState solver = pack(SolverDef{});                        // 56
     std::uint32_t enable_sleep = 1;
     std::uint64_t steps = 0;
     std::uint32_t moved_count = 0;                                 // shapes whose fat box changed since pairs were last found
     float last_substep = 0;                                        // s; impulses kept for warm starting belong to a substep of this length
-    std::uint32_t pad[24] = {};
+    std::uint32_t trees_stale = 0;                                 // 1: something that decides which joints are solved exactly has changed
+    std::uint32_t exact_joints = 0;                                // how many are
+    std::uint32_t pad[20] = {};
 };
 
 static_assert(sizeof(Pose) == pose_bytes && sizeof(Motion) == motion_bytes && sizeof(Body) == body_bytes);
@@ -252,7 +257,7 @@ static_assert(sizeof(Joint) == joint_bytes && sizeof(State) == state_bytes);
 static_assert(offsetof(Body, user_data) == 4 * 18 && sizeof(Body) == 4 * 24);
 static_assert(offsetof(Shape, user_data) == 4 * 16 && sizeof(Shape) == 4 * 18);
 static_assert(offsetof(Joint, user_data) == 4 * 56 && sizeof(Joint) == 4 * 58);
-static_assert(offsetof(State, steps) == 4 * 36 && sizeof(State) == 4 * 64);
+static_assert(offsetof(State, steps) == 4 * 38 && sizeof(State) == 4 * 64);
 
 // The other records have words of 4 bytes alone; where their parts stand.
 static_assert(offsetof(Pose, inv_mass) == 4 * 4 && offsetof(Pose, flags) == 4 * 7 && sizeof(Pose) == 4 * 8);
@@ -261,6 +266,6 @@ static_assert(offsetof(Geometry, words) == 4 * 4 && sizeof(Geometry) == 4 * 40);
 static_assert(offsetof(Contact, generation) == 4 * 6 && sizeof(Contact) == 4 * 8);
 static_assert(offsetof(ContactManifold, normal) == 4 * 4 && offsetof(ContactManifold, anchors) == 4 * 12 && sizeof(ContactManifold) == 4 * 24);
 static_assert(offsetof(TreeNode, parent) == 4 * 4 && sizeof(TreeNode) == 4 * 8);
-static_assert(offsetof(State, tree) == 4 * 15 && offsetof(State, solver) == 4 * 23 && offsetof(State, moved_count) == 4 * 38);
+static_assert(offsetof(State, tree) == 4 * 15 && offsetof(State, solver) == 4 * 23 && offsetof(State, moved_count) == 4 * 40);
 
 }  // namespace islet::detail

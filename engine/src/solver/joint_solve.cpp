@@ -1,6 +1,7 @@
 #include "solver/joint_solve.hpp"
 
 #include "constraint/joint_runs.hpp"
+#include "solver/tree_solve.hpp"
 
 namespace islet::detail {
 
@@ -59,6 +60,9 @@ void store_joint_run(const JointRun& run, std::uint32_t lanes, std::byte* rows, 
     with_width(run, lanes, [&](auto w) { store_joints<w>(run.kernel, rows, run.blocks, out); });
 }
 
-void link_joint_solve() {}
+void link_joint_solve() {
+    link_joint_trees();
+    link_tree_solve();
+}
 
 }  // namespace islet::detail

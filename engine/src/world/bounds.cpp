@@ -148,6 +148,7 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     const bool turns = dynamic && (b.flags & body_fixed_rotation) == 0 && mass.inertia > 0;
     b.mass = dynamic ? mass.mass : 0;
     b.inertia = dynamic ? mass.inertia : 0;
+    if (b.joint_count != 0) core.state->trees_stale = 1;
     pose.inv_mass = dynamic ? 1.0f / clamp(mass.mass, min_mass, max_mass) : 0;
     pose.inv_inertia = turns ? 1.0f / clamp(mass.inertia, min_inertia, max_mass) : 0;
 

@@ -43,7 +43,7 @@ bool is_valid_geometry(const Geometry& g) {
 }  // namespace
 
 const char* fault_in_numbers(const State& s) {
-    if (s.solver.schedule > 1 || s.solver.warm_start > 1 || s.enable_sleep > 1) return "a setting of the world is none";
+    if (s.solver.schedule > 1 || s.solver.warm_start > 1 || s.solver.joint_trees > 2 || s.trees_stale > 1 || s.enable_sleep > 1) return "a setting of the world is none";
     Error error = Error::none;
     const bool sane = check_solver(unpack(s.solver), error) && is_finite(s.gravity) && not_negative(s.restitution_threshold) && s.max_speed > 0 &&
                       s.max_speed <= max_speed_limit && within(s.last_substep, 0, 1);
@@ -95,8 +95,9 @@ const char* fault_in_numbers(const ContactManifold& m) {
 }
 
 const char* fault_in_numbers(const Joint& j) {
-    constexpr std::uint32_t known = joint_spring | joint_limit | joint_motor | joint_collide | 0xffu << joint_color_shift;
-    if (j.type >= joint_type_count || (j.flags & ~known) != 0) return "a joint's type or flags are none";
+    constexpr std::uint32_t known = joint_spring | joint_limit | joint_motor | joint_collide | joint_exact | 0xffu << joint_color_shift;
+    if (j.type >= joint_type_count || (j.flags & ~known) != 0 || ((j.flags & joint_exact) != 0 && j.joint_type() != JointType::revolute))
+        return "a joint's type or flags are none";
     if (j.color() != no_color && j.color() >= color_count) return "a joint has a colour that is none";
     const auto type = j.joint_type();
     if (type == JointType::gear && j.color() != no_color) return "a gear has a colour";

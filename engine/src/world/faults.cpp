@@ -4,6 +4,7 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
+#include "island/joint_trees.hpp"
 #include "memory/joint_graph.hpp"
 #include "world/bounds.hpp"
 #include "world/joints.hpp"
@@ -276,6 +277,19 @@ const char* fault_in_gear_counts(const Core& c, Arena scratch) {
     return first_fault(pool, c.joints, [&](std::uint32_t i) { return c.joints[i].gear_count == gears[i] ? nullptr : "a joint miscounts its gears"; });
 }
 
+// What is marked as a tree of hinges must be one, unless it is to be marked anew anyway.
+const char* fault_in_trees(const Core& c, Arena scratch) {
+    if (!has_joint(JointType::revolute) || c.state->trees_stale != 0) return nullptr;
+    const Forest forest(c.state->body_pool.high_water, scratch);
+    std::uint32_t marked = 0;
+    for (std::uint32_t i = 0; i < c.state->joint_pool.high_water; ++i) {
+        if (!live_joint(c, i) || (c.joints[i].flags & joint_exact) == 0) continue;
+        ++marked;
+        if (!forest.add(c, c.joints[i])) return "hinges that are no tree are solved as one";
+    }
+    return marked == c.state->exact_joints ? nullptr : "the hinges of trees are miscounted";
+}
+
 const char* fault_in_pairs(const Core& c, Arena scratch) {
     const std::uint32_t size = next_power_of_two(2 * c.state->contact_pool.high_water + 1);
     PairSet seen{scratch.take<std::uint64_t>(size), size - 1};
@@ -300,6 +314,7 @@ const char* find_fault(const Core& c, Arena scratch) {
     if (bad == nullptr) bad = first_fault(s.contact_pool, c.contacts, [&](std::uint32_t i) { return fault_in_contact(c, i); });
     if (bad == nullptr) bad = first_fault(s.joint_pool, c.joints, [&](std::uint32_t i) { return fault_in_joint(c, i); });
     if (bad == nullptr) bad = fault_in_gear_counts(c, scratch);
+    if (bad == nullptr) bad = fault_in_trees(c, scratch);
     if (bad == nullptr) bad = fault_in_pairs(c, scratch);
     if (bad == nullptr) bad = tree_validate({&c.state->tree, c.tree});
     return bad;

@@ -6,8 +6,8 @@
 
 namespace islet::detail {
 
-/// Null, or a sentence naming what is broken in the world's arrays. Takes scratch for a word a shape and a joint, and for a
-/// set of pairs.
+/// Null, or a sentence naming what is broken in the world's arrays. Takes scratch for a word a shape and a joint, two a body,
+/// and for a set of pairs.
 const char* find_fault(const Core& core, Arena scratch);
 
 /// The same for the numbers of one live record.

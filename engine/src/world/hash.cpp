@@ -62,6 +62,8 @@ std::uint64_t World::hash() const {
     h.word(s.enable_sleep);
     h.number(s.last_substep);
     h.word(s.moved_count);
+    h.word(s.trees_stale);
+    h.word(s.exact_joints);
 
     h.records(&s.solver, 1);
 

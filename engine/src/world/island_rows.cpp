@@ -1,4 +1,5 @@
 // What all rows of an exported island have in common.
+#include "memory/joint_graph.hpp"
 #include "solver/free_motion.hpp"
 #include "world/island_problem.hpp"
 
@@ -7,7 +8,11 @@ namespace islet::detail {
 float inv_inertia_of(const Core& core, std::uint32_t body) { return stiffened(core.poses[body].inv_inertia, core.bodies[body].stretch); }
 
 FreeVelocity free_velocity_of(const Core& core, std::uint32_t body, float h) {
-    const SolverMotion m = motion_over(core, body, h);
+    SolverMotion m = motion_over(core, body, h);
+    // In trees of hinges that are solved exactly spin is scaled with the inertia (solver/tree_solve.hpp).
+    bool exact = false;
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { exact = exact || (core.joints[joint].flags & joint_exact) != 0; });
+    if (exact && core.poses[body].inv_inertia > 0) m.angular_factor *= inv_inertia_of(core, body) / core.poses[body].inv_inertia;
     const float dt = h * static_cast<float>(core.state->solver.substeps);
     return {free_velocity(m, core.motions[body].v, core.state->max_speed), free_turn(m, core.motions[body].w, max_turn_of(dt))};
 }

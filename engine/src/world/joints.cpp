@@ -48,6 +48,15 @@ void wake_bodies(Core& core, const Joint& j) {
     wake_island(core, j.body_b, core.arena());
 }
 
+// What is enabled on a hinge decides whether its tree is swept.
+template <class Set>
+void change_parts(Core& core, Joint& j, Set&& set) {
+    const std::uint32_t before = j.flags;
+    set(j);
+    if (j.flags != before) core.state->trees_stale = 1;
+    wake_bodies(core, j);
+}
+
 Vec2 world_point(const Core& core, std::uint32_t body, Vec2 local) {
     return core.poses[body].center + rotate(core.poses[body].q, local - core.bodies[body].local_center);
 }
@@ -212,8 +221,7 @@ void World::set_spring(JointId id, const JointSpring& spring) {
     Core& c = core();
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_spring(c, spring)) return;
-    set_spring_of(c.joints[i], spring);
-    wake_bodies(c, c.joints[i]);
+    change_parts(c, c.joints[i], [&](Joint& j) { set_spring_of(j, spring); });
 }
 
 void World::set_limit(JointId id, const JointLimit& limit) {
@@ -221,22 +229,21 @@ void World::set_limit(JointId id, const JointLimit& limit) {
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_limit(c, limit)) return;
     if (!check(c, type_of(c.joints[i]) != JointType::distance || !limit.enable || limit.lower >= 0, Error::out_of_range)) return;
-    set_limit_of(c.joints[i], limit);
-    wake_bodies(c, c.joints[i]);
+    change_parts(c, c.joints[i], [&](Joint& j) { set_limit_of(j, limit); });
 }
 
 void World::set_motor(JointId id, const JointMotor& motor) {
     Core& c = core();
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_motor(c, motor)) return;
-    set_motor_of(c.joints[i], motor);
-    wake_bodies(c, c.joints[i]);
+    change_parts(c, c.joints[i], [&](Joint& j) { set_motor_of(j, motor); });
 }
 
 void World::set_joint_friction(JointId id, float friction) {
     Core& c = core();
     const std::uint32_t i = find_joint(c, id, with_friction);
     if (i == null_index || !check_not_negative(c, friction)) return;
+    c.state->trees_stale = 1;  // friction too has a hinge swept
     c.joints[i].friction = friction;
     if (friction == 0) c.joints[i].friction_impulse = 0;
     wake_bodies(c, c.joints[i]);

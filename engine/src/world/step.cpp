@@ -34,7 +34,7 @@ void fill_report(Core& core, const Plan& plan) {
     for (std::uint32_t colors = plan.colors; colors != 0; colors &= colors - 1) ++r.colors;
     r.overflow_contacts = plan.overflow_count;
     r.batches = plan.batch_count;
-    r.awake_joints = plan.joint_count;
+    r.awake_joints = plan.awake_joints;
     r.overflow_joints = plan.overflow_joints;
     r.joints = core.state->joint_pool.count;
     core.end_reported = core.end_count;
@@ -53,6 +53,7 @@ void World::step(float dt) {
     update_contacts(c, dt);
 
     Arena arena = c.arena();
+    if (c.state->joint_pool.count != 0) choose_trees(c, arena);
     const Plan plan = make_plan(c, arena);
     const SolverBody* bodies = detail::solve(c, plan, arena, dt);
     finish_bodies(c, plan, bodies, arena, dt);

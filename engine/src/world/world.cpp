@@ -125,12 +125,12 @@ World& create_default(std::span<std::byte> block, const Capacity& capacity, Erro
 
 bool check_solver(const SolverDef& d, Error& error) {
     const bool finite = is_finite(d.contact_hertz) && is_finite(d.contact_damping_ratio) && is_finite(d.contact_push_speed) &&
-                        is_finite(d.joint_hertz) && is_finite(d.joint_damping_ratio) && is_finite(d.baumgarte) && is_finite(d.omega);
+                        is_finite(d.joint_hertz) && is_finite(d.joint_damping_ratio) && is_finite(d.baumgarte) && is_finite(d.omega) && is_finite(d.joint_tree_load);
     const bool sane = (d.schedule == Schedule::soft || d.schedule == Schedule::classic) && d.substeps >= 1 && d.substeps <= 64 &&
                       d.iterations >= 1 && d.iterations <= 256 && d.relax_iterations <= 256 && d.contact_hertz > 0 &&
                       d.contact_damping_ratio >= 0 && d.contact_push_speed >= 0 && d.joint_hertz > 0 &&
                       d.joint_damping_ratio >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 &&
-                      d.omega < 2;
+                      d.omega < 2 && d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1;
     error = !finite ? Error::not_finite : !sane ? Error::out_of_range : Error::none;
     return error == Error::none;
 }
@@ -149,6 +149,7 @@ void World::set_solver(const SolverDef& solver) {
     Error error = Error::none;
     if (!check_solver(solver, error)) return core().fail(error);
     core().state->solver = pack(solver);
+    core().state->trees_stale = 1;
 }
 
 TaskSystem World::tasks() const { return core().tasks; }

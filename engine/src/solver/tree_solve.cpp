@@ -1,0 +1,174 @@
+#include "solver/tree_solve.hpp"
+
+#include "constraint/revolute.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+// 1 / x, or 0 where x is not above 0: absurd masses may leave nothing to divide by.
+float inverse(float x) { return inverse_or_zero<Lane1>(x); }
+
+Sym2 inverse(const Sym2& a) {
+    const float i = inverse(a.xx * a.yy - a.xy * a.xy);
+    return {i * a.yy, -(i * a.xy), i * a.xx};
+}
+
+// The inverse of a body's mass matrix and what hangs on it. One that does not turn has no angular part.
+Sym3 inverse(const Sym3& a, bool turns) {
+    if (!turns) {
+        const Sym2 i = inverse(Sym2{a.xx, a.xy, a.yy});
+        return {i.xx, i.xy, 0, i.yy, 0, 0};
+    }
+    // The linear part goes first: it has the larger numbers, and what is left of the angular one is a number of its own.
+    const Sym2 i = inverse(Sym2{a.xx, a.xy, a.yy});
+    const Vec2 e = {i.xx * a.xz + i.xy * a.yz, i.xy * a.xz + i.yy * a.yz};
+    const float z = inverse(a.zz - a.xz * e.x - a.yz * e.y);
+    return {i.xx + z * e.x * e.x, i.xy + z * e.x * e.y, -(z * e.x), i.yy + z * e.y * e.y, -(z * e.y), z};
+}
+
+struct Motion3 {
+    Vec2 v;
+    float w;
+};
+
+Motion3 operator*(const Sym3& m, const Motion3& f) {
+    return {{m.xx * f.v.x + m.xy * f.v.y + m.xz * f.w, m.xy * f.v.x + m.yy * f.v.y + m.yz * f.w}, m.xz * f.v.x + m.yz * f.v.y + m.zz * f.w};
+}
+Vec2 operator*(const Sym2& m, Vec2 v) { return {m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y}; }
+
+// Velocity of the point at `arm`.
+Vec2 at_point(const Motion3& m, Vec2 arm) { return m.v + cross(m.w, arm); }
+
+// S = J m J^T for a point at `arm` of a body with the inverse mass m.
+Sym2 point_of(const Sym3& m, Vec2 arm) {
+    const Motion3 x = m * Motion3{{1, 0}, -arm.y};
+    const Motion3 y = m * Motion3{{0, 1}, arm.x};
+    const Vec2 vx = at_point(x, arm), vy = at_point(y, arm);
+    return {vx.x, vx.y, vy.y};
+}
+
+// What stands below a hinge, as the parent feels it: J^T s J.
+void hang(Sym3& m, const Sym2& s, Vec2 arm) {
+    const Vec2 u = s * Vec2{-arm.y, arm.x};
+    m.xx += s.xx;
+    m.xy += s.xy;
+    m.yy += s.yy;
+    m.xz += u.x;
+    m.yz += u.y;
+    m.zz += dot(u, Vec2{-arm.y, arm.x});
+}
+
+Vec2 turned_arm(const SolverBody& b, Vec2 arm) { return turned(b.dq, arm.x, arm.y); }
+
+// Takes back what the tree did in the last substep, so that it is solved from the velocities it would leave alone.
+void take_back(SolverBody* bodies, TreeLink* links, std::uint32_t count) {
+    for (std::uint32_t k = 0; k < count; ++k) {
+        TreeLink& l = links[k];
+        bodies[l.child].v -= l.dv;
+        bodies[l.child].w -= l.dw;
+        l.dv = l.lambda = {0, 0};
+        l.dw = 0;
+    }
+}
+
+// What the hinge lacks: -(Cdot + rate C), in sweeps with bias with the curve of its points' paths (joint_rows.hpp).
+Vec2 missing(const TreeLink& l, const SolverBody& c, const SolverBody& p, const JointSweep& n) {
+    const Vec2 speed = c.v + cross(c.w, l.arm_c) - p.v - cross(p.w, l.arm_p);
+    if (!n.biased) return -speed;
+    const Vec2 gap = l.d + c.dp - p.dp + l.arm_c - l.arm_p;
+    const Vec2 bend = (p.w * p.w) * l.arm_p - (c.w * c.w) * l.arm_c;
+    return -(speed + Vec2{curve<Lane1>(bend.x, n), curve<Lane1>(bend.y, n)} + n.tree_rate * gap);
+}
+
+}  // namespace
+
+void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const JointInput& in, SolverMotion* motions) {
+    for (std::uint32_t i = batch.first_tree; i < batch.end_tree; ++i) {
+        TreeLink& l = links[i] = TreeLink{};
+        const TreeBody body = plan.tree_bodies[i];
+        l.child = in.slot_of[body.body];
+        l.up = plan.tree_parents[i];
+        l.joint = body.joint;
+        const float inv_inertia = in.poses[body.body].inv_inertia;
+        if (inv_inertia > 0) motions[l.child].angular_factor *= in.bodies[l.child].inv_inertia / inv_inertia;
+        if (l.joint == null_index) continue;
+        const Joint& j = in.joints[l.joint];
+        const JointPose p = pose_of(j, in.poses, in.bodies_in);
+        const bool is_b = j.body_b == body.body;
+        l.parent = in.slot_of[is_b ? j.body_a : j.body_b];
+        l.sign = is_b ? 1.0f : -1.0f;
+        l.rc = is_b ? p.rb : p.ra;
+        l.rp = is_b ? p.ra : p.rb;
+        l.d = l.sign * p.d;
+        l.angle = rough_coordinate(j, p);
+    }
+}
+
+void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const JointSweep& n) {
+    if (n.biased) take_back(bodies, links, count);
+    for (std::uint32_t k = 0; k < count; ++k) {
+        TreeLink& l = links[k];
+        l.m = {};
+        l.f = {0, 0};
+        l.t = 0;
+        l.arm_c = turned_arm(bodies[l.child], l.rc);
+        l.arm_p = turned_arm(bodies[l.parent], l.rp);
+    }
+    // From the leaves to the roots.
+    for (std::uint32_t k = 0; k < count; ++k) {
+        TreeLink& l = links[k];
+        const SolverBody& c = bodies[l.child];
+        const float mass = inverse(c.inv_mass);
+        l.m.xx += mass;
+        l.m.yy += mass;
+        l.m.zz += inverse(c.inv_inertia);
+        l.m = inverse(l.m, c.inv_inertia > 0);
+        if (l.joint == null_index) continue;
+        l.s = inverse(point_of(l.m, l.arm_c));
+        if (l.up != null_index) hang(links[l.up].m, l.s, l.arm_p);
+        l.b = missing(l, c, bodies[l.parent], n) - at_point(l.m * Motion3{l.f, l.t}, l.arm_c);
+        if (l.up == null_index) continue;
+        const Vec2 lambda = l.s * l.b;
+        links[l.up].f -= lambda;
+        links[l.up].t -= cross(l.arm_p, lambda);
+    }
+    // And back: here f and t become the change of the body's velocity.
+    for (std::uint32_t k = count; k-- > 0;) {
+        TreeLink& l = links[k];
+        Motion3 force = {l.f, l.t};
+        if (l.joint != null_index) {
+            if (l.up != null_index) l.b += at_point({links[l.up].f, links[l.up].t}, l.arm_p);
+            const Vec2 lambda = l.s * l.b;
+            l.lambda += lambda;
+            force.v += lambda;
+            force.w += cross(l.arm_c, lambda);
+        }
+        const Motion3 change = l.m * force;
+        l.f = change.v;
+        l.t = change.w;
+        l.dv += change.v;
+        l.dw += change.w;
+        bodies[l.child].v += change.v;
+        bodies[l.child].w += change.w;
+    }
+}
+
+void store_trees(const TreeLink* links, std::uint32_t count, const JointOutput& out) {
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const TreeLink& l = links[k];
+        if (l.joint == null_index) continue;
+        Joint& j = out.joints[l.joint];
+        j.impulse = j.force_impulse = l.sign * l.lambda;
+        j.torque_impulse = 0;
+        j.coordinate = l.angle + l.sign * (out.solved[l.child].dq - out.solved[l.parent].dq);
+        forget_unsound(j);
+        const bool is_b = l.sign > 0;
+        add_stretch(out, l.child, is_b ? j.body_b : j.body_a, l.rc, is_b ? j.impulse : -j.impulse);
+        add_stretch(out, l.parent, is_b ? j.body_a : j.body_b, l.rp, is_b ? -j.impulse : j.impulse);
+    }
+}
+
+void link_tree_solve() {}
+
+}  // namespace islet::detail

@@ -1,0 +1,171 @@
+// Hinges that are solved exactly: chains under loads that sweeps do not bear, against statics, energy, and the same machines swept.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure.hpp"
+
+namespace islet::test {
+namespace {
+
+// Links of 1 m and 0.2 kg in a row from the origin to the right, or down, and a ball of `ratio` link masses at the end.
+struct ChainBall {
+    TestWorld world;
+    std::vector<BodyId> links;  // the ball last
+    std::vector<JointId> joints;
+    BodyId ball;
+
+    static constexpr float radius = 1.5f;
+
+    ChainBall(int count, float ratio, const WorldDef& def, bool hangs = false, const Filter& filter = {.group = -1})
+        : world({.bodies = 256, .shapes = 256, .contacts = 2048, .joints = 128}, def) {
+        BodyId previous = world->create_body({});
+        const auto along = [&](float s) { return hangs ? Vec2{0, -s} : Vec2{s, 0}; };
+        const auto hang = [&](BodyId body, float s) {
+            RevoluteJointDef joint;
+            joint.base.body_a = previous;
+            joint.base.body_b = body;
+            joint.base.frame_a.position = along(s) - world->position(previous);
+            joint.base.frame_b.position = along(s) - world->position(body);
+            joints.push_back(world->create_joint(joint));
+            links.push_back(body);
+            previous = body;
+        };
+        for (int i = 0; i < count; ++i) {
+            const auto s = static_cast<float>(i);
+            hang(world.add(hangs ? make_box(0.1f, 0.5f) : make_box(0.5f, 0.1f), along(s + 0.5f), {.filter = filter}), s);
+        }
+        const auto end = static_cast<float>(count);
+        ball = world.add(Circle{{}, radius}, along(end + radius), {.density = ratio * 0.2f / (pi * radius * radius), .filter = filter});
+        hang(ball, end);
+    }
+
+    double energy() const {
+        double sum = 0;
+        for (const BodyId id : links) sum += kinetic_energy(*world, id) + double(world->mass(id)) * g * double(world->center_of_mass(id).y);
+        return sum;
+    }
+    double gap() const {
+        double most = 0;
+        for (const JointId id : joints) most = std::max(most, double(world->joint_error(id).linear));
+        return most;
+    }
+    /// What the ball may swing with, J.
+    double scale() const { return double(world->mass(ball)) * g * (double(joints.size()) - 1 + double(radius)); }
+};
+
+struct Swing {
+    double gap = 0, gained = 0, lost = 0;  // m; of the energy there is: at most in 20 s, and in the first swing
+};
+
+Swing swing(float ratio, const WorldDef& def) {
+    ChainBall chain(30, ratio, def);
+    Swing seen;
+    bool passed = false, back = false;
+    for (int i = 0; i < 1200; ++i) {
+        chain.world.step();
+        seen.gap = std::max(seen.gap, chain.gap());
+        const double energy = chain.energy() / chain.scale();
+        seen.gained = std::max(seen.gained, energy);
+        passed = passed || chain.world->position(chain.ball).x < 0;
+        if (passed && !back && chain.world->linear_velocity(chain.ball).y < 0) {
+            back = true;
+            seen.lost = -energy;
+        }
+    }
+    EXPECT_TRUE(back) << "it never swung back";
+    return seen;
+}
+
+TEST(JointTrees, ABallOfAThousandLinksSwingsForTwentySecondsOnItsChain) {
+    const Swing seen = swing(1000, sleepless());
+    EXPECT_LT(seen.gap, 0.0025);
+    EXPECT_LT(seen.lost, 0.05);
+    // Positions and velocities of symplectic Euler are half a substep apart, so that the energy seems off by as much as gravity does in that time: here
+    // the ball falls at 25 m/s, g v h / 2 = 0.5 J/kg of 315.
+    EXPECT_LT(seen.gained, 0.002);
+}
+
+TEST(JointTrees, ABallOfAHundredLinksToo) {
+    const Swing seen = swing(100, sleepless());
+    EXPECT_LT(seen.gap, 0.001);
+    EXPECT_LT(seen.lost, 0.05);
+    EXPECT_LT(seen.gained, 0.002);
+}
+
+TEST(JointTrees, SweptItComesApart) {
+    WorldDef def = sleepless();
+    def.solver.joint_trees = JointTrees::off;
+    EXPECT_GT(swing(1000, def).gap, 0.1);  // so the tests above test something
+}
+
+TEST(JointTrees, HeldByOneSubstepAStepTheChainStillHolds) {
+    WorldDef def = sleepless();
+    def.solver.substeps = 1;
+    const Swing seen = swing(1000, def);
+    EXPECT_LT(seen.gap, 0.0025);
+    EXPECT_LT(seen.gained, 0.002);
+}
+
+TEST(JointTrees, EachHingeOfAHangingChainBearsWhatHangsBelow) {
+    ChainBall chain(30, 10000, sleepless(), true);
+    chain.world.step(60);
+    double below = 0;
+    for (std::size_t i = chain.joints.size(); i-- > 0;) {
+        below += double(chain.world->mass(chain.links[i])) * g;
+        EXPECT_NEAR(double(chain.world->joint_force(chain.joints[i]).y) / below, 1, 1e-4) << "hinge " << i;
+        EXPECT_NEAR(double(chain.world->joint_force(chain.joints[i]).x) / below, 0, 1e-4);
+    }
+    EXPECT_LT(chain.gap(), 1e-5);
+}
+
+TEST(JointTrees, AFreeChainKeepsItsMomenta) {
+    WorldDef def = weightless();
+    def.solver.joint_trees = JointTrees::all;
+    ChainBall chain(10, 3, def);
+    chain.world->destroy_joint(chain.joints.front());
+    chain.joints.erase(chain.joints.begin());
+    chain.world->apply_linear_impulse(chain.links[3], {0.3f, 2}, chain.world->position(chain.links[3]));
+    const auto momenta = [&] {
+        Invariants sum;
+        for (const BodyId id : chain.links) {
+            const double m = double(chain.world->mass(id));
+            const Vec2 c = chain.world->center_of_mass(id), v = chain.world->linear_velocity(id);
+            sum.px += m * double(v.x);
+            sum.py += m * double(v.y);
+            sum.spin += m * (double(c.x) * double(v.y) - double(c.y) * double(v.x)) +
+                        double(chain.world->rotational_inertia(id)) * double(chain.world->angular_velocity(id));
+        }
+        return sum;
+    };
+    const Invariants before = momenta();
+    chain.world.step(300);
+    const Invariants after = momenta();
+    EXPECT_NEAR(after.px, before.px, 1e-3);
+    EXPECT_NEAR(after.py, before.py, 1e-3);
+    EXPECT_NEAR(after.spin / before.spin, 1, 1e-2);
+    EXPECT_LT(chain.gap(), 1e-3);
+}
+
+TEST(JointTrees, ABallDroppedOnAStackWithItsChainComesToRest) {
+    const Filter meets_all{.category = 2, .mask = 1};  // but not itself
+    WorldDef def;
+    ChainBall chain(30, 100, def, false, meets_all);
+    const BodyId ground = chain.world.add(make_box(100, 1), {0, -25}, {}, BodyType::static_body);
+    (void)ground;
+    for (int i = 0; i < 10; ++i)
+        for (int k = 0; k < 3; ++k) chain.world.add(make_box(0.5f, 0.5f), {-3 + 1.01f * static_cast<float>(k), -23.5f + static_cast<float>(i)});
+    double gap = 0;
+    for (int i = 0; i < 1800; ++i) {
+        chain.world.step();
+        gap = std::max(gap, chain.gap());
+    }
+    EXPECT_LT(gap, 0.02);  // swept: 0.07
+    EXPECT_LT(std::abs(double(chain.world->position(chain.ball).y) + 24 - 1.5), 0.02) << "the ball does not lie on the ground";
+    EXPECT_LT(double(length(chain.world->linear_velocity(chain.ball))), 0.05);
+    EXPECT_EQ(chain.world->validate(), nullptr);
+}
+
+}  // namespace
+}  // namespace islet::test

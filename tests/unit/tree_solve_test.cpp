@@ -1,0 +1,295 @@
+// Trees of hinges: the elimination against a dense solve, which hinges are chosen, and in what order they come.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/tree_solve.hpp"
+#include "support/random.hpp"
+#include "support/test_world.hpp"
+
+namespace {
+
+using namespace islet;
+using namespace islet::detail;
+using namespace islet::test;
+
+using Real = double;
+
+struct Tree {
+    std::vector<SolverBody> bodies;  // slot 0 is static
+    std::vector<TreeLink> links;     // leaves first; link k is of body k + 1
+};
+
+// A random tree: each body hangs on one that comes later, or on the static body, or is a root. Masses span `spread` decades.
+Tree random_tree(Random& random, std::uint32_t size, float spread) {
+    Tree tree;
+    tree.bodies.resize(size + 1);
+    tree.links.resize(size);
+    const auto vec = [&](float most) { return Vec2{random.between(-most, most), random.between(-most, most)}; };
+    for (std::uint32_t k = 0; k < size; ++k) {
+        SolverBody& b = tree.bodies[k + 1];
+        const float mass = std::pow(10.0f, random.between(-0.5f * spread, 0.5f * spread));
+        b.inv_mass = 1 / mass;
+        b.inv_inertia = random.one_in(6) ? 0 : 1 / (mass * random.between(0.05f, 0.5f));
+        b.v = vec(5);
+        b.w = random.between(-5, 5);
+        TreeLink& l = tree.links[k];
+        l.child = k + 1;
+        const bool last = k + 1 == size;
+        if (last && random.one_in(2)) continue;  // a root that nothing holds
+        l.joint = k;
+        l.sign = random.one_in(2) ? 1.0f : -1.0f;
+        l.rc = vec(1);
+        l.rp = vec(1);
+        l.parent = last || random.one_in(8) ? 0 : k + 2 + random.below(size - k - 1);
+        if (l.parent != 0) l.up = l.parent - 1;
+    }
+    return tree;
+}
+
+// Velocities after impulses at the hinges alone have made every hinge's two points equally fast, by Gaussian elimination of J M^-1 J^T.
+std::vector<Real> dense_solution(const Tree& tree) {
+    std::vector<const TreeLink*> hinges;
+    for (const TreeLink& l : tree.links)
+        if (l.joint != null_index) hinges.push_back(&l);
+    const std::size_t rows = 2 * hinges.size(), columns = 3 * tree.bodies.size();
+    std::vector<std::vector<Real>> j(rows, std::vector<Real>(columns, 0));
+    for (std::size_t k = 0; k < hinges.size(); ++k) {
+        const TreeLink& l = *hinges[k];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const auto arm = [&](Vec2 r) { return axis == 0 ? -Real(r.y) : Real(r.x); };
+            j[2 * k + axis][3 * l.child + axis] = 1;
+            j[2 * k + axis][3 * l.child + 2] = arm(l.rc);
+            j[2 * k + axis][3 * l.parent + axis] = -1;
+            j[2 * k + axis][3 * l.parent + 2] = -arm(l.rp);
+        }
+    }
+    std::vector<Real> v(columns), inv(columns);
+    for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
+        const SolverBody& body = tree.bodies[b];
+        const Real velocity[] = {Real(body.v.x), Real(body.v.y), Real(body.w)}, inverse[] = {Real(body.inv_mass), Real(body.inv_mass), Real(body.inv_inertia)};
+        std::copy_n(velocity, 3, v.begin() + static_cast<std::ptrdiff_t>(3 * b));
+        std::copy_n(inverse, 3, inv.begin() + static_cast<std::ptrdiff_t>(3 * b));
+    }
+    std::vector<std::vector<Real>> a(rows, std::vector<Real>(rows + 1, 0));
+    for (std::size_t r = 0; r < rows; ++r) {
+        for (std::size_t c = 0; c < columns; ++c) {
+            a[r][rows] -= j[r][c] * v[c];
+            for (std::size_t s = 0; s < rows; ++s) a[r][s] += j[r][c] * inv[c] * j[s][c];
+        }
+    }
+    for (std::size_t p = 0; p < rows; ++p) {
+        std::size_t best = p;
+        for (std::size_t r = p; r < rows; ++r)
+            if (std::abs(a[r][p]) > std::abs(a[best][p])) best = r;
+        std::swap(a[p], a[best]);
+        for (std::size_t r = 0; r < rows; ++r) {
+            if (r == p) continue;
+            const Real factor = a[r][p] / a[p][p];
+            for (std::size_t s = p; s <= rows; ++s) a[r][s] -= factor * a[p][s];
+        }
+    }
+    for (std::size_t r = 0; r < rows; ++r)
+        for (std::size_t c = 0; c < columns; ++c) v[c] += inv[c] * j[r][c] * a[r][rows] / a[r][r];
+    return v;
+}
+
+void expect_dense_solution(float spread, Real tolerance) {
+    Random random(7);
+    for (int trial = 0; trial < 300; ++trial) {
+        SCOPED_TRACE(trial);
+        Tree tree = random_tree(random, 1 + random.below(12), spread);
+        const std::vector<Real> expected = dense_solution(tree);
+        JointSweep relax;
+        relax.h = 1.0f / 240;
+        relax.inv_h = 240;
+        solve_trees(tree.bodies.data(), tree.links.data(), static_cast<std::uint32_t>(tree.links.size()), relax);
+        Real scale = 1;
+        for (const Real x : expected) scale = std::max(scale, std::abs(x));
+        for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
+            EXPECT_NEAR(Real(tree.bodies[b].v.x) / scale, expected[3 * b] / scale, tolerance);
+            EXPECT_NEAR(Real(tree.bodies[b].v.y) / scale, expected[3 * b + 1] / scale, tolerance);
+            EXPECT_NEAR(Real(tree.bodies[b].w) / scale, expected[3 * b + 2] / scale, tolerance);
+        }
+        if (testing::Test::HasFailure()) return;
+    }
+}
+
+TEST(TreeSolve, FindsInOnePassWhatADenseSolveFinds) { expect_dense_solution(0, 1e-4); }
+
+TEST(TreeSolve, BearsMassesFourDecadesApart) { expect_dense_solution(4, 2e-3); }
+
+TEST(TreeSolve, SolvedAgainChangesNothing) {
+    Random random(3);
+    Tree tree = random_tree(random, 12, 1);
+    JointSweep relax;
+    relax.h = 1.0f / 240;
+    relax.inv_h = 240;
+    const auto count = static_cast<std::uint32_t>(tree.links.size());
+    solve_trees(tree.bodies.data(), tree.links.data(), count, relax);
+    const std::vector<SolverBody> once = tree.bodies;
+    solve_trees(tree.bodies.data(), tree.links.data(), count, relax);
+    for (std::size_t b = 0; b < once.size(); ++b) {
+        EXPECT_NEAR(tree.bodies[b].v.x, once[b].v.x, 1e-4);
+        EXPECT_NEAR(tree.bodies[b].v.y, once[b].v.y, 1e-4);
+        EXPECT_NEAR(tree.bodies[b].w, once[b].w, 1e-3);
+    }
+}
+
+TEST(TreeSolve, LeavesThingsFiniteWhoseMassesAreAbsurd) {
+    Random random(5);
+    for (int trial = 0; trial < 200; ++trial) {
+        Tree tree = random_tree(random, 6, 60);
+        JointSweep relax;
+        relax.h = 1.0f / 240;
+        relax.inv_h = 240;
+        solve_trees(tree.bodies.data(), tree.links.data(), 6, relax);
+        EXPECT_EQ(tree.bodies[0].v, (Vec2{0, 0})) << "the static body was pushed";
+        EXPECT_EQ(tree.bodies[0].w, 0);
+    }
+}
+
+// -- which hinges are chosen -------------------------------------------------------------------------------------------------------
+
+const Capacity room_for_trees{.bodies = 64, .shapes = 64, .contacts = 64, .joints = 64};
+
+WorldDef with(JointTrees trees) {
+    WorldDef def;
+    def.solver.joint_trees = trees;
+    return def;
+}
+
+// A row of boxes of 1 m, held at the left end, each hinged to the next; the last weighs `load` times as much.
+struct Row {
+    TestWorld world;
+    std::vector<BodyId> bodies;
+    std::vector<JointId> joints;
+
+    explicit Row(int links, float load, WorldDef def = {}) : world(room_for_trees, def) {
+        bodies.push_back(world->create_body({}));
+        for (int i = 0; i < links; ++i) {
+            const float density = i + 1 == links ? load : 1;
+            bodies.push_back(world.add(make_box(0.5f, 0.1f), {static_cast<float>(i) + 0.5f, 0}, {.density = density, .filter = {.group = -1}}));
+            joints.push_back(hinge(bodies[static_cast<std::size_t>(i)], bodies.back(), {static_cast<float>(i), 0}));
+        }
+    }
+    JointId hinge(BodyId a, BodyId b, Vec2 at) {
+        RevoluteJointDef def;
+        def.base.body_a = a;
+        def.base.body_b = b;
+        def.base.frame_a.position = at - world->position(a);
+        def.base.frame_b.position = at - world->position(b);
+        return world->create_joint(def);
+    }
+    std::uint32_t exact_after_a_step() {
+        world.step();
+        EXPECT_EQ(world->validate(), nullptr);
+        return Core::of(*world).state->exact_joints;
+    }
+};
+
+TEST(JointTrees, AChainThatBearsTenTimesALinkIsSolvedExactly) {
+    EXPECT_EQ(Row(3, 5).exact_after_a_step(), 0u);   // bears 7 links
+    EXPECT_EQ(Row(3, 8).exact_after_a_step(), 3u);   // 10 links
+    EXPECT_EQ(Row(12, 1).exact_after_a_step(), 12u);  // its own weight is enough
+}
+
+TEST(JointTrees, TheSettingTurnsThemOffAndOnAtAnyTime) {
+    Row row(3, 1, with(JointTrees::off));
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+    SolverDef solver = row.world->solver();
+    solver.joint_trees = JointTrees::all;
+    row.world->set_solver(solver);
+    EXPECT_EQ(row.exact_after_a_step(), 3u);
+    solver.joint_trees = JointTrees::automatic;
+    row.world->set_solver(solver);
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+    solver.joint_tree_load = 2;
+    row.world->set_solver(solver);
+    EXPECT_EQ(row.exact_after_a_step(), 3u);
+    solver.joint_tree_load = 0.5f;
+    row.world->set_solver(solver);
+    EXPECT_EQ(row.world->last_error(), Error::out_of_range);
+}
+
+TEST(JointTrees, ALoopIsSweptUntilItIsCut) {
+    Row row(12, 1);
+    const BodyId post = row.world->create_body({.position = {12, 0}});
+    const JointId closes = row.hinge(row.bodies.back(), post, {12, 0});  // held at both ends
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+    row.world->destroy_joint(closes);
+    EXPECT_EQ(row.exact_after_a_step(), 12u);
+    row.hinge(row.bodies[2], row.bodies[4], {2.5f, 0});  // a loop of three bodies
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+}
+
+TEST(JointTrees, EvenWhereAllAreWantedWhatClosesALoopIsSwept) {
+    Row row(12, 1, with(JointTrees::all));
+    row.hinge(row.bodies.back(), row.world->create_body({.position = {12, 0}}), {12, 0});
+    EXPECT_EQ(row.exact_after_a_step(), 12u);
+}
+
+TEST(JointTrees, MassesAndTypesThatChangeAreLookedAtAgain) {
+    Row row(3, 1);
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+    row.world->set_mass(row.bodies.back(), {.mass = 100, .center = {0, 0}, .inertia = 10});
+    EXPECT_EQ(row.exact_after_a_step(), 3u);
+    row.world->set_type(row.bodies[2], BodyType::kinematic);  // now two trees, of which one bears much and one nothing
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+    row.world->set_type(row.bodies[2], BodyType::dynamic);
+    EXPECT_EQ(row.exact_after_a_step(), 3u);
+    row.world->destroy_body(row.bodies.back());
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+}
+
+TEST(JointTrees, AMotorOrFrictionHasItsTreeSwept) {
+    Row row(12, 1);
+    EXPECT_EQ(row.exact_after_a_step(), 12u);
+    row.world->set_motor(row.joints[5], {.enable = true, .speed = 1, .max_force = 10});
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+    row.world->set_motor(row.joints[5], {});
+    EXPECT_EQ(row.exact_after_a_step(), 12u);
+    row.world->set_joint_friction(row.joints[5], 0.1f);
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+}
+
+TEST(JointTrees, ATreeThatNothingHoldsIsSolvedToo) {
+    Row row(12, 1, with(JointTrees::all));
+    row.world->destroy_joint(row.joints.front());
+    EXPECT_EQ(row.exact_after_a_step(), 11u);
+    EXPECT_EQ(row.world->report().awake_joints, 11u);
+}
+
+TEST(JointTrees, LeavesComeBeforeTheirParents) {
+    Random random(11);
+    for (int trial = 0; trial < 50; ++trial) {
+        SCOPED_TRACE(trial);
+        Row row(1, 1, with(JointTrees::all));
+        // Bodies hung on random ones before, in a random order of slots.
+        for (int i = 0; i < 30; ++i) {
+            const BodyId on = row.bodies[random.below(static_cast<std::uint32_t>(row.bodies.size()))];
+            if (random.one_in(4)) row.world->destroy_body(row.world.add_circle({50, 50}, 1));
+            row.bodies.push_back(row.world.add(make_box(0.5f, 0.1f), {static_cast<float>(i), 3}, {.filter = {.group = -1}}));
+            row.hinge(random.one_in(2) ? on : row.bodies.back(), on == row.bodies.back() ? on : random.one_in(2) ? row.bodies.back() : on, {0, 0});
+        }
+        row.world.step();
+        Core& core = Core::of(*row.world);
+        std::vector<TreeBody> order(64);
+        order.resize(order_trees(core, true, order.data(), core.arena()));
+        std::vector<bool> seen(64, false);
+        std::uint32_t joints = 0;
+        for (const TreeBody& b : order) {
+            EXPECT_FALSE(seen[b.body]);
+            seen[b.body] = true;
+            if (b.joint == null_index) continue;
+            ++joints;
+            const Joint& j = core.joints[b.joint];
+            const std::uint32_t parent = j.body_a == b.body ? j.body_b : j.body_a;
+            EXPECT_FALSE(seen[parent]) << "a parent came before its child";
+        }
+        EXPECT_EQ(joints, core.state->exact_joints);
+    }
+}
+
+}  // namespace
