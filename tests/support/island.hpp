@@ -41,6 +41,34 @@ private:
     IslandProblem problem_;
 };
 
+/// Null, or what is wrong with the form of the problem: whatever its numbers are, every index leads somewhere.
+inline const char* fault_in(const IslandProblem& p) {
+    const auto& [starts, columns, values] = p.lcp.sparse;
+    const std::size_t n = p.rows.size();
+    if (p.lcp.q.size() != n || p.lcp.lo.size() != n || p.lcp.hi.size() != n || p.lcp.friction.size() != n || p.impulses.size() != n)
+        return "spans of different lengths";
+    if (starts.size() != n + 1 || starts[0] != 0 || starts[n] != values.size() || columns.size() != values.size()) return "row starts";
+    for (std::size_t i = 0; i < n; ++i) {
+        bool diagonal = false;
+        for (std::uint32_t k = starts[i]; k < starts[i + 1]; ++k) {
+            if (columns[k] >= n || (k > starts[i] && columns[k] <= columns[k - 1])) return "columns";
+            diagonal = diagonal || columns[k] == i;
+        }
+        if (!diagonal) return "no diagonal";
+        const IslandRow& r = p.rows[i];
+        if (r.end_count < 1 || r.end_count > 4) return "ends";
+        for (std::uint32_t e = 0; e < r.end_count; ++e)
+            if (r.ends[e].body != no_body && r.ends[e].body >= p.bodies.size()) return "a body";
+        if (p.lcp.lo[i] > p.lcp.hi[i]) return "bounds";
+        const std::uint32_t normal = p.lcp.friction[i];
+        if ((r.kind == RowKind::friction) != (normal != lcp::no_row)) return "friction of something else";
+        if (normal == lcp::no_row) continue;
+        if (normal >= n || p.rows[normal].kind != RowKind::normal || p.rows[normal].slot != r.slot || p.rows[normal].index != r.index)
+            return "friction of another point";
+    }
+    return nullptr;
+}
+
 /// The matrix and q by the formulas of island.hpp, from rows and bodies alone.
 struct WideProblem {
     std::size_t n = 0;

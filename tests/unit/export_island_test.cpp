@@ -90,6 +90,8 @@ TEST(ExportIsland, IsTheSameWhicheverOfItsBodiesIsNamed) {
         ASSERT_TRUE(std::ranges::equal(island->lcp.q, again->lcp.q));
         ASSERT_TRUE(std::ranges::equal(island->lcp.sparse.values, again->lcp.sparse.values));
         ASSERT_TRUE(std::ranges::equal(island->impulses, again->impulses));
+        ASSERT_TRUE(std::ranges::equal(island->bodies, again->bodies, {}, &IslandBody::id, &IslandBody::id));
+        ASSERT_TRUE(std::ranges::is_sorted(island->bodies, {}, [](const IslandBody& b) { return b.id.index1; }));
     }
 }
 
@@ -192,8 +194,29 @@ TEST(ExportIsland, MatrixAndVectorFollowFromRowsAndBodies) {
         if (w->type(id) != BodyType::dynamic || seen.count(id.index1 - 1) != 0) continue;
         const ExportedIsland island(*w, id, h);
         seen.merge(members_of(*island));
+        ASSERT_EQ(test::fault_in(*island), nullptr);
         ASSERT_NO_FATAL_FAILURE(expect_matrix_and_q_follow_from_the_rows(*island));
     }
+}
+
+// A gear's row has entries for bodies that the gear does not hang on, and may have one body twice.
+TEST(ExportIsland, GearsAreCoupledThroughAllTheirBodies) {
+    TestWorld w;
+    BodyId b[5];
+    for (int i = 0; i < 5; ++i) b[i] = w.add_box({1.5f * static_cast<float>(i), 0.3f * static_cast<float>(i)}, 0.5f, 0.3f);
+    const JointId first = test::join(*w, JointType::prismatic, b[0], b[1]);
+    const JointId second = test::join(*w, JointType::prismatic, b[2], b[3]);
+    const JointId shared = test::join(*w, JointType::revolute, b[1], b[4]);
+    test::join(*w, JointType::weld, b[3], b[4]);
+    ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = first, .joint2 = second, .ratio = 0.7f}));
+    ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = second, .joint2 = first, .ratio = -1.3f}));
+    ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = first, .joint2 = shared, .ratio = 0.1f}));
+    for (int i = 0; i < 5; ++i)
+        w->set_transform(b[i], w->position(b[i]) + Vec2{0.01f, 0.02f * static_cast<float>(i)}, 0.1f * static_cast<float>(i));
+    const ExportedIsland island(*w, b[0], h);
+    ASSERT_EQ(island->bodies.size(), 5u);
+    ASSERT_EQ(test::fault_in(*island), nullptr);
+    expect_matrix_and_q_follow_from_the_rows(*island);
 }
 
 // x^T M x is twice the kinetic energy that the impulses x bring, so it cannot be negative; and it is 0 only where x cancels itself.

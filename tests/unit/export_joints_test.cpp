@@ -396,13 +396,18 @@ TEST(ExportJoints, AKinematicEndDrives) {
     TestWorld w(test::roomy, {.gravity = {0, 0}});
     const BodyId crank = w->create_body({.type = BodyType::kinematic, .linear_velocity = {1, 2}, .angular_velocity = 3});
     const BodyId box = w.add_box({2, 0});
-    test::join(*w, JointType::revolute, crank, box);
+    RevoluteJointDef hinge{.base = test::base_at_b(*w, crank, box)};
+    hinge.limit = {.enable = true, .lower = -1, .upper = 0.5f};
+    w->create_joint(hinge);
     const ExportedIsland island(*w, box, h);
-    ASSERT_EQ(island->rows.size(), 2u);
+    ASSERT_EQ(island->rows.size(), 4u);
     EXPECT_EQ(island->bodies.size(), 1u);
+    // From the crank the box turns back at 3 rad/s: towards the lower limit, away from the upper one.
+    EXPECT_NEAR(island->lcp.q[0], -3 + 1 / h, 1e-4f);
+    EXPECT_NEAR(island->lcp.q[1], 3 + 0.5f / h, 1e-4f);
     // Its point at (2, 0) moves at (1, 2 + 3 * 2), the box does not.
-    EXPECT_NEAR(island->lcp.q[0], -1, 1e-5f);
-    EXPECT_NEAR(island->lcp.q[1], -8, 1e-5f);
+    EXPECT_NEAR(island->lcp.q[2], -1, 1e-5f);
+    EXPECT_NEAR(island->lcp.q[3], -8, 1e-5f);
 }
 
 }  // namespace
