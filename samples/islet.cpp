@@ -165,6 +165,17 @@ struct CommandLine {
             {"off", islet::JointTrees::off}, {"automatic", islet::JointTrees::automatic}, {"all", islet::JointTrees::all}};
         run->add_option("--joint-trees", o.joint_trees, "which trees of hinges are solved exactly; the scene's own choice if not given")
             ->transform(CLI::Transformer(joint_trees));
+        run->add_option("--iterations", o.iterations, "biased sweeps of a substep")->check(CLI::Range(1, 256));
+        run->add_option("--relax-iterations", o.relax_iterations, "unbiased sweeps of a substep")->check(CLI::Range(0, 256));
+        static const std::map<std::string, islet::SweepOrder> sweep_orders = {{"colored", islet::SweepOrder::colored},
+                                                                              {"as-found", islet::SweepOrder::as_found},
+                                                                              {"upward", islet::SweepOrder::upward},
+                                                                              {"downward", islet::SweepOrder::downward}};
+        run->add_option("--sweep-order", o.sweep_order, "the order in which contacts are swept")->transform(CLI::Transformer(sweep_orders));
+        run->add_flag("--block-contacts", o.block_contacts, "solve the two points of a contact together");
+        run->add_option("--shock", o.shock, "shock propagation: 0 none, towards 1 more")->check(CLI::Range(0.0, 1.0))->check(finite_number);
+        run->add_option("--tolerance", o.tolerance, "end sweeps at this residual, m/s")->check(CLI::NonNegativeNumber)->check(finite_number);
+        run->add_flag("--residual", o.measure_residual, "measure how far the impulses are from a solution");
         run->add_option("--workers", o.workers, "threads to step with")->check(CLI::Range(1u, islet::max_workers));
         run->add_option("--lanes", o.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
         run->add_option("--hash-every", o.hash_every, "print the state's hash every so many steps")->check(CLI::Range(1, 100'000'000));

@@ -60,13 +60,14 @@ std::string table_of(const RunResult& r) {
             fmt::format("{}, off by {:.3g} m and {:.3g} rad at most, in the whole run by {:.3g} m and {:.3g} rad", r.counts.joints,
                         r.max_joint_error.linear, r.max_joint_error.angular, r.worst_joint_error.linear, r.worst_joint_error.angular));
     }
+    if (r.residual) row("residual", fmt::format("{:.3g} m/s after the last step", *r.residual));
     row("overlap", fmt::format("{:.3g} m at most", r.max_penetration));
     row("energy", fmt::format("{:.6g} J kinetic, {:.6g} J potential", r.kinetic_energy, r.potential_energy));
     row("time", fmt::format("{:.3f} ms a step, {:.3f} at most, {:.1f} in all", r.ms_per_step_mean, r.ms_per_step_max, r.ms_total));
     row("memory", fmt::format("{}, of which a snapshot holds {}", bytes(r.world_bytes), bytes(r.snapshot_bytes)));
     row("hash", hex(r.hash));
     for (const HashRecord& h : r.hashes) row("", fmt::format("{} after step {}", hex(h.hash), h.step));
-    if (!r.checked) return text + "check skipped: it holds for the scene's own steps, dt, substeps and joint trees\n";
+    if (!r.checked) return text + "check skipped: it holds for the scene's own steps, dt and solver\n";
     return text + fmt::format("check {}\n", r.passed() ? "passed" : "FAILED") + check_table(r.check);
 }
 
@@ -98,6 +99,7 @@ std::string json_of(const RunResult& r) {
         {"snapshot_bytes", r.snapshot_bytes},
         {"hash", hex(r.hash)},
     };
+    if (r.residual) json["residual"] = number(double(*r.residual));
     if (!r.hashes.empty()) {
         Json hashes = Json::array();
         for (const HashRecord& h : r.hashes) hashes.push_back({{"step", h.step}, {"hash", hex(h.hash)}});

@@ -10,16 +10,32 @@ bool RunResult::passed() const {
     return std::all_of(check.begin(), check.end(), [](const CheckLine& line) { return line.pass(); });
 }
 
+namespace {
+
+// But for what only measures.
+SolverDef solver_of(const Scene& scene, const RunOptions& options) {
+    SolverDef def = scene.world.solver;
+    def.substeps = options.substeps.value_or(def.substeps);
+    def.iterations = options.iterations.value_or(def.iterations);
+    def.relax_iterations = options.relax_iterations.value_or(def.relax_iterations);
+    def.joint_trees = options.joint_trees.value_or(def.joint_trees);
+    def.sweep_order = options.sweep_order.value_or(def.sweep_order);
+    def.block_contacts = def.block_contacts || options.block_contacts;
+    def.shock = options.shock.value_or(def.shock);
+    def.tolerance = options.tolerance.value_or(def.tolerance);
+    return def;
+}
+
+}  // namespace
+
 Run::Run(Scene made, const RunOptions& options) : pool(options.workers), scene(std::move(made)), options_(options) {
     // A check is stated for the scene as it stands: other steps or another time step would make its numbers meaningless.
     check_applies_ = scene.check && options.steps.value_or(scene.steps) == scene.steps && options.dt.value_or(scene.dt) == scene.dt &&
-                     options.substeps.value_or(scene.world.solver.substeps) == scene.world.solver.substeps;
-    const JointTrees trees = options.joint_trees.value_or(scene.world.solver.joint_trees);
-    check_applies_ = check_applies_ && trees == scene.world.solver.joint_trees;
+                     solver_of(scene, options) == scene.world.solver;
     scene.steps = options.steps.value_or(scene.steps);
     scene.dt = options.dt.value_or(scene.dt);
-    scene.world.solver.joint_trees = trees;
-    scene.world.solver.substeps = options.substeps.value_or(scene.world.solver.substeps);
+    scene.world.solver = solver_of(scene, options);
+    scene.world.solver.measure_residual = scene.world.solver.measure_residual || options.measure_residual;
     scene.world.lanes = options.lanes;
     scene.world.tasks = pool.tasks();
     engine.load(scene);
@@ -55,6 +71,7 @@ RunResult Run::run(const std::function<void(const StepRecord&)>& observer) {
     result.workers = options_.workers;
     result.counts = engine.counts();
     result.ms_per_step_mean = scene.steps > 0 ? result.ms_total / scene.steps : 0;
+    if (options_.measure_residual) result.residual = engine.world().report().residual;
     result.max_penetration = engine.max_penetration();
     result.kinetic_energy = kinetic_energy(engine);
     result.potential_energy = potential_energy(engine, scene.world.gravity);

@@ -14,10 +14,14 @@
 namespace islet::samples {
 
 struct RunOptions {
-    std::optional<int> steps;  // the scene's own if not given; so are the next two
+    std::optional<int> steps;  // the scene's own if not given; so are those that follow
     std::optional<float> dt;   // s
-    std::optional<std::uint32_t> substeps;
+    std::optional<std::uint32_t> substeps, iterations, relax_iterations;  // and all below but `workers` and `hash_every`: as in SolverDef
     std::optional<JointTrees> joint_trees;
+    std::optional<SweepOrder> sweep_order;
+    bool block_contacts = false;  // true: whatever the scene says
+    std::optional<float> shock, tolerance;
+    bool measure_residual = false;
     std::uint32_t workers = 1;
     std::uint32_t lanes = 0;  // as in WorldDef
     int hash_every = 0;       // steps; 0: never
@@ -45,6 +49,7 @@ struct RunResult {
     EngineCounts counts;
     std::uint64_t dropped_contacts = 0;  // summed over the steps: a pair that waits is counted each step
     double ms_total = 0, ms_per_step_mean = 0, ms_per_step_max = 0;
+    std::optional<float> residual;                    // m/s, after the last step, if asked for
     double max_penetration = 0;                       // m, at the end
     JointError max_joint_error;                       // at the end
     JointError worst_joint_error;                     // after any step

@@ -115,6 +115,24 @@ const Change matters[] = {
          d.omega = 1.25f;
          s.world->set_solver(d);
      }},
+    {"TheOrderOfSweeps",
+     [](Stage& s) {
+         SolverDef d = s.world->solver();
+         d.sweep_order = SweepOrder::upward;
+         s.world->set_solver(d);
+     }},
+    {"TheShock",
+     [](Stage& s) {
+         SolverDef d = s.world->solver();
+         d.shock = 0.5f;
+         s.world->set_solver(d);
+     }},
+    {"TheTolerance",
+     [](Stage& s) {
+         SolverDef d = s.world->solver();
+         d.tolerance = 1e-3f;
+         s.world->set_solver(d);
+     }},
     {"ABodyMore", [](Stage& s) { s.world->create_body({}); }},
     {"AShapeMore",
      [](Stage& s) {

@@ -174,6 +174,11 @@ private:
             d.relax_iterations = random_.below(3);
             d.omega = number(0.5f, 1.5f);
             d.warm_start = !random_.one_in(4);
+            d.sweep_order = static_cast<SweepOrder>(random_.below(5));
+            d.block_contacts = random_.one_in(4);
+            d.shock = random_.one_in(3) ? number(-0.1f, 1.1f) : 0;
+            d.measure_residual = random_.one_in(3);
+            d.tolerance = random_.one_in(4) ? number(-1e-4f, 1e-2f) : 0;
             w_->set_solver(d);
         }
         }

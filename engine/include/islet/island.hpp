@@ -12,8 +12,8 @@
 //
 // Each row wants lo <= x <= hi, w >= 0 where x = lo, w <= 0 where x = hi, and w = 0 between: a contact pushes or parts, a joint holds, a motor that has
 // not reached its speed gives all it has. It is the problem that the relaxing sweep of the default schedule works on: rigid rows at the velocity level,
-// without the bias that mends errors of position; and the springs, as the sweeps with bias have them. The bounce of contacts is not part of it.
-// A row that could push no body of the island, such as the angle of a weld between bodies of fixed rotation, is left out.
+// without the bias that mends errors of position; and the springs, as the sweeps with bias have them. The bounce of contacts is not part of it, nor is
+// shock propagation. A row that could push no body of the island, such as the angle of a weld between bodies of fixed rotation, is left out.
 #pragma once
 
 #include <cstdint>

@@ -50,7 +50,7 @@ inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of
 inline constexpr std::uint32_t joint_kernel_count = 9;
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t tree_link_bytes = 140;  // per body of a tree of joints
-inline constexpr std::size_t batch_bytes = 164;
+inline constexpr std::size_t batch_bytes = 168;
 inline constexpr std::uint32_t max_plan_parts = 8;  // that the touching contacts are cut into while they are planned
 inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are found
 inline constexpr std::uint32_t sort_digit_bits = max_lanes > 1 ? 11 : 8;  // of the sort by which pairs are found: three passes, or four in little memory
@@ -97,7 +97,7 @@ struct Layout {
     std::size_t state, poses, motions, bodies, shapes, boxes, geometries, geometry_buckets, tree, contacts, manifolds, pairs, joints;
     std::size_t awake_bodies, awake_contacts, awake_joints, moved_shapes;
     std::size_t persistent_end;
-    std::size_t begin_events, end_events, moved_events, slept_events, break_events;
+    std::size_t begin_events, end_events, moved_events, slept_events, break_events, residuals;
     std::size_t scratch, end;
 };
 
@@ -111,15 +111,15 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     const std::size_t bodies = std::size_t{c.bodies} + 1;
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + sort_digits * 4 + 20 * 64;
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;
-    const std::size_t plan = bodies * 4 * 3 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
-                             joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 9 * 64;
+    const std::size_t plan = bodies * 4 * 4 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
+                             joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 10 * 64;
     const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_kernel_count) * 4 + 5 * 64;
     const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * 64;
     const std::size_t planning = bodies * 4 * 2 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 4 * 64 + max_of(tables, trees);
     const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 +
                              tree_capacity(c) * tree_link_bytes + 5 * 64;
     const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * 64;
-    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes) + max_of(rows, finish) + 2 * 64;
+    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + max_of(rows, finish) + 3 * 64;
     return max_of(plan + max_of(planning, solve), max_of(pairs, collide));
 }
 
@@ -154,6 +154,7 @@ constexpr Layout layout_of(const Capacity& c) {
     l.moved_events = take(c.bodies * sizeof(BodyId));
     l.slept_events = take(c.bodies * sizeof(BodyId));
     l.break_events = take(c.joints * sizeof(JointBreakEvent));
+    l.residuals = take(c.bodies * std::size_t{4});
     l.scratch = at;
     l.end = align_up(at + scratch_bytes(c));
     return l;

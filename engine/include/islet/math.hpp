@@ -64,7 +64,7 @@ ISLET_INLINE Vec2 lerp(Vec2 a, Vec2 b, float t) { return a + t * (b - a); }
 
 ISLET_INLINE float min(float a, float b) { return a < b ? a : b; }
 ISLET_INLINE float max(float a, float b) { return a > b ? a : b; }
-ISLET_INLINE float abs(float a) { return a < 0 ? -a : a; }
+ISLET_INLINE float abs(float a) { return __builtin_fabsf(a); }
 ISLET_INLINE float clamp(float a, float lo, float hi) { return a < lo ? lo : (a > hi ? hi : a); }
 ISLET_INLINE Vec2 min(Vec2 a, Vec2 b) { return {min(a.x, b.x), min(a.y, b.y)}; }
 ISLET_INLINE Vec2 max(Vec2 a, Vec2 b) { return {max(a.x, b.x), max(a.y, b.y)}; }

@@ -99,6 +99,15 @@ enum class JointTrees : std::uint8_t {
     all,        ///< all there are
 };
 
+/// The order in which a sweep visits contacts. (Joints come before them in every order, trees of joints behind.)
+enum class SweepOrder : std::uint8_t {
+    colored,   ///< by colours, as many at once as there are lanes: the fastest by far
+    as_found,  ///< one by one, in the order of their slots
+    upward,    ///< one by one, from the lowest to the highest against gravity: weight is handed down in as many sweeps as there are layers, support handed
+               ///< up in one
+    downward,  ///< one by one, from the highest to the lowest
+};
+
 /// How the solver works. Change it at any time with World::set_solver.
 struct SolverDef {
     Schedule schedule = Schedule::soft;
@@ -117,6 +126,13 @@ struct SolverDef {
     JointTrees joint_trees = JointTrees::automatic;  ///< Which hinges are solved exactly instead of swept.
     float joint_tree_load = 10.0f;       ///< >= 1. Automatic: a tree is solved exactly if a hinge of it bears so many times the mass of the lighter of
                                          ///< the two bodies it joins. Lower: more trees.
+    SweepOrder sweep_order = SweepOrder::colored;    ///< With block_contacts or shock, colored stands for as_found.
+    bool block_contacts = false;         ///< Solve the two normal impulses of a contact together, exactly.
+    float shock = 0;                     ///< 0 to 1. Shock propagation: by this share a contact takes the body below for immovable.
+    bool measure_residual = false;       ///< Measure after each step how far the impulses are from a solution: World::residual.
+    float tolerance = 0;                 ///< m/s, >= 0. Above 0: no more sweeps of a kind within a substep once the residual is at most this; islands that
+                                         ///< are solved together (neighbours, see StepReport::batches) end together. Measuring costs two to three sweeps.
+    friend bool operator==(const SolverDef&, const SolverDef&) = default;
 };
 
 /// What a new world is like.
@@ -196,6 +212,8 @@ struct StepReport {
     std::uint32_t joints = 0;            ///< all
     std::uint32_t awake_joints = 0;      ///< those solved
     std::uint32_t overflow_joints = 0;   ///< joints solved one by one: gears, and those that found no colour
+    std::uint32_t sweeps = 0;            ///< that were made; fewer than SolverDef says where a tolerance ended them, then of the batch with the most
+    float residual = 0;                  ///< m/s, the largest of any island (World::residual); 0 if not measured
 };
 
 /// One touching point of a contact, in world coordinates.

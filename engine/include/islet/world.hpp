@@ -42,6 +42,10 @@ public:
     SolverDef solver() const;
     /// Out of range values are refused (out_of_range) and nothing changes.
     void set_solver(const SolverDef& solver);
+    /// m/s: how far the impulses of the body's island were from solving its constraints when the last step ended: the most by which solving any one contact
+    /// or joint alone would still change the velocity of a body (its turning at its radius of gyration). 0 at a solution and nowhere else; and for what
+    /// rests or was not measured (SolverDef::measure_residual). Hinges solved exactly in trees are not looked at.
+    float residual(BodyId body) const;
     TaskSystem tasks() const;
     /// Threads to step with from now on. workers of 0 or above max_workers is refused (out_of_range). Not part of the state: no hash and no snapshot
     /// knows of it.

@@ -5,6 +5,7 @@
 // are found by sorting (pairs.hpp). So nothing in the tree changes while bodies sleep.
 #pragma once
 
+#include "math/copies.hpp"
 #include "memory/records.hpp"
 
 namespace islet::detail {
@@ -23,22 +24,35 @@ const char* tree_validate(Tree tree);
 /// Room for a traversal: an AVL tree of 2^22 leaves is at most 1.44 * 22 = 32 levels high, and a traversal holds one node a level.
 inline constexpr std::uint32_t tree_stack = 64;
 
-/// Calls visit(shape) for every leaf whose box overlaps `box`, in an order that depends on the tree.
-template <class Visit>
-void tree_query(Tree tree, const Aabb& box, Visit&& visit) {
-    std::uint32_t stack[tree_stack];
+/// A walk over the leaves whose boxes overlap `box`, in an order that depends on the tree.
+struct TreeWalk {
+    const TreeNode* nodes;
+    Aabb box;
     std::uint32_t top = 0;
-    if (tree.state->root != null_index) stack[top++] = tree.state->root;
-    while (top > 0) {
-        const TreeNode& node = tree.nodes[stack[--top]];
-        if (!overlaps(node.box, box)) continue;
-        if (node.child1 == null_index) {
-            visit(node.child2);
-        } else {
+    std::uint32_t stack[tree_stack];
+
+    TreeWalk(Tree tree, const Aabb& over) : nodes(tree.nodes), box(over) {
+        if (tree.state->root != null_index) stack[top++] = tree.state->root;
+    }
+
+    /// The next leaf's shape, or null_index.
+    ISLET_COPIED std::uint32_t next() {
+        while (top > 0) {
+            const TreeNode& node = nodes[stack[--top]];
+            if (!overlaps(node.box, box)) continue;
+            if (node.child1 == null_index) return node.child2;
             stack[top++] = node.child2;
             stack[top++] = node.child1;
         }
+        return null_index;
     }
+};
+
+/// Calls visit(shape) for every leaf whose box overlaps `box`.
+template <class Visit>
+void tree_query(Tree tree, const Aabb& box, Visit&& visit) {
+    TreeWalk walk(tree, box);
+    for (std::uint32_t shape = walk.next(); shape != null_index; shape = walk.next()) visit(shape);
 }
 
 }  // namespace islet::detail

@@ -9,6 +9,7 @@
 //     +---------+\  / incident box
 //                 \/
 #include "collide/outline.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 namespace {
@@ -25,7 +26,7 @@ struct Box {
     float radius = 0;
 };
 
-Box box_of(const Polygon& p) {
+ISLET_SHARED Box box_of(const Polygon& p) {
     const Vec2 half = 0.5f * (p.vertices[2] - p.vertices[0]);
     return {0.5f * (p.vertices[0] + p.vertices[2]), p.normals[0], -dot(half, p.normals[0]), dot(half, p.normals[1]), p.radius};
 }
@@ -41,7 +42,7 @@ struct View {
 enum class Outcome { decided, needs_corners };
 
 // Clips the other box's face to the reference's face across axis0 or axis1. `bound` is the gap along the best axis.
-[[gnu::always_inline]] inline Outcome clip_boxes(const Box ref, const Box inc, View v, bool second_axis, bool reference_is_b, float bound,
+ISLET_COPIED Outcome clip_boxes(const Box ref, const Box inc, View v, bool second_axis, bool reference_is_b, float bound,
                                                  float margin, Manifold& m) {
     // Turn the view so that the reference face's normal is the x axis: by a quarter for axis1, by a half if the other box is behind.
     Vec2 n = ref.axis0;

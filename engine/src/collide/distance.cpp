@@ -11,6 +11,7 @@
 //        w0
 #include "collide/distance.hpp"
 
+#include "math/copies.hpp"
 #include "math/scalar.hpp"
 
 namespace islet::detail {
@@ -47,7 +48,7 @@ std::uint8_t support(const Vec2* points, std::uint32_t count, Vec2 direction) {
     return static_cast<std::uint8_t>(best);
 }
 
-Feature vertex_feature(const Corner& p) { return {{p, p}, 1, length_squared(p.w)}; }
+ISLET_SHARED Feature vertex_feature(const Corner& p) { return {{p, p}, 1, length_squared(p.w)}; }
 
 // What of the segment p-q is closest to the origin.
 Feature edge_feature(const Corner& p, const Corner& q) {

@@ -29,10 +29,7 @@ inline constexpr float least_distance = 1.0e-6f;  // m; below, a distance has no
 inline bool is_rod(const Joint& j) { return (coordinate_parts(j) & (part_spring | part_limit | part_motor)) == 0; }
 
 template <std::uint32_t W>
-void prepare(DistanceRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
-    const JointPose p = pose_of(j, in.poses, in.bodies_in);
-    set_ends(r.ends, lane, joint, in, p);
+WarmStart prepare(DistanceRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const Vec2 d = gap_of(p);
     const float x = length(d);
     const Vec2 u = x > least_distance ? Vec2{d.x / x, d.y / x} : Vec2{};
@@ -43,16 +40,13 @@ void prepare(DistanceRows<W>& r, std::uint32_t lane, std::uint32_t joint, const 
     const float along = set_coordinate(r.free, lane, j, in.numbers);
     r.free.target[lane] = j.length;
     r.rod[lane] = rigid ? in.numbers.warm * j.impulse.x : 0;
-    const Vec2 impulse = (along + r.rod[lane]) * u;
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, impulse, 0);
+    return {(along + r.rod[lane]) * u, 0};
 }
 
 template <class L>
-ISLET_LANE void solve(SolverBody* bodies, DistanceRows<L::width>& r, const JointSweep& n) {
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, DistanceRows<L::width>& r, const JointSweep& n) {
     using F = typename L::F;
-    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
-    const JointArms<L> arms(r.ends, s);
-    const LaneVec<F> ra = arms.ra, rb = arms.rb, d = arms.d;
+    const LaneVec<F>&ra = arms.ra, &rb = arms.rb, &d = arms.d;
     const F zero = L::splat(0.0f);
     const F x = L::sqrt(dot(d, d));
     const F inv_x = select(x > L::splat(least_distance), L::splat(1.0f) / x, zero);
@@ -77,12 +71,10 @@ ISLET_LANE void solve(SolverBody* bodies, DistanceRows<L::width>& r, const Joint
         -(rigid * L::splat(n.omega * n.soft.mass_scale) * inverse_or_zero<L>(k) * residual) - L::splat(n.omega * n.soft.impulse_scale) * rod;
     L::store(r.rod, rod + delta);
     push(delta);
-    scatter<L>(bodies, r.ends, r.applied, s);
 }
 
 template <std::uint32_t W>
-void store(const DistanceRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
-    store_applied(r.applied, r.ends, lane, j, out);
+void store(const DistanceRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
     get_coordinate(r.free, lane, j);
     j.impulse = {r.rod[lane], 0};
     j.torque_impulse = 0;

@@ -14,7 +14,7 @@ namespace islet::detail {
 template <std::uint32_t W>
 struct GearRows {
     static_assert(W == 1, "gears are solved one by one");
-    std::uint32_t joint;
+    JointEnds<W> ends;         // only the joint is used
     std::uint32_t slots[4];  // A and B of joint 1, A and B of joint 2; 0 where a body came before
     float ux[4], uy[4], s[4];  // the row's entries for each
     float c;                 // m or rad, when the step began
@@ -44,8 +44,7 @@ inline GearSide gear_side(const Joint& j, const JointPose& p) {
     return {c, u, cross(gap_of(p) + p.ra, u), cross(p.rb, u)};
 }
 
-inline void prepare(GearRows<1>& r, std::uint32_t, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
+inline WarmStart prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const JointPose&, const JointInput& in) {
     const Joint& j1 = in.joints[j.joint1];
     const Joint& j2 = in.joints[j.joint2];
     const GearSide side1 = gear_side(j1, pose_of(j1, in.poses, in.bodies_in));
@@ -53,7 +52,6 @@ inline void prepare(GearRows<1>& r, std::uint32_t, std::uint32_t joint, const Jo
     const std::uint32_t slots[4] = {in.slot_of[j1.body_a], in.slot_of[j1.body_b], in.slot_of[j2.body_a], in.slot_of[j2.body_b]};
     const Vec2 u[4] = {-side1.u, side1.u, -j.ratio * side2.u, j.ratio * side2.u};
     const float s[4] = {-side1.sa, side1.sb, -j.ratio * side2.sa, j.ratio * side2.sb};
-    r.joint = joint;
     r.c = side1.c + j.ratio * side2.c - j.length;
     r.impulse = in.numbers.warm * j.impulse.x;
     float k = 0;
@@ -85,6 +83,7 @@ inline void prepare(GearRows<1>& r, std::uint32_t, std::uint32_t joint, const Jo
         b.dp += (b.inv_mass * r.impulse) * Vec2{r.ux[i], r.uy[i]};
         b.dq += b.inv_inertia * r.impulse * r.s[i];
     }
+    return {};
 }
 
 template <class L>

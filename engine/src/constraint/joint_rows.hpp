@@ -132,11 +132,9 @@ inline float unwrap(float angle, float near) {
 }
 
 template <std::uint32_t W>
-void set_ends(JointEnds<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in, const JointPose& p) {
-    const Joint& j = in.joints[joint];
+void set_ends(JointEnds<W>& r, std::uint32_t lane, const Joint& j, const JointInput& in, const JointPose& p) {
     r.body_a[lane] = j.body_a == null_index ? 0 : in.slot_of[j.body_a];
     r.body_b[lane] = in.slot_of[j.body_b];
-    r.joint[lane] = joint;
     r.rax[lane] = p.ra.x;
     r.ray[lane] = p.ra.y;
     r.rbx[lane] = p.rb.x;
@@ -153,6 +151,12 @@ inline void add_warm_start(SolverBody& b, Vec2 impulse, float angular) {
     b.dq += b.inv_inertia * angular;
 }
 
+/// What a joint starts from: an impulse at B's anchor, and an angular impulse besides. Pulleys and gears see to theirs and return none.
+struct WarmStart {
+    Vec2 impulse;   // N s
+    float turning;  // N m s
+};
+
 /// Starts from impulse p and the two angular impulses: remembered as applied, and added to the bodies' dp and dq, where they wait for the first substep.
 template <std::uint32_t W>
 void warm_start(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, const JointInput& in, Vec2 p, float ta, float tb) {
@@ -162,18 +166,6 @@ void warm_start(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, 
     applied.tb[lane] = tb;
     add_warm_start(in.bodies[r.body_a[lane]], -p, -ta);
     add_warm_start(in.bodies[r.body_b[lane]], p, tb);
-}
-
-/// The same for an impulse at B's anchor that acts on A at its own anchor, or, along a line of A, where B's anchor is; and an angular impulse.
-template <std::uint32_t W>
-void warm_start_at_anchors(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, const JointInput& in, const JointPose& p, Vec2 impulse,
-                           float turning) {
-    warm_start(applied, r, lane, in, impulse, cross(p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
-}
-template <std::uint32_t W>
-void warm_start_along_line(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, const JointInput& in, const JointPose& p, Vec2 impulse,
-                           float turning) {
-    warm_start(applied, r, lane, in, impulse, cross(gap_of(p) + p.ra, impulse) + turning, cross(p.rb, impulse) + turning);
 }
 
 /// Where a solved joint leaves its results.
@@ -274,7 +266,7 @@ ISLET_LANE void solve_point(JointBodies<L>& s, LaneVec<typename L::F> ra, LaneVe
     s.push(delta, cross(ra, delta), cross(rb, delta));
 }
 
-inline Vec2 turned(float angle, float x, float y) {
+[[gnu::always_inline]] inline Vec2 turned(float angle, float x, float y) {
     const LaneVec<float> v = turn<Lane1>(angle, LaneVec<float>{x, y});
     return {v.x, v.y};
 }

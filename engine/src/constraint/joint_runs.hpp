@@ -67,53 +67,95 @@ std::size_t joint_block_bytes(JointKernel kernel) {
     return visit_rows<W>(kernel, nullptr, [](auto* r) { return sizeof(*r); });
 }
 
+/// What a joint applies lies right behind its ends, so that all kernels share the way there and back; pulleys and gears, which know no such pair of
+/// impulses, go their own.
+constexpr bool has_applied(JointKernel kernel) { return kernel < JointKernel::pulley; }
+/// The impulse acts on A along a line of A, where B's anchor is, and not at A's own anchor.
+constexpr bool acts_on_line(JointKernel kernel) { return kernel == JointKernel::slider || kernel == JointKernel::wheel; }
+template <std::uint32_t W>
+JointEnds<W>& ends_of(std::byte* row) {
+    return *reinterpret_cast<JointEnds<W>*>(row);
+}
+template <std::uint32_t W>
+Applied<W>& applied_of(std::byte* row) {
+    return *reinterpret_cast<Applied<W>*>(row + sizeof(JointEnds<W>));
+}
+
 /// Fills the blocks from the joints named, null_index in the padding, and adds their warm starts to the bodies.
 template <std::uint32_t W>
 void prepare_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, const std::uint32_t* joints, const JointInput& in) {
-    visit_rows<W>(kernel, rows, [&](auto* r) {
-        using Rows = std::remove_pointer_t<decltype(r)>;
-        static_assert(sizeof(Rows) <= joint_row_bytes * W);
-        std::memset(static_cast<void*>(r), 0, blocks * sizeof(Rows));
-        for (std::uint32_t i = 0; i < blocks; ++i) {
-            if constexpr (std::is_same_v<Rows, GearRows<1>>) {
-                prepare(r[i], 0, joints[i], in);
-            } else {
-                for (std::uint32_t lane = 0; lane < W; ++lane) {
-                    r[i].ends.joint[lane] = null_index;
-                    if (joints[i * W + lane] != null_index) prepare(r[i], lane, joints[i * W + lane], in);
-                }
-            }
+    const std::size_t block_bytes = joint_block_bytes<W>(kernel);
+    std::memset(rows, 0, blocks * block_bytes);
+    for (; blocks-- > 0; rows += block_bytes) {
+        for (std::uint32_t lane = 0; lane < W; ++lane) {
+            const std::uint32_t joint = *joints++;
+            ends_of<W>(rows).joint[lane] = joint;
+            if (joint == null_index) continue;
+            const Joint& j = in.joints[joint];
+            const JointPose p = pose_of(j, in.poses, in.bodies_in);
+            set_ends(ends_of<W>(rows), lane, j, in, p);
+            const WarmStart start = visit_rows<W>(kernel, rows, [&](auto* r) {
+                static_assert(sizeof(*r) <= joint_row_bytes * W);
+                return prepare(*r, lane, j, p, in);
+            });
+            if (!has_applied(kernel)) continue;
+            const Vec2 arm_a = acts_on_line(kernel) ? gap_of(p) + p.ra : p.ra;
+            warm_start(applied_of<W>(rows), ends_of<W>(rows), lane, in, start.impulse, cross(arm_a, start.impulse) + start.turning,
+                       cross(p.rb, start.impulse) + start.turning);
         }
-    });
+    }
 }
 
 /// One sweep.
 template <class L>
 void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
-    visit_rows<L::width>(kernel, rows, [&](auto* r) {
-        if constexpr (L::width == 1 || !std::is_same_v<std::remove_pointer_t<decltype(r)>, GearRows<1>>)
-            for (std::uint32_t i = 0; i < blocks; ++i) solve<L>(bodies, r[i], sweep);
-    });
+    constexpr std::uint32_t W = L::width;
+    if constexpr (W > 1) {
+        visit_rows<W>(kernel, rows, [&](auto* r) {
+            for (std::uint32_t i = 0; i < blocks; ++i) {
+                if constexpr (requires { r->applied; }) {
+                    JointBodies<L> s = gather<L>(bodies, r[i].ends, r[i].applied);
+                    solve<L>(s, JointArms<L>(r[i].ends, s), r[i], sweep);
+                    scatter<L>(bodies, r[i].ends, r[i].applied, s);
+                } else if constexpr (!std::is_same_v<std::remove_pointer_t<decltype(r)>, GearRows<1>>) {
+                    solve<L>(bodies, r[i], sweep);
+                }
+            }
+        });
+        return;
+    }
+    // Lane by lane speed matters less than that the way there and back is not repeated for every kernel.
+    const std::size_t block_bytes = joint_block_bytes<W>(kernel);
+    for (; blocks-- > 0; rows += block_bytes) {
+        if (!has_applied(kernel)) {
+            visit_rows<W>(kernel, rows, [&](auto* r) {
+                if constexpr (!requires { r->applied; }) solve<L>(bodies, *r, sweep);
+            });
+            continue;
+        }
+        JointBodies<L> s = gather<L>(bodies, ends_of<W>(rows), applied_of<W>(rows));
+        const JointArms<L> arms(ends_of<W>(rows), s);
+        visit_rows<W>(kernel, rows, [&](auto* r) {
+            if constexpr (requires { r->applied; }) solve<L>(s, arms, *r, sweep);
+        });
+        scatter<L>(bodies, ends_of<W>(rows), applied_of<W>(rows), s);
+    }
 }
 
 /// Writes the impulses back for the next step.
 template <std::uint32_t W>
 void store_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, const JointOutput& out) {
-    visit_rows<W>(kernel, rows, [&](auto* r) {
-        for (std::uint32_t i = 0; i < blocks; ++i) {
-            if constexpr (std::is_same_v<std::remove_pointer_t<decltype(r)>, GearRows<1>>) {
-                store(r[i], 0, out.joints[r[i].joint], out);
-                forget_unsound(out.joints[r[i].joint]);
-            } else {
-                for (std::uint32_t lane = 0; lane < W; ++lane) {
-                    if (r[i].ends.joint[lane] == null_index) continue;
-                    Joint& j = out.joints[r[i].ends.joint[lane]];
-                    store(r[i], lane, j, out);
-                    forget_unsound(j);
-                }
-            }
+    const std::size_t block_bytes = joint_block_bytes<W>(kernel);
+    for (; blocks-- > 0; rows += block_bytes) {
+        for (std::uint32_t lane = 0; lane < W; ++lane) {
+            const JointEnds<W>& ends = ends_of<W>(rows);
+            if (ends.joint[lane] == null_index) continue;
+            Joint& j = out.joints[ends.joint[lane]];
+            if (has_applied(kernel)) store_applied(applied_of<W>(rows), ends, lane, j, out);
+            visit_rows<W>(kernel, rows, [&](auto* r) { store(*r, lane, j, out); });
+            forget_unsound(j);
         }
-    });
+    }
 }
 
 }  // namespace islet::detail

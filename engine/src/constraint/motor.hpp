@@ -26,10 +26,7 @@ struct alignas(W * 4) DriveRows {
 inline Softness drive_softness(float hertz, float damping_ratio, float h) { return hertz > 0 ? make_soft(hertz, damping_ratio, h) : Softness{}; }
 
 template <std::uint32_t W>
-void prepare(DriveRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
-    const JointPose p = pose_of(j, in.poses, in.bodies_in);
-    set_ends(r.ends, lane, joint, in, p);
+WarmStart prepare(DriveRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const float h = in.numbers.h;
     const Softness linear = drive_softness(j.linear_hertz, j.linear_damping_ratio, h);
     const Softness angular = drive_softness(j.angular_hertz, j.angular_damping_ratio, h);
@@ -47,15 +44,13 @@ void prepare(DriveRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     r.max_p[lane] = h * j.motor_max;
     r.max_turning[lane] = h * j.max_torque;
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, r.turning[lane]);
+    return {in.numbers.warm * j.impulse, r.turning[lane]};
 }
 
 template <class L>
-ISLET_LANE void solve(SolverBody* bodies, DriveRows<L::width>& r, const JointSweep& n) {
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, DriveRows<L::width>& r, const JointSweep& n) {
     using F = typename L::F;
-    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
-    const JointArms<L> arms(r.ends, s);
-    const LaneVec<F> ra = arms.ra, rb = arms.rb;
+    const LaneVec<F>&ra = arms.ra, &rb = arms.rb;
     const F t = L::load(r.turning);
     aim_arms<L>(s, n, cross(ra, s.p) + t, cross(rb, s.p) + t);
 
@@ -79,12 +74,10 @@ ISLET_LANE void solve(SolverBody* bodies, DriveRows<L::width>& r, const JointSwe
     next = select(size > bound, bound / select(size > zero, size, one), one) * next;
     const LaneVec<F> delta = next - s.p;
     s.push(delta, cross(ra, delta), cross(rb, delta));
-    scatter<L>(bodies, r.ends, r.applied, s);
 }
 
 template <std::uint32_t W>
-void store(const DriveRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
-    store_applied(r.applied, r.ends, lane, j, out);
+void store(const DriveRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
     j.impulse = j.force_impulse;
     j.angular_impulse = j.torque_impulse = r.turning[lane];
 }

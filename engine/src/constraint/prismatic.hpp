@@ -46,10 +46,7 @@ struct DirectionRow {
 };
 
 template <std::uint32_t W>
-void prepare(SliderRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
-    const JointPose p = pose_of(j, in.poses, in.bodies_in);
-    set_ends(r.ends, lane, joint, in, p);
+WarmStart prepare(SliderRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const Vec2 u = {p.qa.c, p.qa.s};
     const Vec2 n = left_perp(u);
     r.ux[lane] = u.x;
@@ -59,14 +56,12 @@ void prepare(SliderRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Jo
     const float along = set_coordinate(r.free, lane, j, in.numbers);
     r.across[lane] = in.numbers.warm * j.impulse.x;
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
-    warm_start_along_line(r.applied, r.ends, lane, in, p, along * u + r.across[lane] * n, r.turning[lane]);
+    return {along * u + r.across[lane] * n, r.turning[lane]};
 }
 
 template <class L>
-ISLET_LANE void solve(SolverBody* bodies, SliderRows<L::width>& r, const JointSweep& n) {
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, SliderRows<L::width>& r, const JointSweep& n) {
     using F = typename L::F;
-    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
-    const JointArms<L> arms(r.ends, s);
     const LaneVec<F> arm = arms.d + arms.ra;
     const LaneVec<F> u = turn<L>(s.dqa, load<L>(r.ux, r.uy));
     const DirectionRow<L> along(s, u, arm, arms.rb);
@@ -91,12 +86,10 @@ ISLET_LANE void solve(SolverBody* bodies, SliderRows<L::width>& r, const JointSw
     L::store(r.turning, p2 + delta2);
     across.push(s, delta1);
     s.push_angular(delta2);
-    scatter<L>(bodies, r.ends, r.applied, s);
 }
 
 template <std::uint32_t W>
-void store(const SliderRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
-    store_applied(r.applied, r.ends, lane, j, out);
+void store(const SliderRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
     get_coordinate(r.free, lane, j);
     j.impulse = {r.across[lane], 0};
     j.angular_impulse = j.torque_impulse = r.turning[lane];

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "constraint/coordinate.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 
@@ -39,44 +40,33 @@ inline float rough_angle(Rot q) {
 }
 
 /// The angle, roughly, continuous past full turns.
-inline float rough_coordinate(const Joint& j, const JointPose& p) { return unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate); }
+ISLET_SHARED float rough_coordinate(const Joint& j, const JointPose& p) { return unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate); }
 
 template <std::uint32_t W>
-void prepare(PointRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
-    const JointPose p = pose_of(j, in.poses, in.bodies_in);
-    set_ends(r.ends, lane, joint, in, p);
+WarmStart prepare(PointRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     // Nothing here needs the angle, but full turns are counted for readers and gears: a rough one tells how many there were (5 % of a step of
     // 19 800 hinges; the exact one, 12 %).
     r.angle[lane] = rough_coordinate(j, p);
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, 0);
+    return {in.numbers.warm * j.impulse, 0};
 }
 
 template <std::uint32_t W>
-void prepare(HingeRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
-    const JointPose p = pose_of(j, in.poses, in.bodies_in);
-    set_ends(r.ends, lane, joint, in, p);
+WarmStart prepare(HingeRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     r.angle[lane] = unwrap(angle_of(p), j.coordinate);
     r.parts |= coordinate_parts(j);
     const float turning = set_coordinate(r.free, lane, j, in.numbers);
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, turning);
+    return {in.numbers.warm * j.impulse, turning};
 }
 
 template <class L>
-ISLET_LANE void solve(SolverBody* bodies, PointRows<L::width>& r, const JointSweep& n) {
-    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
-    const JointArms<L> arms(r.ends, s);
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, PointRows<L::width>&, const JointSweep& n) {
     aim_arms<L>(s, n, cross(arms.ra, s.p), cross(arms.rb, s.p));
     solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
-    scatter<L>(bodies, r.ends, r.applied, s);
 }
 
 template <class L>
-ISLET_LANE void solve(SolverBody* bodies, HingeRows<L::width>& r, const JointSweep& n) {
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, HingeRows<L::width>& r, const JointSweep& n) {
     using F = typename L::F;
-    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
-    const JointArms<L> arms(r.ends, s);
     const F turning = coordinate_impulse<L>(r.free);
     aim_arms<L>(s, n, cross(arms.ra, s.p) + turning, cross(arms.rb, s.p) + turning);
 
@@ -85,7 +75,6 @@ ISLET_LANE void solve(SolverBody* bodies, HingeRows<L::width>& r, const JointSwe
     s.push_angular(solve_motor_and_friction<L>(r.free, r.parts, k, s.wb - s.wa, n));
     s.push_angular(solve_spring_and_limits<L>(r.free, r.parts, x, k, s.wb - s.wa, L::splat(0.0f), n));
     solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
-    scatter<L>(bodies, r.ends, r.applied, s);
 }
 
 /// How far B turned in A within the step.
@@ -96,7 +85,6 @@ float turned_by(const JointEnds<W>& r, std::uint32_t lane, const JointOutput& ou
 
 template <std::uint32_t W>
 void store(const PointRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
-    store_applied(r.applied, r.ends, lane, j, out);
     j.impulse = j.force_impulse;
     j.torque_impulse = 0;
     j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
@@ -104,7 +92,6 @@ void store(const PointRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
 
 template <std::uint32_t W>
 void store(const HingeRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
-    store_applied(r.applied, r.ends, lane, j, out);
     j.impulse = j.force_impulse;
     get_coordinate(r.free, lane, j);
     j.torque_impulse = coordinate_impulse(j);

@@ -24,10 +24,7 @@ struct alignas(W * 4) WeldRows {
 ISLET_LANE float give_of(const Softness& s) { return s.impulse_scale / max(s.mass_scale, 1.0e-12f); }
 
 template <std::uint32_t W>
-void prepare(WeldRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
-    const JointPose p = pose_of(j, in.poses, in.bodies_in);
-    set_ends(r.ends, lane, joint, in, p);
+WarmStart prepare(WeldRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     r.angle[lane] = angle_of(p);
     const Softness linear = make_soft(j.linear_hertz, j.linear_damping_ratio, in.numbers.h);
     const Softness angular = make_soft(j.angular_hertz, j.angular_damping_ratio, in.numbers.h);
@@ -38,15 +35,13 @@ void prepare(WeldRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Join
     r.angular_rate[lane] = angular.rate;
     r.angular_give[lane] = give_of(angular);
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
-    warm_start_at_anchors(r.applied, r.ends, lane, in, p, in.numbers.warm * j.impulse, r.turning[lane]);
+    return {in.numbers.warm * j.impulse, r.turning[lane]};
 }
 
 template <class L>
-ISLET_LANE void solve(SolverBody* bodies, WeldRows<L::width>& r, const JointSweep& n) {
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, WeldRows<L::width>& r, const JointSweep& n) {
     using F = typename L::F;
-    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
-    const JointArms<L> arms(r.ends, s);
-    const LaneVec<F> ra = arms.ra, rb = arms.rb;
+    const LaneVec<F>&ra = arms.ra, &rb = arms.rb;
     const F t = L::load(r.turning);
     aim_arms<L>(s, n, cross(ra, s.p) + t, cross(rb, s.p) + t);
 
@@ -72,12 +67,10 @@ ISLET_LANE void solve(SolverBody* bodies, WeldRows<L::width>& r, const JointSwee
     const F delta3 = -(L::splat(n.omega) * (inv * (r3 - dot(b, wanted))));
     L::store(r.turning, t + delta3);
     s.push(delta, cross(ra, delta) + delta3, cross(rb, delta) + delta3);
-    scatter<L>(bodies, r.ends, r.applied, s);
 }
 
 template <std::uint32_t W>
-void store(const WeldRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
-    store_applied(r.applied, r.ends, lane, j, out);
+void store(const WeldRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
     j.impulse = j.force_impulse;
     j.angular_impulse = j.torque_impulse = r.turning[lane];
 }

@@ -23,10 +23,7 @@ struct alignas(W * 4) WheelRows {
 };
 
 template <std::uint32_t W>
-void prepare(WheelRows<W>& r, std::uint32_t lane, std::uint32_t joint, const JointInput& in) {
-    const Joint& j = in.joints[joint];
-    const JointPose p = pose_of(j, in.poses, in.bodies_in);
-    set_ends(r.ends, lane, joint, in, p);
+WarmStart prepare(WheelRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const Vec2 u = {p.qa.c, p.qa.s};
     r.ux[lane] = u.x;
     r.uy[lane] = u.y;
@@ -35,14 +32,12 @@ void prepare(WheelRows<W>& r, std::uint32_t lane, std::uint32_t joint, const Joi
     r.across[lane] = in.numbers.warm * j.impulse.x;
     const float along = r.free.spring[lane] + r.free.low[lane] - r.free.high[lane];
     const float turning = r.free.motor[lane] + r.free.friction[lane];
-    warm_start_along_line(r.applied, r.ends, lane, in, p, along * u + r.across[lane] * left_perp(u), turning);
+    return {along * u + r.across[lane] * left_perp(u), turning};
 }
 
 template <class L>
-ISLET_LANE void solve(SolverBody* bodies, WheelRows<L::width>& r, const JointSweep& n) {
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, WheelRows<L::width>& r, const JointSweep& n) {
     using F = typename L::F;
-    JointBodies<L> s = gather<L>(bodies, r.ends, r.applied);
-    const JointArms<L> arms(r.ends, s);
     const LaneVec<F> arm = arms.d + arms.ra;
     const LaneVec<F> u = turn<L>(s.dqa, load<L>(r.ux, r.uy));
     const DirectionRow<L> along(s, u, arm, arms.rb);
@@ -60,12 +55,10 @@ ISLET_LANE void solve(SolverBody* bodies, WheelRows<L::width>& r, const JointSwe
     const F delta = -(L::splat(n.omega * n.soft.mass_scale) * inverse_or_zero<L>(across.k) * residual) - L::splat(n.omega * n.soft.impulse_scale) * p;
     L::store(r.across, p + delta);
     across.push(s, delta);
-    scatter<L>(bodies, r.ends, r.applied, s);
 }
 
 template <std::uint32_t W>
-void store(const WheelRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
-    store_applied(r.applied, r.ends, lane, j, out);
+void store(const WheelRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
     get_coordinate(r.free, lane, j);
     j.impulse = {r.across[lane], 0};
     j.torque_impulse = r.free.motor[lane] + r.free.friction[lane];

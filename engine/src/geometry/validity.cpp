@@ -1,5 +1,6 @@
 // Which shapes the engine accepts. Every comparison is written so that NaN fails it.
 #include "geometry/convex.hpp"
+#include "math/copies.hpp"
 
 namespace islet {
 namespace {
@@ -8,7 +9,7 @@ constexpr float unit_tolerance = 1e-3f;    // how far a hand-made normal's squar
 constexpr float normal_tolerance = 1e-3f;  // rad: how far a hand-made normal may lean
 constexpr float rounding = 4e-7f;          // of a coordinate: a polygon moved far away has its corners rounded, but not its normals
 
-bool are_apart(Vec2 a, Vec2 b) {
+ISLET_SHARED bool are_apart(Vec2 a, Vec2 b) {
     return detail::in_range(a) && detail::in_range(b) && distance_squared(a, b) > detail::min_length * detail::min_length;
 }
 

@@ -1,6 +1,7 @@
 #include "island/batches.hpp"
 
 #include "constraint/joint_runs.hpp"
+#include "island/heights.hpp"
 #include "island/joint_trees.hpp"
 #include "island/union_find.hpp"
 #include "memory/parallel.hpp"
@@ -8,11 +9,6 @@
 namespace islet::detail {
 
 namespace {
-
-/// A touching contact or a joint, as far as the plan is concerned: its bodies (null_index: none) and its colour, in place of which comes its place.
-struct Edge {
-    std::uint32_t constraint, a, b, place;
-};
 
 /// Sets of linked bodies. What links nothing has the parent null_index: static and kinematic bodies, and those at rest.
 struct Islands : UnionFind {
@@ -41,14 +37,16 @@ inline constexpr std::uint32_t body_grain = 16;  // words of 64 bodies that are 
 // them where the counts of all say. What is listed and put is the same however it is cut.
 struct EdgeList {
     Edge* edges = nullptr;
-    std::uint32_t parts = 1;
+    std::uint32_t parts_with_threads = 1;
     std::uint32_t words = 0;                      // of the set of awake contacts, in a part
     std::uint32_t first[max_plan_parts] = {};     // edge of each part
     std::uint32_t end[max_plan_parts] = {};
 
+    std::uint32_t parts() const { return has_threads ? parts_with_threads : 1; }
+
     template <class Visit>
     [[gnu::always_inline]] void for_each(Visit&& visit) const {
-        for (std::uint32_t p = 0; p < parts; ++p)
+        for (std::uint32_t p = 0; p < parts(); ++p)
             for (std::uint32_t k = first[p]; k < end[p]; ++k) visit(edges[k]);
     }
 };
@@ -58,10 +56,10 @@ EdgeList list_edges(const Core& core, Edge* edges) {
     EdgeList list;
     list.edges = edges;
     list.words = awake.word_count;
-    if (has_workers(core)) {
+    if (has_workers(core) && !is_ordered(core.state->solver) && !has_shock(core.state->solver)) {
         list.words = range_count(awake.word_count, plan_parts(core.capacity));
-        list.parts = range_count(awake.word_count, list.words);
-        for (std::uint32_t p = 1; p < list.parts; ++p)
+        list.parts_with_threads = range_count(awake.word_count, list.words);
+        for (std::uint32_t p = 1; p < list.parts(); ++p)
             list.first[p] = list.first[p - 1] + awake.count_in((p - 1) * list.words, p * list.words);
     }
     for_ranges(core, awake.word_count, list.words, [&](std::uint32_t first, std::uint32_t end) {
@@ -83,8 +81,8 @@ void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&&
     constexpr std::uint32_t places = color_count + 1;  // per batch, the last for what has no colour
     const std::uint32_t lanes = core.lanes;
     const std::size_t part_size = std::size_t{plan.batch_count} * places;
-    std::uint32_t* next = temporary.take<std::uint32_t>(part_size * list.parts);
-    for_ranges(core, list.parts, 1, [&](std::uint32_t first, std::uint32_t end) {
+    std::uint32_t* next = temporary.take<std::uint32_t>(part_size * list.parts());
+    for_ranges(core, list.parts(), 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t p = first; p < end; ++p) {
             std::uint32_t* count = next + p * part_size;
             std::memset(count, 0, part_size * 4);
@@ -99,7 +97,7 @@ void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&&
     std::uint32_t block = 0;
     std::uint32_t overflow = 0;
     const auto place = [&](std::size_t entry, std::uint32_t start) {
-        for (std::uint32_t p = 0; p < list.parts; ++p) {
+        for (std::uint32_t p = 0; p < list.parts(); ++p) {
             std::uint32_t& count = next[p * part_size + entry];
             const std::uint32_t here = count;
             count = start;
@@ -125,7 +123,7 @@ void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&&
     plan.overflow_count = overflow;
 
     std::uint32_t* const overflows = plan.contacts + std::size_t{block} * lanes;
-    for_ranges(core, list.parts, 1, [&](std::uint32_t first, std::uint32_t end) {
+    for_ranges(core, list.parts(), 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t p = first; p < end; ++p) {
             std::uint32_t* at = next + p * part_size;
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
@@ -193,6 +191,7 @@ Plan make_plan(const Core& core, Arena& arena) {
     plan.runs = arena.take<JointRun>(joint_run_capacity(core.capacity));
     plan.tree_bodies = arena.take<TreeBody>(tree_capacity(core.capacity));
     plan.tree_parents = arena.take<std::uint32_t>(tree_capacity(core.capacity));
+    if (has_shock(core.state->solver)) plan.lightness = arena.take<float>(bodies);
     Arena temporary = arena;  // what follows is used only here, so the solve may take the same scratch
 
     const BitSet awake = core.awake_bodies;
@@ -210,8 +209,10 @@ Plan make_plan(const Core& core, Arena& arena) {
     });
 
     const EdgeList edges = list_edges(core, temporary.take<Edge>(contacts));
+    if (has_shock(core.state->solver)) lighten_by_height(core, edges.edges, edges.end[0], plan.lightness);
+    if (is_ordered(core.state->solver)) put_in_order(core, edges.edges, edges.end[0]);
     edges.for_each([&](const Edge& e) { links.link(core, e.a, e.b); });
-    for (std::uint32_t p = 0; p < edges.parts; ++p) plan.touching_count += edges.end[p] - edges.first[p];
+    for (std::uint32_t p = 0; p < edges.parts(); ++p) plan.touching_count += edges.end[p] - edges.first[p];
     Edge* joint_edges = temporary.take<Edge>(joints);
     const BitSet awake_joints = has_joints ? core.awake_joints : BitSet{};
     awake_joints.for_each([&](std::uint32_t i) {

@@ -23,6 +23,7 @@ struct Batch {
     std::uint32_t first_overflow = 0, end_overflow = 0;
     std::uint32_t first_run = 0, end_run = 0;    // of joints
     std::uint32_t first_tree = 0, end_tree = 0;  // bodies of trees
+    std::uint32_t sweeps = 0;                    // that the solve made of it
 };
 
 /// Joints of one kernel and one colour, in whole blocks of `lanes` joints; those without a colour come first and are solved one by one.
@@ -58,6 +59,7 @@ struct Plan {
     TreeBody* tree_bodies = nullptr;          // of each batch leaves first
     std::uint32_t* tree_parents = nullptr;    // where in the batch's trees the parent stands; null_index if it cannot be pushed, or there is none
     std::uint32_t tree_count = 0;
+    float* lightness = nullptr;               // by body: how many times less it weighs, for the solve, than it does; null: all as they are (shock)
     std::uint32_t colors = 0;                 // in use
     std::uint32_t touching_count = 0;
 };

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "math/copies.hpp"
+
 namespace islet::detail {
 
 struct Arena {
@@ -13,11 +15,16 @@ struct Arena {
     /// An uninitialised array of n T, aligned to a cache line. The layout reserves enough for every stage, so this never fails.
     template <class T>
     T* take(std::size_t n) {
+        return reinterpret_cast<T*>(take_bytes(n * sizeof(T)));
+    }
+
+private:
+    ISLET_SHARED std::byte* take_bytes(std::size_t wanted) {
         std::byte* p = at;
-        const std::size_t bytes = (n * sizeof(T) + 63) / 64 * 64;
+        const std::size_t bytes = (wanted + 63) / 64 * 64;
         if (static_cast<std::size_t>(end - at) < bytes) __builtin_trap();  // the layout is wrong: an invariant of the engine
         at += bytes;
-        return reinterpret_cast<T*>(p);
+        return p;
     }
 };
 

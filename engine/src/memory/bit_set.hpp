@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "islet/layout.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 
@@ -46,8 +47,8 @@ struct BitSet {
     template <class Visit>
     [[gnu::always_inline]] void for_each_in(std::uint32_t first, std::uint32_t end, Visit&& visit) const {
         for (std::uint32_t w = first; w < end; ++w)
-            for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1)
-                visit(w * 64 + lowest(bits));
+            for (std::uint64_t bits = words[w]; bits != 0;)
+                visit(w * 64 + take_lowest(bits));
     }
 
 private:
@@ -62,11 +63,13 @@ private:
 
     Part& part(std::uint32_t i) const { return reinterpret_cast<Part*>(words)[(i / part_bits) ^ first_part]; }
 
-    // Without a call of the compiler's runtime where registers have 32 bits.
-    ISLET_INLINE static std::uint32_t lowest(std::uint64_t bits) {
-        if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(bits));
-        const auto low = static_cast<std::uint32_t>(bits);
-        const auto high = static_cast<std::uint32_t>(bits >> 32);
+    // Place of the lowest bit, which is cleared. Without a call of the compiler's runtime where registers have 32 bits.
+    ISLET_COPIED static std::uint32_t take_lowest(std::uint64_t& bits) {
+        const std::uint64_t all = bits;
+        bits &= bits - 1;
+        if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(all));
+        const auto low = static_cast<std::uint32_t>(all);
+        const auto high = static_cast<std::uint32_t>(all >> 32);
         return static_cast<std::uint32_t>(low != 0 ? __builtin_ctz(low) : 32 + __builtin_ctz(high));
     }
 };

@@ -42,6 +42,7 @@ struct Core {
     BodyId* moved_events = nullptr;
     BodyId* slept_events = nullptr;
     JointBreakEvent* break_events = nullptr;
+    float* residuals = nullptr;       // m/s, by body: of its island in the last step, if measured
     std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0, break_count = 0;
 
     std::byte* scratch = nullptr;
@@ -67,6 +68,19 @@ struct Core {
 
 static_assert(sizeof(Core) <= core_bytes);
 static_assert(sizeof(State) == state_bytes);
+
+/// None is known from now on.
+inline void forget_residuals(Core& core) {
+    core.report.residual = 0;
+    if (has_tuning) std::memset(core.residuals, 0, std::size_t{core.capacity.bodies} * 4);
+}
+
+/// Against gravity, unit; zero if there is none.
+inline Vec2 up_of(const Core& core) {
+    const Vec2 g = core.state->gravity;
+    const float strength = length(g);
+    return strength > 0 && strength < 1.0e18f ? (-1 / strength) * g : Vec2{0, 0};
+}
 
 }  // namespace islet::detail
 

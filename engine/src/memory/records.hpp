@@ -216,18 +216,35 @@ struct SolverState {
     std::uint32_t warm_start = 0;
     std::uint32_t joint_trees = 0;  // JointTrees
     float joint_tree_load = 0;
+    std::uint32_t sweep_order = 0;  // SweepOrder
+    std::uint32_t block_contacts = 0;
+    float shock = 0;
+    std::uint32_t measure_residual = 0;
+    float tolerance = 0;
 };
 
 inline SolverState pack(const SolverDef& d) {
     return {static_cast<std::uint32_t>(d.schedule), d.substeps, d.iterations, d.relax_iterations,
             d.contact_hertz, d.contact_damping_ratio, d.contact_push_speed, d.joint_hertz, d.joint_damping_ratio,
-            d.baumgarte, d.omega, d.warm_start ? 1u : 0u, static_cast<std::uint32_t>(d.joint_trees), d.joint_tree_load};
+            d.baumgarte, d.omega, d.warm_start ? 1u : 0u, static_cast<std::uint32_t>(d.joint_trees), d.joint_tree_load,
+            static_cast<std::uint32_t>(d.sweep_order), d.block_contacts ? 1u : 0u, d.shock, d.measure_residual ? 1u : 0u, d.tolerance};
 }
 
 inline SolverDef unpack(const SolverState& s) {
     return {static_cast<Schedule>(s.schedule), s.substeps, s.iterations, s.relax_iterations,
             s.contact_hertz, s.contact_damping_ratio, s.contact_push_speed, s.joint_hertz, s.joint_damping_ratio,
-            s.baumgarte, s.omega, s.warm_start != 0, static_cast<JointTrees>(s.joint_trees), s.joint_tree_load};
+            s.baumgarte, s.omega, s.warm_start != 0, static_cast<JointTrees>(s.joint_trees), s.joint_tree_load,
+            static_cast<SweepOrder>(s.sweep_order), s.block_contacts != 0, s.shock, s.measure_residual != 0, s.tolerance};
+}
+
+/// What only some programs ask for: part `tuning` (islet/config.hpp).
+inline bool is_ordered(const SolverState& s) {  // contacts are solved one by one, and not by colours
+    return has_tuning && (static_cast<SweepOrder>(s.sweep_order) != SweepOrder::colored || s.block_contacts != 0);
+}
+inline bool has_shock(const SolverState& s) { return has_tuning && s.shock > 0; }
+inline bool measures_residual(const SolverState& s) { return has_tuning && (s.measure_residual != 0 || s.tolerance > 0); }
+inline bool needs_tuning(const SolverDef& d) {
+    return d.sweep_order != SweepOrder::colored || d.block_contacts || d.shock > 0 || d.measure_residual || d.tolerance > 0;
 }
 
 /// Everything persistent that is not in an array.
@@ -237,14 +254,14 @@ struct State {
     Vec2 gravity;
     float restitution_threshold = 1;
     float max_speed = 400;                                         // 16
-    SolverState solver = pack(SolverDef{});                        // 56
+    SolverState solver;                                            // 76
     std::uint32_t enable_sleep = 1;
-    std::uint64_t steps = 0;
     std::uint32_t moved_count = 0;                                 // shapes whose fat box changed since pairs were last found
+    std::uint64_t steps = 0;
     float last_substep = 0;                                        // s; impulses kept for warm starting belong to a substep of this length
     std::uint32_t trees_stale = 0;                                 // 1: something that decides which joints are solved exactly has changed
     std::uint32_t exact_joints = 0;                                // how many are
-    std::uint32_t pad[20] = {};
+    std::uint32_t pad[15] = {};
 };
 
 static_assert(sizeof(Pose) == pose_bytes && sizeof(Motion) == motion_bytes && sizeof(Body) == body_bytes);
@@ -257,7 +274,7 @@ static_assert(sizeof(Joint) == joint_bytes && sizeof(State) == state_bytes);
 static_assert(offsetof(Body, user_data) == 4 * 18 && sizeof(Body) == 4 * 24);
 static_assert(offsetof(Shape, user_data) == 4 * 16 && sizeof(Shape) == 4 * 18);
 static_assert(offsetof(Joint, user_data) == 4 * 56 && sizeof(Joint) == 4 * 58);
-static_assert(offsetof(State, steps) == 4 * 38 && sizeof(State) == 4 * 64);
+static_assert(offsetof(State, steps) == 4 * 44 && sizeof(State) == 4 * 64);
 
 // The other records have words of 4 bytes alone; where their parts stand.
 static_assert(offsetof(Pose, inv_mass) == 4 * 4 && offsetof(Pose, flags) == 4 * 7 && sizeof(Pose) == 4 * 8);
@@ -266,6 +283,6 @@ static_assert(offsetof(Geometry, words) == 4 * 4 && sizeof(Geometry) == 4 * 40);
 static_assert(offsetof(Contact, generation) == 4 * 6 && sizeof(Contact) == 4 * 8);
 static_assert(offsetof(ContactManifold, normal) == 4 * 4 && offsetof(ContactManifold, anchors) == 4 * 12 && sizeof(ContactManifold) == 4 * 24);
 static_assert(offsetof(TreeNode, parent) == 4 * 4 && sizeof(TreeNode) == 4 * 8);
-static_assert(offsetof(State, tree) == 4 * 15 && offsetof(State, solver) == 4 * 23 && offsetof(State, moved_count) == 4 * 40);
+static_assert(offsetof(State, tree) == 4 * 15 && offsetof(State, solver) == 4 * 23 && offsetof(State, moved_count) == 4 * 43);
 
 }  // namespace islet::detail

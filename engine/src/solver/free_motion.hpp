@@ -2,6 +2,7 @@
 #pragma once
 
 #include "constraint/solver_body.hpp"
+#include "math/copies.hpp"
 #include "math/scalar.hpp"
 #include "memory/core.hpp"
 
@@ -36,7 +37,7 @@ inline Vec2 limit_speed(Vec2 v, float max_speed) {
     return speed > max_speed ? (max_speed / speed) * v : v;
 }
 
-inline float limit_turn(float w, float max_turn) { return w == w ? clamp(w, -max_turn, max_turn) : 0; }
+ISLET_SHARED float limit_turn(float w, float max_turn) { return w == w ? clamp(w, -max_turn, max_turn) : 0; }
 
 /// The velocities v, w after the substep, before warm start and sweeps.
 inline Vec2 free_velocity(const SolverMotion& m, Vec2 v, float max_speed) {

@@ -1,5 +1,6 @@
 #include "solver/solver.hpp"
 
+#include "math/copies.hpp"
 #include "math/lanes.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
@@ -7,6 +8,8 @@
 #include "constraint/contact.hpp"
 #include "solver/free_motion.hpp"
 #include "solver/joint_solve.hpp"
+#include "solver/ordered_sweep.hpp"
+#include "solver/residual.hpp"
 #include "solver/surface.hpp"
 #include "solver/tree_solve.hpp"
 
@@ -44,10 +47,13 @@ struct Solve {
     SolverBody* bodies;
     SolverMotion* motions;
     JointSweep biased_joints, relaxed_joints;
+    bool is_ordered = false;
     std::byte* joint_rows;
     TreeLink* trees;
     std::byte* blocks;                     // ContactRows of the core's lanes
     ContactRows<1>* overflow;
+    float* residuals;                      // m/s, by island; null if not wanted
+    float tolerance;                       // m/s; 0: as many sweeps as there are to be
 };
 
 SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, float h) {
@@ -94,6 +100,9 @@ void choose_numbers(Solve& s, float dt) {
         s.ground = s.biased;
     }
 
+    s.is_ordered = is_ordered(state.solver);
+    s.tolerance = def.tolerance;
+
     s.relaxed_joints.h = n.h;
     s.relaxed_joints.inv_h = n.inv_h;
     s.relaxed_joints.omega = n.omega;
@@ -125,6 +134,10 @@ void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
         b.dp = {0, 0};
         b.dq = 0;
         b.inv_inertia = stiffened(pose.inv_inertia, core.bodies[i].stretch);
+        if (has_tuning && s.plan.lightness != nullptr) {
+            b.inv_mass *= s.plan.lightness[i];
+            b.inv_inertia *= s.plan.lightness[i];
+        }
         s.motions[slot] = motion_over(core, i, h);
         s.core.bodies[i].stretch = 0;  // the joints' forces of this step give the next one's
     }
@@ -219,7 +232,7 @@ struct BatchSolve {
     static constexpr std::uint32_t W = K::W;
 
     Solve& s;
-    const Batch& batch;
+    Batch& batch;
     bool wide;
     Rows* first_row;  // of the batch's first block
     ContactRows<1>* overflow = s.overflow + batch.first_overflow;
@@ -256,6 +269,7 @@ struct BatchSolve {
     /// work(part of the run, its rows), of a run that has a colour.
     template <class Work>
     void over_run(const JointRun& r, Work&& work) {
+        if (!has_threads || !wide) return work(r, s.joint_rows + r.offset);
         JointRun block = r;
         block.blocks = 1;
         const std::size_t block_bytes = joint_run_bytes_of(block, W);
@@ -272,6 +286,9 @@ struct BatchSolve {
     void run();
     void prepare();
     void sweep(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
+    void sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
+    float measure(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
+    void try_joints(const JointRun& r, const JointSweep& joints);
     void store();
 };
 
@@ -308,7 +325,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const JointRun& r = s.plan.runs[run];
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
-    ContactKernel<Lane1>::solve(s.bodies, overflow, overflow_count, dynamic);
+    if (!s.is_ordered) ContactKernel<Lane1>::solve(s.bodies, overflow, overflow_count, dynamic);
     for (std::uint32_t c = 0; c < color_count; ++c) {
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
@@ -321,7 +338,77 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         over(count, contact_grain / W,
              [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, row(begin + first), end - first, numbers); });
     }
+    if (has_tuning && s.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
     if (tree_count() != 0) solve_trees(s.bodies, s.trees + batch.first_tree, tree_count(), joints);
+}
+
+// The largest residual of the batch's islands. (Trees of joints leave none: they are solved last and exactly.)
+template <class K>
+float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
+    const std::uint32_t* const island_of = s.plan.island_of;
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot)
+        if (island_of[slot] != null_index) s.residuals[island_of[slot]] = 0;
+    const auto try_contacts = [&]<class Kernel>(Kernel, typename Kernel::Rows& r, const SweepNumbers& numbers) {
+        std::uint32_t slots[2 * Kernel::W];
+        std::memcpy(slots, r.body_a, sizeof r.body_a);
+        std::memcpy(slots + Kernel::W, r.body_b, sizeof r.body_b);
+        try_block(s.bodies, slots, 2 * Kernel::W, reinterpret_cast<std::byte*>(&r), sizeof r, island_of, s.residuals,
+                  [&] { Kernel::solve(s.bodies, &r, 1, numbers); });
+    };
+    for (std::uint32_t i = 0; i < overflow_count; ++i) {
+        ContactRows<1>& r = overflow[i];
+        const bool both_move = s.bodies[r.body_a[0]].inv_mass > 0 && s.bodies[r.body_b[0]].inv_mass > 0;
+        try_contacts(ContactKernel<Lane1>{}, r, s.is_ordered && !both_move ? ground : dynamic);
+    }
+    for (std::uint32_t c = 0; c < color_count; ++c)
+        for (std::uint32_t block = batch.first_block[c]; block < batch.first_block[c + 1]; ++block)
+            try_contacts(K{}, *row(block), c < dynamic_color_limit ? dynamic : ground);
+    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) try_joints(s.plan.runs[i], joints);
+
+    float largest = 0;
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot)
+        if (island_of[slot] != null_index) largest = max(largest, s.residuals[island_of[slot]]);
+    return largest;
+}
+
+template <class K>
+void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
+    const std::uint32_t lanes = r.color == no_color ? 1 : W;
+    JointRun block = r;
+    block.blocks = 1;
+    const std::size_t block_bytes = joint_run_bytes_of(block, lanes);
+    for (std::uint32_t i = 0; i < r.blocks; ++i) {
+        std::uint32_t slots[most_trial_slots];
+        std::uint32_t count = 0;
+        const auto add = [&](const Joint& j) {
+            slots[count++] = j.body_a == null_index ? 0 : s.plan.slot_of[j.body_a];
+            slots[count++] = s.plan.slot_of[j.body_b];
+        };
+        for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+            const std::uint32_t joint = s.plan.joints[r.first + i * lanes + lane];
+            if (joint == null_index) continue;
+            const Joint& j = s.core.joints[joint];
+            if (r.kernel == JointKernel::gear) {
+                add(s.core.joints[j.joint1]);
+                add(s.core.joints[j.joint2]);
+            } else {
+                add(j);
+            }
+        }
+        std::byte* const rows = s.joint_rows + r.offset + i * block_bytes;
+        try_block(s.bodies, slots, count, rows, block_bytes, s.plan.island_of, s.residuals,
+                  [&] { solve_joint_run(block, lanes, s.bodies, rows, joints); });
+    }
+}
+
+// So many sweeps, or fewer if a tolerance is reached before.
+template <class K>
+void BatchSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
+    for (std::uint32_t i = 0; i < most; ++i) {
+        sweep(dynamic, ground, joints);
+        ++batch.sweeps;
+        if (has_tuning && s.tolerance > 0 && measure(dynamic, ground, joints) <= s.tolerance) return;
+    }
 }
 
 template <class K>
@@ -349,10 +436,14 @@ void BatchSolve<K>::run() {
     prepare();
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_velocities(s, first, end, substep == 0); });
-        for (std::uint32_t i = 0; i < def.iterations; ++i) sweep(s.biased, s.ground, s.biased_joints);
+        const bool relaxes = def.schedule == Schedule::soft && def.relax_iterations > 0;
+        const bool measures = has_tuning && s.residuals != nullptr && substep + 1 == def.substeps;
+        sweeps(def.iterations, s.biased, s.ground, s.biased_joints);
+        if (measures && !relaxes) measure(s.biased, s.ground, s.biased_joints);
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_positions(s, first, end); });
-        if (def.schedule == Schedule::classic) continue;
-        for (std::uint32_t i = 0; i < def.relax_iterations; ++i) sweep(s.relaxed, s.relaxed, s.relaxed_joints);
+        if (!relaxes) continue;
+        sweeps(def.relax_iterations, s.relaxed, s.relaxed, s.relaxed_joints);
+        if (measures) measure(s.relaxed, s.relaxed, s.relaxed_joints);
     }
     const float threshold = s.numbers.restitution_threshold;
     ContactKernel<Lane1>::restitute(s.bodies, overflow, overflow_count, threshold);
@@ -379,7 +470,7 @@ void solve_batches(Solve& s) {
     std::uint32_t largest = 0, narrow = 0;
     std::uint32_t total = 0;  // at most as many as there are rows: times the runs it still is a 32-bit number
     for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
-        const Batch& b = s.plan.batches[i];
+        Batch& b = s.plan.batches[i];
         if (is_wide(b)) {
             BatchSolve<K>{s, b, true, rows + b.first_block[0]}.run();
         } else {
@@ -394,7 +485,7 @@ void solve_batches(Solve& s) {
     for_ranges(s.core, runs, 1, [&](std::uint32_t first, std::uint32_t end) {
         std::uint32_t before = 0;
         for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
-            const Batch& b = s.plan.batches[i];
+            Batch& b = s.plan.batches[i];
             if (is_wide(b)) continue;
             const std::uint32_t run = before * runs / total;
             before += blocks_of(b) + 1;
@@ -417,13 +508,30 @@ std::byte* place_joint_rows(const Plan& plan, std::uint32_t lanes, Arena& arena)
 
 }  // namespace
 
+namespace {
+
+// Of each body its island's, 0 of those that were not solved.
+void report_residuals(Core& core, const Plan& plan, const float* residuals) {
+    core.report.residual = 0;
+    for (std::uint32_t i = 0; i < core.state->body_pool.high_water; ++i) core.residuals[i] = 0;
+    for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
+        if (plan.island_of[slot] == null_index) continue;
+        const float residual = residuals[plan.island_of[slot]];
+        core.residuals[plan.body_of[slot]] = residual;
+        core.report.residual = max(core.report.residual, residual);
+    }
+}
+
+}  // namespace
+
 const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
-    Solve s{core, plan, {}, {}, {}, {}, nullptr, nullptr, {}, {}, nullptr, nullptr, nullptr, nullptr};
+    Solve s{core, plan, {}, {}, {}, {}, nullptr, nullptr, {}, {}, false, nullptr, nullptr, nullptr, nullptr, nullptr, 0};
     choose_numbers(s, dt);
     s.bodies = arena.take<SolverBody>(plan.slot_count);
     s.motions = arena.take<SolverMotion>(plan.slot_count);
     s.bodies[0] = SolverBody{};
     s.motions[0] = SolverMotion{};
+    if (has_tuning && measures_residual(core.state->solver)) s.residuals = arena.take<float>(plan.island_count);
     Arena rows = arena;  // nobody asks for the rows afterwards
     s.blocks = rows.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
@@ -439,6 +547,7 @@ const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
         default: solve_batches<ContactKernel<Lane1>>(s); break;
     }
     core.state->last_substep = s.numbers.h;
+    if (s.residuals != nullptr) report_residuals(core, plan, s.residuals);
     return s.bodies;
 }
 

@@ -1,13 +1,14 @@
 #include "solver/tree_solve.hpp"
 
 #include "constraint/revolute.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 
 namespace {
 
 // 1 / x, or 0 where x is not above 0: absurd masses may leave nothing to divide by.
-float inverse(float x) { return inverse_or_zero<Lane1>(x); }
+ISLET_SHARED float inverse(float x) { return inverse_or_zero<Lane1>(x); }
 
 Sym2 inverse(const Sym2& a) {
     const float i = inverse(a.xx * a.yy - a.xy * a.xy);
@@ -16,12 +17,9 @@ Sym2 inverse(const Sym2& a) {
 
 // The inverse of a body's mass matrix and what hangs on it. One that does not turn has no angular part.
 Sym3 inverse(const Sym3& a, bool turns) {
-    if (!turns) {
-        const Sym2 i = inverse(Sym2{a.xx, a.xy, a.yy});
-        return {i.xx, i.xy, 0, i.yy, 0, 0};
-    }
     // The linear part goes first: it has the larger numbers, and what is left of the angular one is a number of its own.
     const Sym2 i = inverse(Sym2{a.xx, a.xy, a.yy});
+    if (!turns) return {i.xx, i.xy, 0, i.yy, 0, 0};
     const Vec2 e = {i.xx * a.xz + i.xy * a.yz, i.xy * a.xz + i.yy * a.yz};
     const float z = inverse(a.zz - a.xz * e.x - a.yz * e.y);
     return {i.xx + z * e.x * e.x, i.xy + z * e.x * e.y, -(z * e.x), i.yy + z * e.y * e.y, -(z * e.y), z};
@@ -59,7 +57,7 @@ void hang(Sym3& m, const Sym2& s, Vec2 arm) {
     m.zz += dot(u, Vec2{-arm.y, arm.x});
 }
 
-Vec2 turned_arm(const SolverBody& b, Vec2 arm) { return turned(b.dq, arm.x, arm.y); }
+ISLET_SHARED Vec2 turned_arm(const SolverBody& b, Vec2 arm) { return turned(b.dq, arm.x, arm.y); }
 
 // Takes back what the tree did in the last substep, so that it is solved from the velocities it would leave alone.
 void take_back(SolverBody* bodies, TreeLink* links, std::uint32_t count) {

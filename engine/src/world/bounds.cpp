@@ -2,6 +2,7 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 
@@ -10,52 +11,53 @@ namespace {
 inline constexpr float max_box_margin = 0.05f;       // m, so that a body can move a little before its pairs are found anew
 inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: small things get small margins
 
-Extent extent_of(const Geometry& g, Vec2 center) {
-    const auto far = [&](Vec2 p) { return distance(p, center); };
+/// The points whose hull, grown by a radius, is the shape.
+struct Corners {
+    const Vec2* points;
+    std::uint32_t count;
+    float radius;
+};
+
+static_assert(sizeof(Segment) == 2 * sizeof(Vec2) && offsetof(Capsule, point2) == sizeof(Vec2));  // the points are an array
+
+Corners corners_of(const Geometry& g) {
     switch (g.shape_type()) {
-        case ShapeType::circle: return {far(g.circle.center) + g.circle.radius, g.circle.radius};
-        case ShapeType::capsule: return {max(far(g.capsule.point1), far(g.capsule.point2)) + g.capsule.radius, g.capsule.radius};
-        case ShapeType::segment: return {max(far(g.segment.point1), far(g.segment.point2)), 0};
-        case ShapeType::chain_segment: return {max(far(g.chain.segment.point1), far(g.chain.segment.point2)), 0};
-        case ShapeType::polygon: {
-            const Polygon& p = g.polygon;
-            Extent e{0, 3.0e38f};
-            for (std::uint32_t i = 0; i < p.count; ++i) {
-                e.max = max(e.max, far(p.vertices[i]));
-                e.min = min(e.min, dot(p.normals[i], p.vertices[i] - p.centroid));
-            }
-            return {e.max + p.radius, e.min + p.radius};
-        }
+        case ShapeType::circle: return {&g.circle.center, 1, g.circle.radius};
+        case ShapeType::capsule: return {reinterpret_cast<const Vec2*>(&g.capsule), 2, g.capsule.radius};
+        case ShapeType::segment: return {reinterpret_cast<const Vec2*>(&g.segment), 2, 0};
+        case ShapeType::chain_segment: return {reinterpret_cast<const Vec2*>(&g.chain.segment), 2, 0};
+        case ShapeType::polygon: break;
     }
-    return {};
+    return {g.polygon.vertices, g.polygon.count, g.polygon.radius};
+}
+
+Extent extent_of(const Geometry& g, Vec2 center) {
+    const Corners corners = corners_of(g);
+    Extent e{0, 0};
+    for (std::uint32_t i = 0; i < corners.count; ++i) e.max = max(e.max, distance(corners.points[i], center));
+    if (g.shape_type() == ShapeType::polygon) {
+        const Polygon& p = g.polygon;
+        e.min = 3.0e38f;
+        for (std::uint32_t i = 0; i < p.count; ++i) e.min = min(e.min, dot(p.normals[i], p.vertices[i] - p.centroid));
+    }
+    return {e.max + corners.radius, e.min + corners.radius};
 }
 
 Vec2 middle_of(const Geometry& g) {
-    switch (g.shape_type()) {
-        case ShapeType::circle: return g.circle.center;
-        case ShapeType::capsule: return lerp(g.capsule.point1, g.capsule.point2, 0.5f);
-        case ShapeType::segment: return lerp(g.segment.point1, g.segment.point2, 0.5f);
-        case ShapeType::chain_segment: return lerp(g.chain.segment.point1, g.chain.segment.point2, 0.5f);
-        case ShapeType::polygon: return g.polygon.centroid;
-    }
-    return {};
+    if (g.shape_type() == ShapeType::polygon) return g.polygon.centroid;
+    const Corners corners = corners_of(g);
+    return lerp(corners.points[0], corners.points[corners.count - 1], 0.5f);
 }
 
 Aabb aabb_of(const Geometry& g, const Transform& t) {
-    switch (g.shape_type()) {
-        case ShapeType::circle: return compute_aabb(g.circle, t);
-        case ShapeType::capsule:
-            if constexpr (has_shape(ShapeType::capsule)) return compute_aabb(g.capsule, t);
-            break;
-        case ShapeType::segment:
-            if constexpr (has_shape(ShapeType::segment)) return compute_aabb(g.segment, t);
-            break;
-        case ShapeType::chain_segment:
-            if constexpr (has_shape(ShapeType::chain_segment)) return compute_aabb(g.chain.segment, t);
-            break;
-        case ShapeType::polygon: return compute_aabb(g.polygon, t);
+    const Corners corners = corners_of(g);
+    const Vec2 first = transform_point(t, corners.points[0]);
+    Aabb box{first, first};
+    for (std::uint32_t i = 1; i < corners.count; ++i) {
+        const Vec2 v = transform_point(t, corners.points[i]);
+        box = {min(box.lower, v), max(box.upper, v)};
     }
-    return {};
+    return expand(box, corners.radius);
 }
 
 MassData mass_of(const Geometry& g, float density) {
@@ -85,7 +87,7 @@ namespace {
 Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g, t), 0.5f * speculative_distance); }
 
 // How far the inner box may move before it leaves the outer one.
-float room_in(const Aabb& outer, const Aabb& inner) {
+ISLET_SHARED float room_in(const Aabb& outer, const Aabb& inner) {
     return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
 }
 

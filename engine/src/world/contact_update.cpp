@@ -129,12 +129,17 @@ void remake(Core& core, std::uint32_t index, float dt) {
 bool has_parted(const Core& core, std::uint32_t index, float dt) {
     const Contact& c = core.contacts[index];
     const ContactManifold& m = core.manifolds[index];
-    if (overlaps(core.boxes[c.shape_a], core.boxes[c.shape_b])) return false;
+    Aabb a = core.boxes[c.shape_a], b = core.boxes[c.shape_b];
+    if (overlaps(a, b)) return false;
     const bool fast_a = (core.poses[m.body_a].flags & pose_fast) != 0 && core.bodies[m.body_b].type() == BodyType::static_body;
     const bool fast_b = (core.poses[m.body_b].flags & pose_fast) != 0 && core.bodies[m.body_a].type() == BodyType::static_body;
-    if (fast_a) return !overlaps(box_ahead(core, c.shape_a, dt), core.boxes[c.shape_b]);
-    if (fast_b) return !overlaps(core.boxes[c.shape_a], box_ahead(core, c.shape_b, dt));
-    return true;
+    if (!fast_a && !fast_b) return true;
+    if (fast_a) {
+        a = box_ahead(core, c.shape_a, dt);
+    } else {
+        b = box_ahead(core, c.shape_b, dt);
+    }
+    return !overlaps(a, b);
 }
 
 enum class Change : std::uint8_t { none, begins, ends, parts };

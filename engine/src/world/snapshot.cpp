@@ -116,7 +116,7 @@ bool needs_what_is_cut(const Core& c) {
     }
     for (std::uint32_t i = 0; !has_sleep && i < s.body_pool.high_water; ++i)
         if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i)) return true;
-    return !has_sleep && s.enable_sleep != 0;
+    return (!has_sleep && s.enable_sleep != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
 }
 
 // Bits beyond those copied belong to slots that the image never used.
@@ -151,6 +151,7 @@ void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     core.end_reported = core.begin_count = core.moved_count = core.slept_count = core.break_count = 0;
     const State& s = *core.state;
     core.report = {};
+    forget_residuals(core);
     core.report.bodies = s.body_pool.count;
     core.report.awake_bodies = core.awake_bodies.count();
     core.report.shapes = s.shape_pool.count;

@@ -34,6 +34,8 @@ void fill_report(Core& core, const Plan& plan) {
     for (std::uint32_t colors = plan.colors; colors != 0; colors &= colors - 1) ++r.colors;
     r.overflow_contacts = plan.overflow_count;
     r.batches = plan.batch_count;
+    r.sweeps = 0;
+    for (std::uint32_t i = 0; i < plan.batch_count; ++i) r.sweeps = r.sweeps > plan.batches[i].sweeps ? r.sweeps : plan.batches[i].sweeps;
     r.awake_joints = plan.awake_joints;
     r.overflow_joints = plan.overflow_joints;
     r.joints = core.state->joint_pool.count;

@@ -17,6 +17,12 @@ using namespace detail;
 
 namespace {
 
+// A number less itself is 0, but for infinities and NaN.
+template <class... Floats>
+bool all_finite(Floats... a) {
+    return ((a - a) + ...) == 0.0f;
+}
+
 Error check_capacity(const Capacity& c) {
     const bool some = c.bodies > 0 && c.shapes > 0 && c.contacts > 0;
     const bool sane = c.bodies <= max_capacity && c.shapes <= max_capacity && c.contacts <= max_capacity && c.joints <= max_capacity &&
@@ -24,10 +30,15 @@ Error check_capacity(const Capacity& c) {
     return some && sane ? Error::none : Error::bad_capacity;
 }
 
+Error check_block(std::span<std::byte> block, std::size_t wanted) {
+    if (reinterpret_cast<std::uintptr_t>(block.data()) % world_alignment != 0) return Error::block_misaligned;
+    return block.data() == nullptr || block.size() < wanted ? Error::block_too_small : Error::none;
+}
+
 bool is_usable(const TaskSystem& tasks) { return tasks.workers >= 1 && tasks.workers <= max_workers; }
 
 Error check_def(const WorldDef& def) {
-    if (!is_finite(def.gravity) || !is_finite(def.restitution_threshold) || !is_finite(def.max_speed)) return Error::not_finite;
+    if (!all_finite(def.gravity.x, def.gravity.y, def.restitution_threshold, def.max_speed)) return Error::not_finite;
     if (def.restitution_threshold < 0 || def.max_speed <= 0 || def.max_speed > max_speed_limit) return Error::out_of_range;
     if (def.lanes != 0 && def.lanes != 1 && def.lanes != 4 && def.lanes != 8) return Error::out_of_range;
     if (!is_usable(def.tasks)) return Error::out_of_range;
@@ -47,8 +58,7 @@ T* place(std::byte* block, std::size_t offset) {
     return reinterpret_cast<T*>(block + offset);
 }
 
-void point_into(Core& core, std::byte* block) {
-    const Layout l = layout_of(core.capacity);
+void point_into(Core& core, std::byte* block, const Layout& l) {
     const Capacity& c = core.capacity;
     const auto bits = [&](std::size_t offset, std::uint32_t n) {
         return BitSet{place<std::uint64_t>(block, offset), static_cast<std::uint32_t>(words_for(n))};
@@ -73,6 +83,7 @@ void point_into(Core& core, std::byte* block) {
     core.begin_events = place<TouchEvent>(block, l.begin_events);
     core.end_events = place<TouchEvent>(block, l.end_events);
     core.moved_events = place<BodyId>(block, l.moved_events);
+    core.residuals = place<float>(block, l.residuals);
     core.slept_events = place<BodyId>(block, l.slept_events);
     core.break_events = place<JointBreakEvent>(block, l.break_events);
     core.scratch = block + l.scratch;
@@ -82,9 +93,12 @@ void point_into(Core& core, std::byte* block) {
 }  // namespace
 
 World* World::create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error) {
+    Layout l{};
     Error problem = check_capacity(capacity);
-    if (problem == Error::none && reinterpret_cast<std::uintptr_t>(block.data()) % world_alignment != 0) problem = Error::block_misaligned;
-    if (problem == Error::none && (block.data() == nullptr || block.size() < world_bytes(capacity))) problem = Error::block_too_small;
+    if (problem == Error::none) {
+        l = layout_of(capacity);
+        problem = check_block(block, l.end);
+    }
     if (problem == Error::none) problem = check_def(def);
     if (error != nullptr) *error = problem;
     if (problem != Error::none) {
@@ -99,10 +113,9 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     core.error_hook = def.error_hook;
     core.error_context = def.error_context;
     core.tasks = def.tasks;
-    point_into(core, block.data());
+    point_into(core, block.data(), l);
 
     // Persistent memory starts as zeros, so that no byte of a world depends on what the block held before.
-    const Layout l = layout_of(capacity);
     std::memset(block.data() + l.state, 0, l.persistent_end - l.state);
     State& state = *new (core.state, IsletPlace{}) State;
     rebuild_buckets(core);
@@ -110,6 +123,7 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     state.restitution_threshold = def.restitution_threshold;
     state.max_speed = def.max_speed;
     state.solver = pack(def.solver);
+    forget_residuals(core);
     state.enable_sleep = has_sleep && def.enable_sleep ? 1 : 0;
     return world;
 }
@@ -124,14 +138,15 @@ World& create_default(std::span<std::byte> block, const Capacity& capacity, Erro
 }
 
 bool check_solver(const SolverDef& d, Error& error) {
-    const bool finite = is_finite(d.contact_hertz) && is_finite(d.contact_damping_ratio) && is_finite(d.contact_push_speed) &&
-                        is_finite(d.joint_hertz) && is_finite(d.joint_damping_ratio) && is_finite(d.baumgarte) && is_finite(d.omega) && is_finite(d.joint_tree_load);
+    const bool finite = all_finite(d.contact_hertz, d.contact_damping_ratio, d.contact_push_speed, d.joint_hertz, d.joint_damping_ratio,
+                                   d.baumgarte, d.omega, d.joint_tree_load, d.shock, d.tolerance);
     const bool sane = (d.schedule == Schedule::soft || d.schedule == Schedule::classic) && d.substeps >= 1 && d.substeps <= 64 &&
                       d.iterations >= 1 && d.iterations <= 256 && d.relax_iterations <= 256 && d.contact_hertz > 0 &&
                       d.contact_damping_ratio >= 0 && d.contact_push_speed >= 0 && d.joint_hertz > 0 &&
                       d.joint_damping_ratio >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 &&
-                      d.omega < 2 && d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1;
-    error = !finite ? Error::not_finite : !sane ? Error::out_of_range : Error::none;
+                      d.omega < 2 && d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1 && d.sweep_order <= SweepOrder::downward &&
+                      d.shock >= 0 && d.shock <= 1 && d.tolerance >= 0;
+    error = !finite ? Error::not_finite : !sane ? Error::out_of_range : !has_tuning && needs_tuning(d) ? Error::feature_cut : Error::none;
     return error == Error::none;
 }
 
@@ -148,8 +163,17 @@ SolverDef World::solver() const { return unpack(core().state->solver); }
 void World::set_solver(const SolverDef& solver) {
     Error error = Error::none;
     if (!check_solver(solver, error)) return core().fail(error);
-    core().state->solver = pack(solver);
-    core().state->trees_stale = 1;
+    State& state = *core().state;
+    const SolverState before = state.solver;
+    state.solver = pack(solver);
+    if (before.joint_trees != state.solver.joint_trees || before.joint_tree_load != state.solver.joint_tree_load) state.trees_stale = 1;
+    forget_residuals(core());
+}
+
+float World::residual(BodyId body) const {
+    const Core& c = core();
+    const std::uint32_t i = find_body(c, body);
+    return i != null_index ? c.residuals[i] : 0;
 }
 
 TaskSystem World::tasks() const { return core().tasks; }

@@ -1,0 +1,15 @@
+// Whether a function is copied into its callers.
+//
+// The compiler decides well for most. These macros are for functions where it does not: a few instructions that stand in many places, or a long one that
+// a hot loop needs inlined. In a build for size (-Os) one copy of each is enough.
+#pragma once
+
+#if defined(__OPTIMIZE_SIZE__)
+/// One copy in a build for size; elsewhere as the compiler likes.
+#define ISLET_SHARED [[gnu::noinline]] inline
+/// One copy in a build for size; elsewhere one in every caller.
+#define ISLET_COPIED [[gnu::noinline]] inline
+#else
+#define ISLET_SHARED inline
+#define ISLET_COPIED [[gnu::always_inline]] inline
+#endif
