@@ -203,13 +203,18 @@ TEST(ExportIsland, MatrixAndVectorFollowFromRowsAndBodies) {
 TEST(ExportIsland, GearsAreCoupledThroughAllTheirBodies) {
     TestWorld w;
     BodyId b[5];
-    for (int i = 0; i < 5; ++i) b[i] = w.add_box({1.5f * static_cast<float>(i), 0.3f * static_cast<float>(i)}, 0.5f, 0.3f);
+    for (int i = 0; i < 5; ++i)
+        b[i] = w.add_box({1.5f * static_cast<float>(i), 0.3f * static_cast<float>(i)}, 0.5f + 0.07f * static_cast<float>(i), 0.3f);
     const JointId first = test::join(*w, JointType::prismatic, b[0], b[1]);
     const JointId second = test::join(*w, JointType::prismatic, b[2], b[3]);
     const JointId shared = test::join(*w, JointType::revolute, b[1], b[4]);
     test::join(*w, JointType::weld, b[3], b[4]);
-    ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = first, .joint2 = second, .ratio = 0.7f}));
-    ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = second, .joint2 = first, .ratio = -1.3f}));
+    const BodyId wall = w->create_body({});
+    for (const int held : {0, 2}) test::join(*w, JointType::motor, wall, b[held]);
+    for (const float ratio : {0.7f, 0.31f, -2.9f}) {
+        ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = first, .joint2 = second, .ratio = ratio}));
+        ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = second, .joint2 = first, .ratio = 1.3f * ratio}));
+    }
     ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = first, .joint2 = shared, .ratio = 0.1f}));
     for (int i = 0; i < 5; ++i)
         w->set_transform(b[i], w->position(b[i]) + Vec2{0.01f, 0.02f * static_cast<float>(i)}, 0.1f * static_cast<float>(i));

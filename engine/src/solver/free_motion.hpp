@@ -14,18 +14,17 @@ namespace islet::detail {
 inline float stiffened(float inv_inertia, float stretch) { return stretch * inv_inertia > 1.0f ? 1.0f / stretch : inv_inertia; }
 
 /// What a substep of length h adds to the body's velocity, and how it is damped.
-inline SolverMotion motion_over(const Core& core, std::uint32_t body, float h) {
+inline void gather_motion(SolverMotion& m, const Core& core, std::uint32_t body, float h) {
     const Pose& pose = core.poses[body];
     const Motion& motion = core.motions[body];
     const Body& b = core.bodies[body];
-    SolverMotion m;
+    m = SolverMotion{};
     if (pose.inv_mass > 0) {
         m.a = h * (b.gravity_scale * core.state->gravity + pose.inv_mass * motion.force);
         m.alpha = h * (pose.inv_inertia * motion.torque);
         m.linear_factor = 1.0f / (1.0f + h * b.linear_damping);
         m.angular_factor = 1.0f / (1.0f + h * b.angular_damping);
     }
-    return m;
 }
 
 // Also of velocities that overflowed: what is infinite becomes very large first, and what is not a number becomes zero.
@@ -42,7 +41,8 @@ ISLET_SHARED float limit_turn(float w, float max_turn) { return w == w ? clamp(w
 /// The velocities v, w after the substep, before warm start and sweeps.
 inline Vec2 free_velocity(const SolverMotion& m, Vec2 v, float max_speed) {
     v = m.linear_factor * (v + m.a);
-    return dot(v, v) <= max_speed * max_speed ? v : limit_speed(v, max_speed);
+    if (!(dot(v, v) <= max_speed * max_speed)) v = limit_speed(v, max_speed);
+    return v;
 }
 inline float free_turn(const SolverMotion& m, float w, float max_turn) { return limit_turn(m.angular_factor * (w + m.alpha), max_turn); }
 

@@ -138,7 +138,7 @@ void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
             b.inv_mass *= s.plan.lightness[i];
             b.inv_inertia *= s.plan.lightness[i];
         }
-        s.motions[slot] = motion_over(core, i, h);
+        gather_motion(s.motions[slot], core, i, h);
         s.core.bodies[i].stretch = 0;  // the joints' forces of this step give the next one's
     }
 }

@@ -8,7 +8,8 @@ namespace islet::detail {
 float inv_inertia_of(const Core& core, std::uint32_t body) { return stiffened(core.poses[body].inv_inertia, core.bodies[body].stretch); }
 
 FreeVelocity free_velocity_of(const Core& core, std::uint32_t body, float h) {
-    SolverMotion m = motion_over(core, body, h);
+    SolverMotion m;
+    gather_motion(m, core, body, h);
     // In trees of hinges that are solved exactly spin is scaled with the inertia (solver/tree_solve.hpp).
     bool exact = false;
     for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { exact = exact || (core.joints[joint].flags & joint_exact) != 0; });
