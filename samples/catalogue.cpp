@@ -66,6 +66,7 @@ const std::vector<SceneInfo>& catalogue() {
         {"scissor_lift", "joints", "crossed bars lift a platform as a carriage pulls their feet together", make_scissor_lift},
         {"car", "joints", "a car on sprung struts drives over waves", make_car},
         {"ragdoll", "joints", "three ragdolls tumble down a stair and come to rest", make_ragdoll},
+        {"ragdoll_pile", "joints", "twelve ragdolls fall into a pen and come to rest in a heap", make_ragdoll_pile},
         {"mouse_drag", "joints", "a hand pulls a box out of a pile and holds it up", make_mouse_drag},
         {"cloth", "soft", "a cloth hung up by two corners loses one of its nails", make_cloth_scene},
         {"flag", "soft", "pennants in a wind that grows with the height stream out at four angles", make_flag},
