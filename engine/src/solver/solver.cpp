@@ -155,16 +155,16 @@ void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
     }
 }
 
+// a, but at most `bound` on either side, and 0 if it is not a number.
+ISLET_SHARED float within(float a, float bound) { return a == a ? clamp(a, -bound, bound) : 0; }
+
 // Also of velocities that overflowed: what is infinite becomes very large first, and what is not a number becomes zero.
 Vec2 limit_speed(Vec2 v, float max_speed) {
     constexpr float huge = 1.0e18f;  // its square is still a number
-    v.x = v.x == v.x ? clamp(v.x, -huge, huge) : 0;
-    v.y = v.y == v.y ? clamp(v.y, -huge, huge) : 0;
+    v = {within(v.x, huge), within(v.y, huge)};
     const float speed = length(v);
     return speed > max_speed ? (max_speed / speed) * v : v;
 }
-
-ISLET_SHARED float limit_turn(float w, float max_turn) { return w == w ? clamp(w, -max_turn, max_turn) : 0; }
 
 // v <- factor (v + a) + warm start. Within a step anchors and normals do not change, so the warm start of a later substep, M^-1 J^T lambda summed over a
 // body's rows, is just what the sweeps of the substep before made of its velocity: v - v_free. One addition a body replaces a pass over all rows.
@@ -185,7 +185,7 @@ void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_
         Vec2 v = m.linear_factor * (b.v + m.a);
         float w = m.angular_factor * (b.w + m.alpha);
         if (!(dot(v, v) <= max_speed * max_speed)) v = limit_speed(v, max_speed);
-        w = limit_turn(w, max_turn);
+        w = within(w, max_turn);
         m.v_free = v;
         m.w_free = w;
         b.v = v + dv;
@@ -200,7 +200,7 @@ void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_s
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
         if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
-        b.w = limit_turn(b.w, max_turn);
+        b.w = within(b.w, max_turn);
         b.dp += h * b.v;
         b.dq += h * b.w;
     }
@@ -215,7 +215,7 @@ void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) 
         Pose& pose = s.core.poses[i];
         Motion& motion = s.core.motions[i];
         motion.v = limit_speed(b.v, s.numbers.max_speed);
-        motion.w = limit_turn(b.w, s.numbers.max_turn);
+        motion.w = within(b.w, s.numbers.max_turn);
         motion.force = {0, 0};
         motion.torque = 0;
         pose.center = max(min(pose.center + b.dp, Vec2{max_position, max_position}), Vec2{-max_position, -max_position});
@@ -388,11 +388,12 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot)
         if (island_of[slot] != null_index) s.residuals[island_of[slot]] = 0;
     const auto try_contacts = [&]<class Kernel>(Kernel, typename Kernel::Rows& r, const SweepNumbers& numbers) {
-        std::uint32_t slots[2 * Kernel::W];
-        std::memcpy(slots, r.body_a, sizeof r.body_a);
-        std::memcpy(slots + Kernel::W, r.body_b, sizeof r.body_b);
-        try_block(s.bodies, slots, 2 * Kernel::W, reinterpret_cast<std::byte*>(&r), sizeof r, island_of, s.residuals,
-                  [&] { Kernel::solve(s.bodies, &r, 1, numbers); });
+        Trial trial(reinterpret_cast<std::byte*>(&r), sizeof r);
+        for (const std::uint32_t slot : r.body_a) trial.add(slot);
+        for (const std::uint32_t slot : r.body_b) trial.add(slot);
+        begin_trial(trial, s.bodies);
+        Kernel::solve(s.bodies, &r, 1, numbers);
+        end_trial(trial, s.bodies, island_of, s.residuals);
     };
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
         ContactRows<1>& r = overflow[i];
@@ -417,11 +418,10 @@ void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
     block.blocks = 1;
     const std::size_t block_bytes = joint_run_bytes_of(block, lanes);
     for (std::uint32_t i = 0; i < r.blocks; ++i) {
-        std::uint32_t slots[most_trial_slots];
-        std::uint32_t count = 0;
+        Trial trial(s.joint_rows + r.offset + i * block_bytes, block_bytes);
         const auto add = [&](const Joint& j) {
-            slots[count++] = j.body_a == null_index ? 0 : s.plan.slot_of[j.body_a];
-            slots[count++] = s.plan.slot_of[j.body_b];
+            trial.add(j.body_a == null_index ? 0 : s.plan.slot_of[j.body_a]);
+            trial.add(s.plan.slot_of[j.body_b]);
         };
         for (std::uint32_t lane = 0; lane < lanes; ++lane) {
             const std::uint32_t joint = s.plan.joints[r.first + i * lanes + lane];
@@ -434,9 +434,9 @@ void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
                 add(j);
             }
         }
-        std::byte* const rows = s.joint_rows + r.offset + i * block_bytes;
-        try_block(s.bodies, slots, count, rows, block_bytes, s.plan.island_of, s.residuals,
-                  [&] { solve_joint_run(block, lanes, s.bodies, rows, joints); });
+        begin_trial(trial, s.bodies);
+        solve_joint_run(block, lanes, s.bodies, trial.rows, joints);
+        end_trial(trial, s.bodies, s.plan.island_of, s.residuals);
     }
 }
 
