@@ -6,6 +6,7 @@
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
 #include "math/lanes.hpp"
+#include "math/scalar.hpp"
 #include "memory/parallel.hpp"
 
 namespace islet::detail {
@@ -49,13 +50,6 @@ struct PairBuffer {
         count = 0;
     }
 };
-
-// An unsigned integer that sorts as the float does.
-std::uint32_t sort_key(float x) {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &x, 4);
-    return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
-}
 
 // Least significant digit radix sort; stable, so equal keys stay in slot order.
 std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint32_t* keys2, std::uint32_t* order2, std::uint32_t n,

@@ -12,6 +12,7 @@
 //     ghost1     p1     ->  p2   (drawn mirrored: the outward side is on the right of p1 -> p2)
 #include "collide/distance.hpp"
 #include "collide/outline.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 namespace {
@@ -58,7 +59,7 @@ Verdict judge(const Link& k, Vec2 n) {
     return cross(k.normal2, n) > straight ? Verdict::neighbours : Verdict::own;
 }
 
-float least_along(const Outline& o, Vec2 n) { return dot(n, o.vertices[corner_against(o, n)]); }
+ISLET_SHARED float least_along(const Outline& o, Vec2 n) { return dot(n, o.vertices[corner_against(o, n)]); }
 
 Manifold contact_on_link(const Link& k, const Outline& b, Vec2 origin, float margin) {
     const Face link = {{}, k.end, k.normal, 0, 0, 1};

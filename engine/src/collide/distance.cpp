@@ -35,7 +35,7 @@ struct Feature {
     float distance_squared = 0;
 };
 
-std::uint8_t support(const Vec2* points, std::uint32_t count, Vec2 direction) {
+ISLET_SHARED std::uint8_t support(const Vec2* points, std::uint32_t count, Vec2 direction) {
     std::uint32_t best = 0;
     float best_value = dot(points[0], direction);
     for (std::uint32_t i = 1; i < count; ++i) {

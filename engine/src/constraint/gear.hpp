@@ -8,6 +8,7 @@
 #pragma once
 
 #include "constraint/joint_rows.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 
@@ -29,7 +30,7 @@ struct GearSide {
     float sa, sb;
 };
 
-inline float coordinate_of(const Joint& j, const JointPose& p) {
+ISLET_SHARED float coordinate_of(const Joint& j, const JointPose& p) {
     const auto type = j.joint_type();
     if (type == JointType::revolute) return unwrap(angle_of(p), j.coordinate);
     const Vec2 d = gap_of(p);

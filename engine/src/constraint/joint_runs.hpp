@@ -122,23 +122,23 @@ void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::
                 }
             }
         });
-        return;
-    }
-    // Lane by lane speed matters less than that the way there and back is not repeated for every kernel.
-    const std::size_t block_bytes = joint_block_bytes<W>(kernel);
-    for (; blocks-- > 0; rows += block_bytes) {
-        if (!has_applied(kernel)) {
+    } else {
+        // One by one, speed matters less than that the way there and back is not repeated for every kernel.
+        const std::size_t block_bytes = joint_block_bytes<W>(kernel);
+        for (; blocks-- > 0; rows += block_bytes) {
+            if (!has_applied(kernel)) {
+                visit_rows<W>(kernel, rows, [&](auto* r) {
+                    if constexpr (!requires { r->applied; }) solve<L>(bodies, *r, sweep);
+                });
+                continue;
+            }
+            JointBodies<L> s = gather<L>(bodies, ends_of<W>(rows), applied_of<W>(rows));
+            const JointArms<L> arms(ends_of<W>(rows), s);
             visit_rows<W>(kernel, rows, [&](auto* r) {
-                if constexpr (!requires { r->applied; }) solve<L>(bodies, *r, sweep);
+                if constexpr (requires { r->applied; }) solve<L>(s, arms, *r, sweep);
             });
-            continue;
+            scatter<L>(bodies, ends_of<W>(rows), applied_of<W>(rows), s);
         }
-        JointBodies<L> s = gather<L>(bodies, ends_of<W>(rows), applied_of<W>(rows));
-        const JointArms<L> arms(ends_of<W>(rows), s);
-        visit_rows<W>(kernel, rows, [&](auto* r) {
-            if constexpr (requires { r->applied; }) solve<L>(s, arms, *r, sweep);
-        });
-        scatter<L>(bodies, ends_of<W>(rows), applied_of<W>(rows), s);
     }
 }
 

@@ -44,7 +44,7 @@ ISLET_LANE LaneVec<F> left_perp(LaneVec<F> a) {
 
 /// 1 / k, or 0 where k is not above 0.
 template <class L>
-ISLET_LANE typename L::F inverse_or_zero(typename L::F k) {
+ISLET_LANE_SHARED typename L::F inverse_or_zero(typename L::F k) {
     const typename L::F zero = L::splat(0.0f);
     return select(k > zero, L::splat(1.0f) / k, zero);
 }
@@ -82,7 +82,7 @@ template <class L>
 ISLET_LANE void scatter_pushed(float* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b, typename L::F ma, typename L::F mb,
                                const typename L::F out_a[4], const typename L::F out_b[4]) {
     constexpr std::uint32_t words = sizeof(SolverBody) / 4;
-    if (L::positive(min(ma, mb)) == (1u << L::width) - 1) {
+    if (L::width > 1 && L::positive(min(ma, mb)) == (1u << L::width) - 1) {
         L::template scatter4<words>(bodies, body_a, out_a);
         L::template scatter4<words>(bodies, body_b, out_b);
     } else {

@@ -21,7 +21,7 @@ struct alignas(W * 4) WeldRows {
     float angular_soft[W], angular_rate[W], angular_give[W];
 };
 
-ISLET_LANE float give_of(const Softness& s) { return s.impulse_scale / max(s.mass_scale, 1.0e-12f); }
+ISLET_LANE_SHARED float give_of(const Softness& s) { return s.impulse_scale / max(s.mass_scale, 1.0e-12f); }
 
 template <std::uint32_t W>
 WarmStart prepare(WeldRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {

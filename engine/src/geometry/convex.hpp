@@ -5,6 +5,7 @@
 #include <span>
 
 #include "islet/geometry.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 
@@ -17,7 +18,7 @@ inline constexpr float max_coordinate = 1e7f;
 
 /// False for NaN as well.
 ISLET_INLINE bool in_range(float a) { return abs(a) <= max_coordinate; }
-ISLET_INLINE bool in_range(Vec2 a) { return in_range(a.x) && in_range(a.y); }
+ISLET_SHARED bool in_range(Vec2 a) { return in_range(a.x) && in_range(a.y); }
 ISLET_INLINE bool is_radius(float r) { return r >= 0 && r <= max_coordinate; }
 
 /// The index after i in a loop of count.

@@ -18,10 +18,7 @@ void sort_by_place(Edge* contacts, std::uint32_t count) {
 void sort_along(const Core& core, Vec2 up, Edge* contacts, std::uint32_t count) {
     for (std::uint32_t k = 0; k < count; ++k) {
         const ContactManifold& m = core.manifolds[contacts[k].constraint];
-        const float height = dot(up, core.poses[m.body_a].center + m.anchors[0]);
-        std::uint32_t bits = 0;
-        std::memcpy(&bits, &height, 4);
-        contacts[k].place = (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
+        contacts[k].place = sort_key(dot(up, core.poses[m.body_a].center + m.anchors[0]));
     }
     sort_by_place(contacts, count);
 }
@@ -30,8 +27,7 @@ void sort_along(const Core& core, Vec2 up, Edge* contacts, std::uint32_t count) 
 
 void put_in_order(const Core& core, Edge* contacts, std::uint32_t count) {
     const auto order = static_cast<SweepOrder>(core.state->solver.sweep_order);
-    if (order == SweepOrder::upward) sort_along(core, up_of(core), contacts, count);
-    if (order == SweepOrder::downward) sort_along(core, -up_of(core), contacts, count);
+    if (order != SweepOrder::as_found) sort_along(core, order == SweepOrder::upward ? up_of(core) : -up_of(core), contacts, count);
     for (std::uint32_t k = 0; k < count; ++k) contacts[k].place = no_color;
 }
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "island/union_find.hpp"
+#include "math/copies.hpp"
 #include "memory/core.hpp"
 
 namespace islet::detail {
@@ -41,7 +42,7 @@ struct Forest {
     static bool is_plain(const Joint& j) { return (j.flags & (joint_spring | joint_limit | joint_motor)) == 0 && j.friction == 0; }
 
     /// The tree of a hinge that has a body which moves.
-    Tree& tree_of(const Core& core, const Joint& j) const { return trees[sets.root_of(moves(core, j.body_a) ? j.body_a : j.body_b)]; }
+    ISLET_SHARED Tree& tree_of(const Core& core, const Joint& j) const { return trees[sets.root_of(moves(core, j.body_a) ? j.body_a : j.body_b)]; }
 
     /// Grows by a hinge, or returns false: a tree cannot take it, or it would close a loop, or has no body that moves.
     bool add(const Core& core, const Joint& j) const {

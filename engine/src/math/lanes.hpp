@@ -8,6 +8,7 @@
 
 #include "islet/config.hpp"
 #include "islet/math.hpp"
+#include "math/copies.hpp"
 #include "math/scalar.hpp"
 
 #if defined(__SSE2__)
@@ -16,8 +17,10 @@
 
 #if ISLET_MAX_LANES == 1
 #define ISLET_LANE inline
+#define ISLET_LANE_SHARED ISLET_SHARED
 #else
 #define ISLET_LANE [[gnu::always_inline]] inline
+#define ISLET_LANE_SHARED ISLET_LANE
 #endif
 
 namespace islet::detail {

@@ -1,5 +1,7 @@
-// The one floating-point function that the engine takes from the machine.
+// The one floating-point function that the engine takes from the machine, and what a float is in bits.
 #pragma once
+
+#include <cstdint>
 
 #include "islet/math.hpp"
 
@@ -8,5 +10,13 @@ namespace islet::detail {
 /// IEEE square root, correctly rounded, so the same bits everywhere: one instruction on every target with a floating-point unit.
 /// Never call it with a negative number: without -fno-math-errno the compiler leaves that case to the C library's sqrtf.
 [[gnu::always_inline]] inline float sqrt(float a) { return __builtin_sqrtf(a); }
+
+inline std::uint32_t bits_of(float a) { return __builtin_bit_cast(std::uint32_t, a); }
+
+/// An unsigned integer that sorts as the float does.
+inline std::uint32_t sort_key(float a) {
+    const std::uint32_t bits = bits_of(a);
+    return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
+}
 
 }  // namespace islet::detail

@@ -5,6 +5,7 @@
 // finds no colour overflows and is solved on its own. (Graph colouring for Gauss-Seidel; the split between the two ends follows Box2D 3.)
 #pragma once
 
+#include "math/copies.hpp"
 #include "memory/core.hpp"
 
 namespace islet::detail {
@@ -29,7 +30,7 @@ inline std::uint32_t take_color(Core& core, std::uint32_t body_a, std::uint32_t 
     return color;
 }
 
-inline void give_color(Core& core, std::uint32_t color, std::uint32_t body_a, std::uint32_t body_b) {
+ISLET_SHARED void give_color(Core& core, std::uint32_t color, std::uint32_t body_a, std::uint32_t body_b) {
     if (color == no_color) return;
     if (body_a != null_index && core.is_dynamic(body_a)) core.bodies[body_a].colors &= ~(1u << color);
     if (body_b != null_index && core.is_dynamic(body_b)) core.bodies[body_b].colors &= ~(1u << color);

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "math/copies.hpp"
+
 namespace islet::detail {
 
 struct PairSet {
@@ -44,7 +46,7 @@ private:
     // Multiplicative mixing with the golden ratio; the high bits are the good ones.
     std::uint32_t home(std::uint64_t key) const { return static_cast<std::uint32_t>((key * 0x9e3779b97f4a7c15ull) >> 32) & mask; }
 
-    std::uint32_t find(std::uint64_t key) const {
+    ISLET_SHARED std::uint32_t find(std::uint64_t key) const {
         std::uint32_t i = home(key);
         while (keys[i] != 0 && keys[i] != key) i = (i + 1) & mask;
         return i;

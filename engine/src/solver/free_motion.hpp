@@ -27,16 +27,16 @@ inline void gather_motion(SolverMotion& m, const Core& core, std::uint32_t body,
     }
 }
 
+/// a, but at most `bound` on either side, and 0 if it is not a number.
+ISLET_SHARED float within(float a, float bound) { return a == a ? clamp(a, -bound, bound) : 0; }
+
 // Also of velocities that overflowed: what is infinite becomes very large first, and what is not a number becomes zero.
 inline Vec2 limit_speed(Vec2 v, float max_speed) {
     constexpr float huge = 1.0e18f;  // its square is still a number
-    v.x = v.x == v.x ? clamp(v.x, -huge, huge) : 0;
-    v.y = v.y == v.y ? clamp(v.y, -huge, huge) : 0;
+    v = {within(v.x, huge), within(v.y, huge)};
     const float speed = length(v);
     return speed > max_speed ? (max_speed / speed) * v : v;
 }
-
-ISLET_SHARED float limit_turn(float w, float max_turn) { return w == w ? clamp(w, -max_turn, max_turn) : 0; }
 
 /// The velocities v, w after the substep, before warm start and sweeps.
 inline Vec2 free_velocity(const SolverMotion& m, Vec2 v, float max_speed) {
@@ -44,7 +44,7 @@ inline Vec2 free_velocity(const SolverMotion& m, Vec2 v, float max_speed) {
     if (!(dot(v, v) <= max_speed * max_speed)) v = limit_speed(v, max_speed);
     return v;
 }
-inline float free_turn(const SolverMotion& m, float w, float max_turn) { return limit_turn(m.angular_factor * (w + m.alpha), max_turn); }
+inline float free_turn(const SolverMotion& m, float w, float max_turn) { return within(m.angular_factor * (w + m.alpha), max_turn); }
 
 /// The fastest a body may turn in a step of dt seconds, rad/s: separations follow the turning to first order.
 inline float max_turn_of(float dt) { return 0.5f * pi / dt; }

@@ -17,7 +17,7 @@ struct NormalRow {
 void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumbers& n) {
     const Vec2 normal = {r.nx[0], r.ny[0]};
     const float vn = dot(normal, b.v - a.v), moved = dot(normal, b.dp - a.dp) + b.dq * r.dt[0];
-    float at[2], bt[2], old[2];
+    float at[2], bt[2], old[2], k[2];
     NormalRow row[2];
     for (std::uint32_t i = 0; i < 2; ++i) {
         const ContactRows<1>::Point& p = r.points[i];
@@ -29,13 +29,12 @@ void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumb
         // The kernel's row in the form of a linear problem: divided by its mass_scale, which is K / (K + softness).
         const float bias = s > 0 ? s * n.inv_h : n.bias_rate > 0 ? max(n.bias_rate * min(s + n.slop, 0.0f), -n.push_speed) / n.mass_scale : 0;
         row[i].speed = vn + b.w * bt[i] - a.w * at[i] + bias;
-        const float k = a.inv_mass + b.inv_mass + a.inv_inertia * at[i] * at[i] + b.inv_inertia * bt[i] * bt[i];
-        row[i].softness = soft ? k * (1 / n.mass_scale - 1) : 0;
+        k[i] = a.inv_mass + b.inv_mass + a.inv_inertia * at[i] * at[i] + b.inv_inertia * bt[i] * bt[i];
+        row[i].softness = soft ? k[i] * (1 / n.mass_scale - 1) : 0;
     }
-    const float mass = a.inv_mass + b.inv_mass;
-    const auto k = [&](std::uint32_t i, std::uint32_t j) { return mass + a.inv_inertia * at[i] * at[j] + b.inv_inertia * bt[i] * bt[j]; };
-    const float k01 = k(0, 1), m00 = k(0, 0) + row[0].softness, m11 = k(1, 1) + row[1].softness;
-    const float q0 = row[0].speed - k(0, 0) * old[0] - k01 * old[1], q1 = row[1].speed - k01 * old[0] - k(1, 1) * old[1];
+    const float k01 = a.inv_mass + b.inv_mass + a.inv_inertia * at[0] * at[1] + b.inv_inertia * bt[0] * bt[1];
+    const float m00 = k[0] + row[0].softness, m11 = k[1] + row[1].softness;
+    const float q0 = row[0].speed - k[0] * old[0] - k01 * old[1], q1 = row[1].speed - k01 * old[0] - k[1] * old[1];
 
     float x[2] = {old[0], old[1]};  // should rounding leave no case
     const float det = m00 * m11 - k01 * k01;

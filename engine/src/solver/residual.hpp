@@ -24,25 +24,34 @@ inline float velocity_change(const SolverBody& before, const SolverBody& after) 
     return sqrt(dot(dv, dv) + turning);
 }
 
-/// Solves a block of rows and takes it back: raises the residual of each of its islands to what changed. `slots` are those of the bodies it may push, in any
-/// order and number; `rows` all that solving changes besides.
-template <class Solve>
-void try_block(SolverBody* bodies, const std::uint32_t* slots, std::uint32_t count, std::byte* rows, std::size_t row_bytes_used,
-               const std::uint32_t* island_of, float* residuals, Solve&& solve) {
+/// What a block of rows and the bodies it may push are, before it is solved on trial.
+struct Trial {
+    std::byte* rows;         // all that solving changes besides the bodies
+    std::size_t bytes;
+    std::uint32_t slots[most_trial_slots];  // in any order and number
+    std::uint32_t count = 0;
     SolverBody before[most_trial_slots];
     alignas(16) std::byte saved[max_lanes * (row_bytes > joint_row_bytes ? row_bytes : joint_row_bytes)];
-    for (std::uint32_t i = 0; i < count; ++i) before[i] = bodies[slots[i]];
-    std::memcpy(saved, rows, row_bytes_used);
-    solve();
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t slot = slots[i];
-        if (before[i].inv_mass > 0) {
+
+    Trial(std::byte* from, std::size_t n) : rows(from), bytes(n) {}
+    void add(std::uint32_t slot) { slots[count++] = slot; }
+};
+
+/// Call the first, solve the block, and call the second, which takes it back and raises the residual of each of its islands to what changed.
+inline void begin_trial(Trial& t, const SolverBody* bodies) {
+    for (std::uint32_t i = 0; i < t.count; ++i) t.before[i] = bodies[t.slots[i]];
+    std::memcpy(t.saved, t.rows, t.bytes);
+}
+inline void end_trial(const Trial& t, SolverBody* bodies, const std::uint32_t* island_of, float* residuals) {
+    for (std::uint32_t i = 0; i < t.count; ++i) {
+        const std::uint32_t slot = t.slots[i];
+        if (t.before[i].inv_mass > 0) {
             float& residual = residuals[island_of[slot]];
-            residual = max(residual, velocity_change(before[i], bodies[slot]));
+            residual = max(residual, velocity_change(t.before[i], bodies[slot]));
         }
     }
-    for (std::uint32_t i = 0; i < count; ++i) bodies[slots[i]] = before[i];
-    std::memcpy(rows, saved, row_bytes_used);
+    for (std::uint32_t i = 0; i < t.count; ++i) bodies[t.slots[i]] = t.before[i];
+    std::memcpy(t.rows, t.saved, t.bytes);
 }
 
 }  // namespace islet::detail

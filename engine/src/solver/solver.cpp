@@ -175,7 +175,7 @@ void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_s
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
         if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
-        b.w = limit_turn(b.w, max_turn);
+        b.w = within(b.w, max_turn);
         b.dp += h * b.v;
         b.dq += h * b.w;
     }
@@ -190,7 +190,7 @@ void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) 
         Pose& pose = s.core.poses[i];
         Motion& motion = s.core.motions[i];
         motion.v = limit_speed(b.v, s.numbers.max_speed);
-        motion.w = limit_turn(b.w, s.numbers.max_turn);
+        motion.w = within(b.w, s.numbers.max_turn);
         motion.force = {0, 0};
         motion.torque = 0;
         pose.center = max(min(pose.center + b.dp, Vec2{max_position, max_position}), Vec2{-max_position, -max_position});
@@ -349,11 +349,12 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot)
         if (island_of[slot] != null_index) s.residuals[island_of[slot]] = 0;
     const auto try_contacts = [&]<class Kernel>(Kernel, typename Kernel::Rows& r, const SweepNumbers& numbers) {
-        std::uint32_t slots[2 * Kernel::W];
-        std::memcpy(slots, r.body_a, sizeof r.body_a);
-        std::memcpy(slots + Kernel::W, r.body_b, sizeof r.body_b);
-        try_block(s.bodies, slots, 2 * Kernel::W, reinterpret_cast<std::byte*>(&r), sizeof r, island_of, s.residuals,
-                  [&] { Kernel::solve(s.bodies, &r, 1, numbers); });
+        Trial trial(reinterpret_cast<std::byte*>(&r), sizeof r);
+        for (const std::uint32_t slot : r.body_a) trial.add(slot);
+        for (const std::uint32_t slot : r.body_b) trial.add(slot);
+        begin_trial(trial, s.bodies);
+        Kernel::solve(s.bodies, &r, 1, numbers);
+        end_trial(trial, s.bodies, island_of, s.residuals);
     };
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
         ContactRows<1>& r = overflow[i];
@@ -378,11 +379,10 @@ void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
     block.blocks = 1;
     const std::size_t block_bytes = joint_run_bytes_of(block, lanes);
     for (std::uint32_t i = 0; i < r.blocks; ++i) {
-        std::uint32_t slots[most_trial_slots];
-        std::uint32_t count = 0;
+        Trial trial(s.joint_rows + r.offset + i * block_bytes, block_bytes);
         const auto add = [&](const Joint& j) {
-            slots[count++] = j.body_a == null_index ? 0 : s.plan.slot_of[j.body_a];
-            slots[count++] = s.plan.slot_of[j.body_b];
+            trial.add(j.body_a == null_index ? 0 : s.plan.slot_of[j.body_a]);
+            trial.add(s.plan.slot_of[j.body_b]);
         };
         for (std::uint32_t lane = 0; lane < lanes; ++lane) {
             const std::uint32_t joint = s.plan.joints[r.first + i * lanes + lane];
@@ -395,9 +395,9 @@ void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
                 add(j);
             }
         }
-        std::byte* const rows = s.joint_rows + r.offset + i * block_bytes;
-        try_block(s.bodies, slots, count, rows, block_bytes, s.plan.island_of, s.residuals,
-                  [&] { solve_joint_run(block, lanes, s.bodies, rows, joints); });
+        begin_trial(trial, s.bodies);
+        solve_joint_run(block, lanes, s.bodies, trial.rows, joints);
+        end_trial(trial, s.bodies, s.plan.island_of, s.residuals);
     }
 }
 

@@ -26,8 +26,8 @@ std::uint32_t find_body(const Core& core, BodyId id) {
 namespace {
 
 bool check_def(const Core& core, const BodyDef& d) {
-    const bool finite = is_finite(d.position) && is_finite(d.angle) && is_finite(d.linear_velocity) && is_finite(d.angular_velocity) &&
-                        is_finite(d.linear_damping) && is_finite(d.angular_damping) && is_finite(d.gravity_scale) && is_finite(d.sleep_threshold);
+    const bool finite = all_finite(d.position.x, d.position.y, d.angle, d.linear_velocity.x, d.linear_velocity.y, d.angular_velocity, d.linear_damping,
+                                   d.angular_damping, d.gravity_scale, d.sleep_threshold);
     return check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
            check(core, has_sleep || d.awake, Error::feature_cut);

@@ -17,6 +17,11 @@ inline bool check(const Core& core, bool good, Error error) {
     if (!good) writable(core).fail(error);
     return good;
 }
+/// A number less itself is 0, but for infinities and NaN.
+template <class... Floats>
+bool all_finite(Floats... a) {
+    return ((a - a) + ...) == 0.0f;
+}
 inline bool check_finite(const Core& core, float a) { return check(core, is_finite(a), Error::not_finite); }
 inline bool check_finite(const Core& core, Vec2 a) { return check(core, is_finite(a), Error::not_finite); }
 /// Finite and lo <= a <= hi.

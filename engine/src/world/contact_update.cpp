@@ -9,6 +9,7 @@
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
 #include "collide/manifold.hpp"
+#include "math/copies.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
 #include "memory/parallel.hpp"
@@ -24,7 +25,7 @@ inline constexpr std::uint32_t clear_grain = 16;                // words of 64 b
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
 // Against what cannot be pushed, a fast body looks as far ahead as it may come in this step.
-bool looks_ahead(const Pose& a, const Pose& b) { return ((a.flags | b.flags) & pose_fast) != 0 && (a.inv_mass == 0 || b.inv_mass == 0); }
+ISLET_SHARED bool looks_ahead(const Pose& a, const Pose& b) { return ((a.flags | b.flags) & pose_fast) != 0 && (a.inv_mass == 0 || b.inv_mass == 0); }
 
 bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
     if ((m.flags & contact_posed) == 0 || looks_ahead(a, b)) return false;
@@ -71,7 +72,7 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
 }
 
 // A new manifold that keeps the impulses of points whose features it shares with the old one.
-void remake(Core& core, std::uint32_t index, float dt) {
+ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
     const Contact& c = core.contacts[index];
     ContactManifold& m = core.manifolds[index];
     const Pose& pa = core.poses[m.body_a];

@@ -1,5 +1,6 @@
 // The state hash: all persistent state that affects the future, word by word, so that it does not depend on the byte order of the machine, nor on
 // the capacity.
+#include "math/scalar.hpp"
 #include "world/checks.hpp"
 
 namespace islet {
@@ -16,11 +17,7 @@ struct Hasher {
         h = (h ^ w) * 0xd6e8feb86659fd93ull;
         h ^= h >> 32;
     }
-    void number(float f) {
-        std::uint32_t w = 0;
-        std::memcpy(&w, &f, 4);
-        word(w);
-    }
+    void number(float f) { word(bits_of(f)); }
     void long_word(std::uint64_t w) {
         word(static_cast<std::uint32_t>(w));
         word(static_cast<std::uint32_t>(w >> 32));
@@ -32,7 +29,7 @@ struct Hasher {
         const auto* bytes = reinterpret_cast<const std::byte*>(items);
         for (std::size_t i = 0; i < std::size_t{count} * sizeof(T); i += 4) {
             std::uint32_t w = 0;
-            std::memcpy(&w, bytes + i, 4);
+            __builtin_memcpy(&w, bytes + i, 4);  // std::memcpy may be a call (-ffreestanding)
             word(w);
         }
     }

@@ -107,7 +107,8 @@ bool check_numbers(const Core& core, const Joint& j) {
         if (!check_not_negative(core, a)) return false;
     for (const float a : {j.target, j.lower, j.upper, j.motor_speed, j.velocity.x, j.velocity.y})
         if (!check_finite(core, a)) return false;
-    return check(core, j.lower <= j.upper, Error::out_of_range);
+    const bool too_short = j.joint_type() == JointType::distance && (j.flags & joint_limit) != 0 && j.lower < 0;
+    return check(core, j.lower <= j.upper && !too_short, Error::out_of_range);
 }
 
 /// Puts the joint into a slot, ties it to its bodies, wakes them, and ends what it forbids. Call when all else is checked; null if there is no room.
@@ -182,9 +183,7 @@ JointId World::create_joint(const PrismaticJointDef& def) {
 
 JointId World::create_joint(const DistanceJointDef& def) {
     Core& c = core();
-    if (!check(c, has_joint(JointType::distance), Error::feature_cut) || !check_range(c, def.length, linear_slop, max_position) ||
-        !check(c, !def.limit.enable || def.limit.lower >= 0, Error::out_of_range))
-        return {};
+    if (!check(c, has_joint(JointType::distance), Error::feature_cut) || !check_range(c, def.length, linear_slop, max_position)) return {};
     Joint j = new_joint(JointType::distance, def.base);
     fill_coordinate(j, def.spring, def.limit, def.motor);
     j.length = def.length;

@@ -80,8 +80,7 @@ void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32
 namespace detail {
 
 bool check_shape_def(const Core& core, const ShapeDef& d) {
-    const bool finite = is_finite(d.friction) && is_finite(d.restitution) && is_finite(d.rolling_resistance) && is_finite(d.tangent_speed) &&
-                        is_finite(d.density);
+    const bool finite = all_finite(d.friction, d.restitution, d.rolling_resistance, d.tangent_speed, d.density);
     return check(core, finite, Error::not_finite) &&
            check_range(core, d.friction, 0, max_coefficient) && check_range(core, d.restitution, 0, 1) &&
            check_range(core, d.rolling_resistance, 0, max_coefficient) &&

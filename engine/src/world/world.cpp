@@ -17,12 +17,6 @@ using namespace detail;
 
 namespace {
 
-// A number less itself is 0, but for infinities and NaN.
-template <class... Floats>
-bool all_finite(Floats... a) {
-    return ((a - a) + ...) == 0.0f;
-}
-
 Error check_capacity(const Capacity& c) {
     const bool some = c.bodies > 0 && c.shapes > 0 && c.contacts > 0;
     const bool sane = c.bodies <= max_capacity && c.shapes <= max_capacity && c.contacts <= max_capacity && c.joints <= max_capacity &&
@@ -107,7 +101,7 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     }
 
     World* world = new (block.data(), IsletPlace{}) World;
-    Core& core = *new (world->core_, IsletPlace{}) Core;
+    Core& core = *new (world->core_, IsletPlace{}) Core{};
     core.capacity = capacity;
     core.lanes = choose_lanes(def.lanes);
     core.error_hook = def.error_hook;
@@ -117,7 +111,7 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
 
     // Persistent memory starts as zeros, so that no byte of a world depends on what the block held before.
     std::memset(block.data() + l.state, 0, l.persistent_end - l.state);
-    State& state = *new (core.state, IsletPlace{}) State;
+    State& state = *new (core.state, IsletPlace{}) State{};
     rebuild_buckets(core);
     state.gravity = def.gravity;
     state.restitution_threshold = def.restitution_threshold;
