@@ -70,20 +70,6 @@ void take_turns(std::vector<Contender>& list, const SceneInfo& info, const Bench
 
 }  // namespace
 
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
-double percentile(std::vector<double> values, double percent) {
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    const auto rank = static_cast<std::size_t>(std::ceil(percent / 100 * double(values.size())));
-    return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
-}
-
 double total_ms(const BenchRun& run) { return std::accumulate(run.step_ms.begin(), run.step_ms.end(), 0.0); }
 
 void summarise(const std::vector<BenchRun>& runs, const std::vector<BenchRun>& reference, BenchResult& result) {

@@ -10,6 +10,7 @@
 
 #include "registry.hpp"
 #include "scene.hpp"
+#include "statistics.hpp"
 
 namespace islet::samples {
 
@@ -39,10 +40,6 @@ struct BenchResult {
     std::optional<double> ratio;  // median over the turns of its time by Islet's (with the first number of workers); none if Islet was not timed
 };
 
-/// The middle value, or the mean of the two middle ones; 0 of none.
-double median(std::vector<double> values);
-/// The smallest value that at least `percent` % of the values do not exceed (nearest rank); 0 of none.
-double percentile(std::vector<double> values, double percent);
 double total_ms(const BenchRun& run);
 /// Fills in the numbers: medians over `runs`, and against `reference`, which has as many runs in the same turns, or is empty.
 void summarise(const std::vector<BenchRun>& runs, const std::vector<BenchRun>& reference, BenchResult& result);

@@ -1,30 +1,14 @@
 // The list of scenes, how to find one by name, and how much room one needs.
 #include <algorithm>
 #include <cstring>
-#include <numeric>
 #include <set>
 #include <type_traits>
 
+#include "near_names.hpp"
 #include "scenes/scenes.hpp"
 
 namespace islet::samples {
 namespace {
-
-/// Insertions, deletions and replacements that turn a into b (Levenshtein).
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
-        }
-    }
-    return row.back();
-}
 
 void append_floats(std::string& bytes, std::initializer_list<Vec2> points, float radius) {
     for (const Vec2 p : points) bytes.append(reinterpret_cast<const char*>(&p), sizeof p);
@@ -82,6 +66,7 @@ const std::vector<SceneInfo>& catalogue() {
         {"scissor_lift", "joints", "crossed bars lift a platform as a carriage pulls their feet together", make_scissor_lift},
         {"car", "joints", "a car on sprung struts drives over waves", make_car},
         {"ragdoll", "joints", "three ragdolls tumble down a stair and come to rest", make_ragdoll},
+        {"ragdoll_pile", "joints", "twelve ragdolls fall into a pen and come to rest in a heap", make_ragdoll_pile},
         {"mouse_drag", "joints", "a hand pulls a box out of a pile and holds it up", make_mouse_drag},
         {"cloth", "soft", "a cloth hung up by two corners loses one of its nails", make_cloth_scene},
         {"flag", "soft", "pennants in a wind that grows with the height stream out at four angles", make_flag},
@@ -118,22 +103,9 @@ const SceneInfo* find_scene(const std::string& name) {
 }
 
 std::vector<std::string> similar_scenes(const std::string& name) {
-    struct Candidate {
-        std::size_t distance;
-        std::string name;
-    };
-    std::vector<Candidate> candidates;
-    for (const SceneInfo& info : catalogue()) {
-        const std::string known = info.name;
-        const bool part = name.size() >= 3 && (known.find(name) != std::string::npos || name.find(known) != std::string::npos);
-        const std::size_t distance = part ? 1 : edit_distance(name, known);
-        if (distance <= std::max<std::size_t>(2, known.size() / 3)) candidates.push_back({distance, known});
-    }
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
-    std::vector<std::string> names;
-    names.reserve(candidates.size());
-    for (const Candidate& candidate : candidates) names.push_back(candidate.name);
-    return names;
+    std::vector<std::string> known;
+    for (const SceneInfo& info : catalogue()) known.emplace_back(info.name);
+    return near_names(name, known);
 }
 
 Capacity capacity_of(const Scene& scene) {

@@ -14,7 +14,9 @@ namespace islet::samples {
 
 class ProgressBar {
 public:
-    explicit ProgressBar(int total) : total_(total), shown_(total > 0 && isatty(STDERR_FILENO) == 1) {}
+    /// `what` is being counted: "step" shows as "step 3 of 20".
+    explicit ProgressBar(int total, const char* what = "step")
+        : total_(total), what_(what), shown_(total > 0 && isatty(STDERR_FILENO) == 1) {}
     ~ProgressBar() { clear(); }
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
@@ -26,8 +28,8 @@ public:
         next_ = now + std::chrono::milliseconds(50);
         constexpr int width = 32;
         const auto filled = static_cast<std::size_t>(static_cast<long long>(done) * width / total_);
-        fmt::print(stderr, "\r[{}{}] step {} of {}", std::string(filled, '='),
-                   std::string(std::size_t{width} - std::min<std::size_t>(filled, width), ' '), done, total_);
+        fmt::print(stderr, "\r[{}{}] {} {} of {}", std::string(filled, '='),
+                   std::string(std::size_t{width} - std::min<std::size_t>(filled, width), ' '), what_, done, total_);
         std::fflush(stderr);
         drawn_ = true;
     }
@@ -40,6 +42,7 @@ public:
 
 private:
     int total_;
+    const char* what_;
     bool shown_;
     bool drawn_ = false;
     std::chrono::steady_clock::time_point next_{};

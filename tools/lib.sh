@@ -45,6 +45,7 @@ need_test_tools() {
     need libgtest-dev header_exists gtest/gtest.h
     need libbox2d-dev header_exists box2d/box2d.h
     need libchipmunk-dev header_exists chipmunk/chipmunk.h
+    need gnuplot-nox command_exists gnuplot
 }
 
 # What builds the firmware for Cortex-M and RISC-V, and runs it.

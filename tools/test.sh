@@ -4,8 +4,8 @@
 #   tools/test.sh --all        the same once more with clang and sanitizers; hashes of unoptimised code, on other processors and of the firmware in
 #                              microcontrollers, both emulated; pages played in a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
-# Installs a compiler, CMake, Box2D, Chipmunk and GoogleTest with apt if they are missing (and for the options: clang, gcovr, shellcheck, Node.js,
-# npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
+# Installs a compiler, CMake, Box2D, Chipmunk, GoogleTest and gnuplot with apt if they are missing (and for the options: clang, gcovr, shellcheck,
+# Node.js, npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
 set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"

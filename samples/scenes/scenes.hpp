@@ -39,6 +39,7 @@ Scene make_gears();
 Scene make_scissor_lift();
 Scene make_car();
 Scene make_ragdoll();
+Scene make_ragdoll_pile();
 Scene make_mouse_drag();
 // soft
 Scene make_cloth_scene();

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "islet/island.hpp"
 #include "islet/islet.hpp"
 #include "islet/lcp.hpp"
 #include "support/joint_world.hpp"
@@ -340,6 +341,27 @@ TEST(NoHeap, GoingBackAllocatesNothing) {
     EXPECT_EQ(watch.stop(), 0);
     EXPECT_TRUE(back && forth && refused);
     EXPECT_EQ(applied, m);
+}
+
+TEST(NoHeap, ExportingIslandsAllocatesNothing) {
+    World& w = build();
+    alignas(float) static std::byte memory[1 << 19];
+    const test::Machine m = test::add_machine(w, {40, 0});
+    for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
+    std::size_t rows = 0;
+    bool fit = true;
+    const Watch watch;
+    IslandProblem out;
+    for (std::uint32_t slot = 0; slot < w.capacity().bodies; ++slot) {
+        if (w.type(w.body_at(slot)) != BodyType::dynamic) continue;
+        fit &= w.export_island(w.body_at(slot), 1.0f / 240, memory, out) <= sizeof memory;
+        rows += out.rows.size();
+    }
+    const bool refused = w.export_island(m.frame, 1.0f / 240, memory, out) == 0;
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_TRUE(fit && refused);
+    EXPECT_GT(rows, 100u);
 }
 
 TEST(NoHeap, NoMatrixSolverAllocates) {

@@ -7,6 +7,7 @@
 
 #include "engine.hpp"
 #include "measure.hpp"
+#include "scenes/checks.hpp"
 
 namespace islet::test {
 namespace {
@@ -135,6 +136,23 @@ TEST(BlockContacts, ATowerOfSixtyBoxesSwaysLess) {
     const double swept = sway(false), block = sway(true);
     EXPECT_LT(swept, 2.0) << "60 m high, it stands for 60 s";
     EXPECT_LT(block, 0.5 * swept);
+}
+
+// -- hard cases at the default ---------------------------------------------------------------------------------------------------
+
+// A slab of 300 kg on three columns of two boxes of 1 kg, and a pyramid whose top box weighs 300 kg.
+TEST(HardCases, ThreeHundredToOneStandsForAMinute) {
+    samples::Scene scene = samples::find_scene("mass_ratio")->make();
+    samples::IsletEngine engine;
+    engine.load(scene);
+    const samples::Drift before = samples::drift_from(samples::places_of(scene, 1, scene.bodies.size()), engine, 1);
+    EXPECT_EQ(before.sideways, 0);
+    for (int step = 0; step < (slow_build ? 600 : 3600); ++step) engine.advance(scene, step, step_time);
+    const samples::Drift drift = samples::drift_from(samples::places_of(scene, 1, scene.bodies.size()), engine, 1);
+    EXPECT_LT(drift.sideways, 0.05);
+    EXPECT_LT(drift.turn, 0.05);
+    EXPECT_LT(drift.sink, 0.2) << "contacts are soft and give way under the load, but nothing falls";
+    EXPECT_LT(samples::max_speed(engine), 0.02);
 }
 
 // -- shock propagation -----------------------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "robustness/refusal.hpp"
+#include "support/island.hpp"
 
 namespace {
 
@@ -107,6 +108,8 @@ TEST_P(ExtremeNumber, IsRefusedOrSurvived) {
             const char* broken = w->validate();
             EXPECT_TRUE(broken == nullptr && w.is_finite())
                 << GetParam().name << '(' << x << "): " << (broken != nullptr ? broken : "not finite");
+            const char* fault = fault_in(*ExportedIsland(*w, box, 1.0f / 240));
+            EXPECT_EQ(fault, nullptr) << GetParam().name << '(' << x << "): the island's " << fault;
         }
     }
 }

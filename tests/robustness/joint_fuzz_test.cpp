@@ -1,6 +1,7 @@
 // Random calls, good and bad, on joints of every type between bodies that come, go and change: every invariant holds, every number stays finite.
 #include "physics/measure.hpp"
 #include "robustness/refusal.hpp"
+#include "support/island.hpp"
 #include "support/joint_world.hpp"
 #include "support/random.hpp"
 
@@ -30,6 +31,7 @@ public:
         EXPECT_GT(steps_, operations / 10) << "hardly any step was good";
         EXPECT_GT(w_.errors.size(), static_cast<std::size_t>(operations / 100)) << "hardly anything bad was tried";
         EXPECT_GT(broken_, 0u) << "no joint broke";
+        EXPECT_GT(islands_, operations / 1000) << "hardly any island was large";
         return seen ^ w_->hash();
     }
 
@@ -151,6 +153,15 @@ private:
         EXPECT_TRUE(is_finite(w_->anchor_a(j)) && is_finite(w_->anchor_b(j)));
     }
 
+    void look_at_an_island() {
+        const float times[] = {1.0f / 240, 1.0f / 60, 1e-6f, 1, 0, test::nan};
+        const ExportedIsland island(*w_, body(), times[random_.below(std::size(times))]);
+        if (island.bytes() == 0) return;
+        const char* fault = fault_in(*island);
+        EXPECT_EQ(fault, nullptr) << fault;
+        islands_ += island->rows.size() > 5 ? 1 : 0;
+    }
+
     void change_body() {
         const BodyId b = body();
         switch (random_.below(12)) {
@@ -208,7 +219,7 @@ private:
     void act() {
         // Pools drift between full and empty.
         const bool crowded = random_.one_in(2);
-        switch (random_.below(14)) {
+        switch (random_.below(15)) {
         case 0: create_body(); break;
         case 1: crowded ? w_->destroy_body(body()) : create_body(); break;
         case 2:
@@ -218,6 +229,7 @@ private:
         case 6: change_joint(); break;
         case 7:
         case 8: random_.one_in(12) ? change_world() : change_body(); break;
+        case 9: look_at_an_island(); break;
         default: step();
         }
     }
@@ -226,7 +238,7 @@ private:
     TestWorld w_;
     std::uint32_t made_[joint_type_count] = {};
     std::size_t broken_ = 0;
-    int steps_ = 0;
+    int steps_ = 0, islands_ = 0;
 };
 
 class JointFuzz : public testing::TestWithParam<int> {};

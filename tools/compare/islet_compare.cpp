@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,11 +13,13 @@
 
 #include "compare.hpp"
 #include "compare_report.hpp"
+#include "output_file.hpp"
 #include "timing.hpp"
 
 namespace {
 
 using namespace islet::compare;
+using islet::samples::OutputFile;
 using islet::samples::SceneInfo;
 
 enum Status { ok = 0, check_failed = 1, wrong_usage = 2 };
@@ -28,24 +29,6 @@ struct Options {
     bool all = false, time = false, json = false;
     int steps = 0;
     std::string csv, svg;
-};
-
-/// A file that is known to be writable before the work begins.
-class Output {
-public:
-    explicit Output(const std::string& path) : path_(path) {
-        if (!path.empty()) file_.open(path);
-    }
-    bool good() const { return path_.empty() || file_.good(); }
-    bool write(const std::string& text) {
-        if (path_.empty()) return true;
-        file_ << text << std::flush;
-        return file_.good();
-    }
-
-private:
-    std::string path_;
-    std::ofstream file_;
 };
 
 /// Picture of one scene among several: pictures/all.svg -> pictures/all-hello.svg.
@@ -102,10 +85,10 @@ int run_timing(const Options& options, const std::vector<const SceneInfo*>& scen
 }
 
 int run_comparison(const Options& options, const std::vector<const SceneInfo*>& scenes) {
-    Output csv(options.csv);
-    std::vector<Output> pictures;
+    OutputFile csv(options.csv);
+    std::vector<OutputFile> pictures;
     for (const SceneInfo* info : scenes) pictures.emplace_back(picture_path(options.svg, info->name, scenes.size() > 1));
-    if (!csv.good() || !std::all_of(pictures.begin(), pictures.end(), [](const Output& o) { return o.good(); })) {
+    if (!csv.good() || !std::all_of(pictures.begin(), pictures.end(), [](const OutputFile& o) { return o.good(); })) {
         fmt::print(stderr, "islet-compare: cannot write to {}\n", csv.good() ? options.svg : options.csv);
         return wrong_usage;
     }

@@ -1,23 +1,19 @@
 #include "timing.hpp"
 
-#include <algorithm>
 #include <chrono>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "box2d_engine.hpp"
+#include "statistics.hpp"
 
 namespace islet::compare {
 
 using namespace engines;
+using samples::median;
 
 namespace {
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 double run_ms(samples::Engine& engine, const samples::SceneInfo& info, int steps) {
     const samples::Scene scene = info.make();

@@ -64,7 +64,7 @@ enum class Error : std::uint8_t {
     events_full,         ///< more contacts ended than there is room to report
     joints_full,         ///< raise Capacity::joints
     same_body,           ///< a joint needs two different bodies
-    no_dynamic_body,     ///< a joint needs at least one dynamic body
+    no_dynamic_body,     ///< a joint needs at least one dynamic body, and so does an island
     wrong_joint_type,    ///< joints of this type have no such property, or cannot be geared
     image_too_small,     ///< the memory given for a snapshot or a delta is too small
     image_misaligned,    ///< the image is not aligned to snapshot_alignment

@@ -283,7 +283,7 @@ inline void forget_unsound(Joint& j) {
     j.spring_impulse = j.motor_impulse = j.friction_impulse = j.lower_impulse = j.upper_impulse = 0;
 }
 
-/// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in solver.cpp). What cannot
+/// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in free_motion.hpp). What cannot
 /// be pushed is not stretched.
 inline void add_stretch(const JointOutput& out, std::uint32_t slot, std::uint32_t body, Vec2 arm, Vec2 p) {
     const SolverBody& b = out.solved[slot];

@@ -61,7 +61,7 @@ struct Body {
     std::uint32_t next_free = null_index;
     std::uint32_t joint_head = 0;    // joint key, as contact_head
     std::uint32_t joint_count = 0;
-    float stretch = 0;               // kg m^2: h^2 times the geometric stiffness of the joints that pull at it (solver.cpp)
+    float stretch = 0;               // kg m^2: h^2 times the geometric stiffness of the joints that pull at it (free_motion.hpp)
 
     BodyType type() const { return static_cast<BodyType>(flags & body_type_mask); }
 };

@@ -6,9 +6,11 @@
 #include "memory/colors.hpp"
 #include "memory/parallel.hpp"
 #include "constraint/contact.hpp"
+#include "solver/free_motion.hpp"
 #include "solver/joint_solve.hpp"
 #include "solver/ordered_sweep.hpp"
 #include "solver/residual.hpp"
+#include "solver/surface.hpp"
 #include "solver/tree_solve.hpp"
 
 namespace islet::detail {
@@ -79,7 +81,7 @@ void choose_numbers(Solve& s, float dt) {
     if (!(n.warm <= 1.0e6f)) n.warm = 0;
     n.restitution_threshold = state.restitution_threshold;
     n.max_speed = state.max_speed;
-    n.max_turn = 0.5f * pi / dt;
+    n.max_turn = max_turn_of(dt);
 
     s.relaxed.inv_h = n.inv_h;
     if (def.schedule == Schedule::soft) {
@@ -117,53 +119,28 @@ void choose_numbers(Solve& s, float dt) {
     }
 }
 
-// A body pulled at both ends swings back about its centre like a string: a geometric stiffness S = sum of r . f over its joints. Where the substep is
-// too long for that swing, h^2 S > I, the body is given as much inertia as keeps it stable (from the implicit treatment in Tournier and others,
-// "Stable Constrained Dynamics", 2015). Elsewhere nothing changes. `stretch` is h^2 S as the last step left it.
-float stiffened(float inv_inertia, float stretch) { return stretch * inv_inertia > 1.0f ? 1.0f / stretch : inv_inertia; }
-
 void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
     const Core& core = s.core;
-    const Vec2 gravity = core.state->gravity;
     const float h = s.numbers.h;
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         const std::uint32_t i = s.plan.body_of[slot];
         const Pose& pose = core.poses[i];
         const Motion& motion = core.motions[i];
-        const Body& body = core.bodies[i];
         SolverBody& b = s.bodies[slot];
-        SolverMotion& m = s.motions[slot];
         // Adding +0 turns -0 into +0. From then on no sum of the solve is ever -0, so a lane that adds nothing changes no bit.
         b.v = {motion.v.x + 0.0f, motion.v.y + 0.0f};
         b.w = motion.w + 0.0f;
         b.inv_mass = pose.inv_mass;
         b.dp = {0, 0};
         b.dq = 0;
-        b.inv_inertia = stiffened(pose.inv_inertia, body.stretch);
-        m = SolverMotion{};
+        b.inv_inertia = stiffened(pose.inv_inertia, core.bodies[i].stretch);
         if (has_tuning && s.plan.lightness != nullptr) {
             b.inv_mass *= s.plan.lightness[i];
             b.inv_inertia *= s.plan.lightness[i];
         }
-        if (pose.inv_mass > 0) {
-            m.a = h * (body.gravity_scale * gravity + pose.inv_mass * motion.force);
-            m.alpha = h * (pose.inv_inertia * motion.torque);
-            m.linear_factor = 1.0f / (1.0f + h * body.linear_damping);
-            m.angular_factor = 1.0f / (1.0f + h * body.angular_damping);
-        }
+        gather_motion(s.motions[slot], core, i, h);
         s.core.bodies[i].stretch = 0;  // the joints' forces of this step give the next one's
     }
-}
-
-// a, but at most `bound` on either side, and 0 if it is not a number.
-ISLET_SHARED float within(float a, float bound) { return a == a ? clamp(a, -bound, bound) : 0; }
-
-// Also of velocities that overflowed: what is infinite becomes very large first, and what is not a number becomes zero.
-Vec2 limit_speed(Vec2 v, float max_speed) {
-    constexpr float huge = 1.0e18f;  // its square is still a number
-    v = {within(v.x, huge), within(v.y, huge)};
-    const float speed = length(v);
-    return speed > max_speed ? (max_speed / speed) * v : v;
 }
 
 // v <- factor (v + a) + warm start. Within a step anchors and normals do not change, so the warm start of a later substep, M^-1 J^T lambda summed over a
@@ -182,10 +159,8 @@ void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_
             b.dp = {0, 0};
             b.dq = 0;
         }
-        Vec2 v = m.linear_factor * (b.v + m.a);
-        float w = m.angular_factor * (b.w + m.alpha);
-        if (!(dot(v, v) <= max_speed * max_speed)) v = limit_speed(v, max_speed);
-        w = within(w, max_turn);
+        const Vec2 v = free_velocity(m, b.v, max_speed);
+        const float w = free_turn(m, b.w, max_turn);
         m.v_free = v;
         m.w_free = w;
         b.v = v + dv;
@@ -223,8 +198,7 @@ void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) 
     }
 }
 
-// Names the contacts of each block. Restitution, rolling resistance and surface speed are rare, so they are not in the manifold: they come from the
-// shapes.
+// Names the contacts of each block.
 template <std::uint32_t W>
 void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, const std::uint32_t* contacts) {
     for (std::uint32_t block = 0; block < count; ++block) {
@@ -237,23 +211,10 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
         }
         if ((any & (contact_special | contact_bouncy)) == 0) continue;
         for (std::uint32_t i = 0; i < W; ++i) {
-            r.restitution[i] = r.rolling_resistance[i] = r.tangent_speed[i] = 0;
-            if (r.contact[i] == null_index) continue;
-            const Contact& c = core.contacts[r.contact[i]];
-            const Shape& a = core.shapes[c.shape_a];
-            const Shape& b = core.shapes[c.shape_b];
-            const auto radius = [&](const Shape& shape) {
-                const Geometry& g = core.geometries[shape.geometry];
-                switch (g.shape_type()) {
-                    case ShapeType::circle: return g.circle.radius;
-                    case ShapeType::capsule: return g.capsule.radius;
-                    case ShapeType::polygon: return g.polygon.radius;
-                    default: return 0.0f;
-                }
-            };
-            r.restitution[i] = max(a.restitution, b.restitution);
-            r.rolling_resistance[i] = max(a.rolling_resistance, b.rolling_resistance) * max(radius(a), radius(b));
-            r.tangent_speed[i] = a.tangent_speed + b.tangent_speed;
+            const Surface surface = r.contact[i] != null_index ? surface_of(core, r.contact[i]) : Surface{};
+            r.restitution[i] = surface.restitution;
+            r.rolling_resistance[i] = surface.rolling_resistance;
+            r.tangent_speed[i] = surface.tangent_speed;
         }
     }
 }

@@ -11,7 +11,7 @@
 // iteration, and no mass ratio harms it. (Baraff, "Linear-Time Dynamics using Lagrange Multipliers", 1996; Featherstone's articulated bodies.)
 //
 // Exact impulses, held over a substep, pull a light link under tension back and forth like a string: stable only while h^2 times the geometric stiffness
-// sum of r . f is small beside its inertia. Where it is not, the body already has more inertia (stiffened() in solver.cpp), and its spin here is
+// sum of r . f is small beside its inertia. Where it is not, the body already has more inertia (stiffened() in free_motion.hpp), and its spin here is
 // scaled as implicit Euler has it, (I + h^2 k) w+ = I w + ... (Tournier and others, "Stable Constrained Dynamics", 2015). Measured on a chain of 30
 // links with a ball of 1000 link masses that swings 20 s from level: the hinges stay within 0.03 mm, and the first swing loses 1.4 % of its energy;
 // without the scaling the chain explodes.

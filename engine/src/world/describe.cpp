@@ -22,7 +22,7 @@ const char* describe(Error e) {
         case Error::events_full: return "More contacts ended than there is room to report: raise Capacity::contacts or destroy less between steps.";
         case Error::joints_full: return "No room for another joint: raise Capacity::joints.";
         case Error::same_body: return "A joint needs two different bodies.";
-        case Error::no_dynamic_body: return "A joint needs at least one dynamic body: the others do not move by joints.";
+        case Error::no_dynamic_body: return "A joint needs at least one dynamic body, and so does an island: impulses do not move the others.";
         case Error::wrong_joint_type: return "Joints of this type have no such property; gears couple revolute and prismatic joints only.";
         case Error::image_too_small: return "The memory given for the image is too small: snapshot_bytes or max_delta_bytes says how much is needed.";
         case Error::image_misaligned: return "An image to load must be aligned to snapshot_alignment bytes: copy it to memory that is.";

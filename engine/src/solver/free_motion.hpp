@@ -1,0 +1,52 @@
+// What a body does over a substep when nothing touches it: gravity, forces, damping and the limits of speed.
+#pragma once
+
+#include "constraint/solver_body.hpp"
+#include "math/copies.hpp"
+#include "math/scalar.hpp"
+#include "memory/core.hpp"
+
+namespace islet::detail {
+
+// A body pulled at both ends swings back about its centre like a string: a geometric stiffness S = sum of r . f over its joints. Where the substep is
+// too long for that swing, h^2 S > I, the body is given as much inertia as keeps it stable (from the implicit treatment in Tournier and others,
+// "Stable Constrained Dynamics", 2015). Elsewhere nothing changes. `stretch` is h^2 S as the last step left it.
+inline float stiffened(float inv_inertia, float stretch) { return stretch * inv_inertia > 1.0f ? 1.0f / stretch : inv_inertia; }
+
+/// What a substep of length h adds to the body's velocity, and how it is damped.
+inline void gather_motion(SolverMotion& m, const Core& core, std::uint32_t body, float h) {
+    const Pose& pose = core.poses[body];
+    const Motion& motion = core.motions[body];
+    const Body& b = core.bodies[body];
+    m = SolverMotion{};
+    if (pose.inv_mass > 0) {
+        m.a = h * (b.gravity_scale * core.state->gravity + pose.inv_mass * motion.force);
+        m.alpha = h * (pose.inv_inertia * motion.torque);
+        m.linear_factor = 1.0f / (1.0f + h * b.linear_damping);
+        m.angular_factor = 1.0f / (1.0f + h * b.angular_damping);
+    }
+}
+
+/// a, but at most `bound` on either side, and 0 if it is not a number.
+ISLET_SHARED float within(float a, float bound) { return a == a ? clamp(a, -bound, bound) : 0; }
+
+// Also of velocities that overflowed: what is infinite becomes very large first, and what is not a number becomes zero.
+inline Vec2 limit_speed(Vec2 v, float max_speed) {
+    constexpr float huge = 1.0e18f;  // its square is still a number
+    v = {within(v.x, huge), within(v.y, huge)};
+    const float speed = length(v);
+    return speed > max_speed ? (max_speed / speed) * v : v;
+}
+
+/// The velocities v, w after the substep, before warm start and sweeps.
+inline Vec2 free_velocity(const SolverMotion& m, Vec2 v, float max_speed) {
+    v = m.linear_factor * (v + m.a);
+    if (!(dot(v, v) <= max_speed * max_speed)) v = limit_speed(v, max_speed);
+    return v;
+}
+inline float free_turn(const SolverMotion& m, float w, float max_turn) { return within(m.angular_factor * (w + m.alpha), max_turn); }
+
+/// The fastest a body may turn in a step of dt seconds, rad/s: separations follow the turning to first order.
+inline float max_turn_of(float dt) { return 0.5f * pi / dt; }
+
+}  // namespace islet::detail

@@ -1,0 +1,31 @@
+// What of a contact's material is rare, and so is not in its manifold: it comes from the shapes.
+#pragma once
+
+#include "memory/core.hpp"
+
+namespace islet::detail {
+
+struct Surface {
+    float restitution = 0;
+    float rolling_resistance = 0;  // m, lever arm of the resisting torque
+    float tangent_speed = 0;       // m/s
+};
+
+inline Surface surface_of(const Core& core, std::uint32_t contact) {
+    const Contact& c = core.contacts[contact];
+    const Shape& a = core.shapes[c.shape_a];
+    const Shape& b = core.shapes[c.shape_b];
+    const auto radius = [&](const Shape& shape) {
+        const Geometry& g = core.geometries[shape.geometry];
+        switch (g.shape_type()) {
+        case ShapeType::circle: return g.circle.radius;
+        case ShapeType::capsule: return g.capsule.radius;
+        case ShapeType::polygon: return g.polygon.radius;
+        default: return 0.0f;
+        }
+    };
+    return {max(a.restitution, b.restitution), max(a.rolling_resistance, b.rolling_resistance) * max(radius(a), radius(b)),
+            a.tangent_speed + b.tangent_speed};
+}
+
+}  // namespace islet::detail
