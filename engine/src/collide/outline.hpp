@@ -7,6 +7,7 @@
 #pragma once
 
 #include "collide/manifold.hpp"
+#include "math/copies.hpp"
 #include "math/scalar.hpp"
 
 namespace islet::detail {
@@ -49,7 +50,7 @@ inline Direction direction_of(Vec2 v, Vec2 fallback) {
     return {(1.0f / length) * v, length};
 }
 
-inline Face face_of(const Outline& o, std::uint32_t i) {
+ISLET_SHARED Face face_of(const Outline& o, std::uint32_t i) {
     const std::uint32_t next = i + 1 < o.count ? i + 1 : 0;
     return {o.vertices[i], o.vertices[next], o.normals[i], o.radius, i, next};
 }

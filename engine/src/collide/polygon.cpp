@@ -41,7 +41,7 @@ Manifold deepest_corner(const Outline& reference, const Axis& axis, const Outlin
     return point_manifold(foot, reference.radius, corner, other.radius, face.normal, axis.separation, feature_id(face.index1, deepest));
 }
 
-float least_separation(const Manifold& m) {
+ISLET_SHARED float least_separation(const Manifold& m) {
     return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
 }
 

@@ -81,29 +81,44 @@ Applied<W>& applied_of(std::byte* row) {
     return *reinterpret_cast<Applied<W>*>(row + sizeof(JointEnds<W>));
 }
 
+/// Calls body(with_row), where with_row(row, visit) calls visit with a row of the kernel. Of lanes side by side the kernel is picked once, so that the loop in
+/// `body` is compiled for it; of single joints row by row, so that the loop stands there once.
+template <std::uint32_t W, class Body>
+void over_rows(JointKernel kernel, Body&& body) {
+    if constexpr (W > 1) {
+        visit_rows<W>(kernel, nullptr, [&](auto* r) {
+            body([](std::byte* row, auto&& visit) { return visit(reinterpret_cast<decltype(r)>(row)); });
+        });
+    } else {
+        body([kernel](std::byte* row, auto&& visit) { return visit_rows<W>(kernel, row, visit); });
+    }
+}
+
 /// Fills the blocks from the joints named, null_index in the padding, and adds their warm starts to the bodies.
 template <std::uint32_t W>
 void prepare_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, const std::uint32_t* joints, const JointInput& in) {
     const std::size_t block_bytes = joint_block_bytes<W>(kernel);
     std::memset(rows, 0, blocks * block_bytes);
-    for (; blocks-- > 0; rows += block_bytes) {
-        for (std::uint32_t lane = 0; lane < W; ++lane) {
-            const std::uint32_t joint = *joints++;
-            ends_of<W>(rows).joint[lane] = joint;
-            if (joint == null_index) continue;
-            const Joint& j = in.joints[joint];
-            const JointPose p = pose_of(j, in.poses, in.bodies_in);
-            set_ends(ends_of<W>(rows), lane, j, in, p);
-            const WarmStart start = visit_rows<W>(kernel, rows, [&](auto* r) {
-                static_assert(sizeof(*r) <= joint_row_bytes * W);
-                return prepare(*r, lane, j, p, in);
-            });
-            if (!has_applied(kernel)) continue;
-            const Vec2 arm_a = acts_on_line(kernel) ? gap_of(p) + p.ra : p.ra;
-            warm_start(applied_of<W>(rows), ends_of<W>(rows), lane, in, start.impulse, cross(arm_a, start.impulse) + start.turning,
-                       cross(p.rb, start.impulse) + start.turning);
+    over_rows<W>(kernel, [&](auto&& with_row) {
+        for (; blocks-- > 0; rows += block_bytes) {
+            for (std::uint32_t lane = 0; lane < W; ++lane) {
+                const std::uint32_t joint = *joints++;
+                ends_of<W>(rows).joint[lane] = joint;
+                if (joint == null_index) continue;
+                const Joint& j = in.joints[joint];
+                const JointPose p = pose_of(j, in.poses, in.bodies_in);
+                set_ends(ends_of<W>(rows), lane, j, in, p);
+                const WarmStart start = with_row(rows, [&](auto* r) {
+                    static_assert(sizeof(*r) <= joint_row_bytes * W);
+                    return prepare(*r, lane, j, p, in);
+                });
+                if (!has_applied(kernel)) continue;
+                const Vec2 arm_a = acts_on_line(kernel) ? gap_of(p) + p.ra : p.ra;
+                warm_start(applied_of<W>(rows), ends_of<W>(rows), lane, in, start.impulse, cross(arm_a, start.impulse) + start.turning,
+                           cross(p.rb, start.impulse) + start.turning);
+            }
         }
-    }
+    });
 }
 
 /// One sweep.
@@ -146,16 +161,18 @@ void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::
 template <std::uint32_t W>
 void store_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, const JointOutput& out) {
     const std::size_t block_bytes = joint_block_bytes<W>(kernel);
-    for (; blocks-- > 0; rows += block_bytes) {
-        for (std::uint32_t lane = 0; lane < W; ++lane) {
-            const JointEnds<W>& ends = ends_of<W>(rows);
-            if (ends.joint[lane] == null_index) continue;
-            Joint& j = out.joints[ends.joint[lane]];
-            if (has_applied(kernel)) store_applied(applied_of<W>(rows), ends, lane, j, out);
-            visit_rows<W>(kernel, rows, [&](auto* r) { store(*r, lane, j, out); });
-            forget_unsound(j);
+    over_rows<W>(kernel, [&](auto&& with_row) {
+        for (; blocks-- > 0; rows += block_bytes) {
+            for (std::uint32_t lane = 0; lane < W; ++lane) {
+                const JointEnds<W>& ends = ends_of<W>(rows);
+                if (ends.joint[lane] == null_index) continue;
+                Joint& j = out.joints[ends.joint[lane]];
+                if (has_applied(kernel)) store_applied(applied_of<W>(rows), ends, lane, j, out);
+                with_row(rows, [&](auto* r) { store(*r, lane, j, out); });
+                forget_unsound(j);
+            }
         }
-    }
+    });
 }
 
 }  // namespace islet::detail

@@ -1,10 +1,11 @@
 // Mass, centre of mass and inertia of solid shapes. Areas below are multiplied by the density at the very end.
 #include "geometry/convex.hpp"
+#include "math/copies.hpp"
 
 namespace islet {
 namespace {
 
-bool is_density(float density) { return density >= 0 && is_finite(density); }
+ISLET_SHARED bool is_density(float density) { return density >= 0 && is_finite(density); }
 
 /// A density may be finite and still too much for the shape: no mass rather than an infinite one.
 MassData checked(const MassData& m) { return is_finite(m.mass) && is_finite(m.inertia) ? m : MassData{}; }

@@ -36,7 +36,7 @@ struct Forest {
         }
     }
 
-    static bool moves(const Core& core, std::uint32_t body) { return core.poses[body].inv_mass > 0; }
+    ISLET_SHARED static bool moves(const Core& core, std::uint32_t body) { return core.poses[body].inv_mass > 0; }
 
     /// Nothing acts on the hinge's angle, so that a tree can take it.
     static bool is_plain(const Joint& j) { return (j.flags & (joint_spring | joint_limit | joint_motor)) == 0 && j.friction == 0; }

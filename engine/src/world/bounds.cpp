@@ -21,26 +21,29 @@ struct Corners {
 static_assert(sizeof(Segment) == 2 * sizeof(Vec2) && offsetof(Capsule, point2) == sizeof(Vec2));  // the points are an array
 
 Corners corners_of(const Geometry& g) {
-    switch (g.shape_type()) {
+    const ShapeType type = g.shape_type();
+    if (type == ShapeType::polygon) return {g.polygon.vertices, g.polygon.count, g.polygon.radius};
+    switch (type) {
         case ShapeType::circle: return {&g.circle.center, 1, g.circle.radius};
         case ShapeType::capsule: return {reinterpret_cast<const Vec2*>(&g.capsule), 2, g.capsule.radius};
         case ShapeType::segment: return {reinterpret_cast<const Vec2*>(&g.segment), 2, 0};
-        case ShapeType::chain_segment: return {reinterpret_cast<const Vec2*>(&g.chain.segment), 2, 0};
-        case ShapeType::polygon: break;
+        default: return {reinterpret_cast<const Vec2*>(&g.chain.segment), 2, 0};
     }
-    return {g.polygon.vertices, g.polygon.count, g.polygon.radius};
 }
 
-Extent extent_of(const Geometry& g, Vec2 center) {
-    const Corners corners = corners_of(g);
-    Extent e{0, 0};
-    for (std::uint32_t i = 0; i < corners.count; ++i) e.max = max(e.max, distance(corners.points[i], center));
+ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
     if (g.shape_type() == ShapeType::polygon) {
         const Polygon& p = g.polygon;
-        e.min = 3.0e38f;
-        for (std::uint32_t i = 0; i < p.count; ++i) e.min = min(e.min, dot(p.normals[i], p.vertices[i] - p.centroid));
+        Extent e{0, 3.0e38f};
+        for (std::uint32_t i = 0; i < p.count; ++i) {
+            e.max = max(e.max, distance(p.vertices[i], center));
+            e.min = min(e.min, dot(p.normals[i], p.vertices[i] - p.centroid));
+        }
+        return {e.max + p.radius, e.min + p.radius};
     }
-    return {e.max + corners.radius, e.min + corners.radius};
+    const Corners corners = corners_of(g);
+    const float farthest = max(distance(corners.points[0], center), distance(corners.points[corners.count - 1], center));
+    return {farthest + corners.radius, corners.radius};
 }
 
 Vec2 middle_of(const Geometry& g) {
