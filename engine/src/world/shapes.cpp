@@ -114,7 +114,7 @@ ShapeId attach_shape(Core& core, BodyId id, const Geometry& g, bool valid, const
     return core.shape_id(index);
 }
 
-ISLET_SHARED Geometry blank_geometry(ShapeType type) {
+Geometry blank_geometry(ShapeType type) {
     Geometry g;
     g.type = static_cast<std::uint32_t>(type);
     return g;
