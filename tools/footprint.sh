@@ -15,8 +15,8 @@ targets=(cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 riscv32)
 
 # Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
 declare -A most_flash=(
-    [cortex-m3]='110700 78500 47500' [cortex-m4f]='97700 65536 39900' [cortex-m7]='97400 65536 39700'
-    [cortex-m33]='97400 65536 39700' [cortex-m55]='97700 65800 39800' [riscv32]='104400 70000 42700'
+    [cortex-m3]='119500 78500 47500' [cortex-m4f]='106100 65536 39900' [cortex-m7]='105900 65536 39700'
+    [cortex-m33]='105900 65536 39700' [cortex-m55]='106300 65800 39800' [riscv32]='113700 70000 42700'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
@@ -66,7 +66,7 @@ deepest_stack() {
 }
 
 if [ "$mode" = options ]; then
-    parts=(capsules segments chains restitution surfaces sleep joints)
+    parts=(capsules segments chains restitution surfaces sleep tuning joints)
     for joint in revolute prismatic distance weld wheel motor mouse pulley gear; do parts+=("${joint}_joints"); done
     parts+=(polygons)
     build_firmware cortex-m4f cortex-m4f
