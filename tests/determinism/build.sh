@@ -51,7 +51,7 @@ build_scenes() {
     printf '#include "engine.hpp"\n' >>"$folder/common.hpp"
     "$@" -O0 -std=c++20 "${exact[@]}" -I"$root/samples" -I"$root/engine/include" -x c++-header "$folder/common.hpp" -o "$folder/common.hpp.gch" || return
     {
-        find "$root"/samples/{scenes,prefabs} -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,joint_measure,spawn}.cpp &&
+        find "$root"/samples/{scenes,prefabs} -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,joint_measure,near_names,spawn}.cpp &&
             case $processor in wasm*) ;; *) printf '%s\n' "$root/samples/thread_pool.cpp" ;; esac
     } |
         compile "$folder" "$processor" "$@" -O0 || return
