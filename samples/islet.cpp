@@ -1,7 +1,6 @@
 // The headless runner: lists the scenes, runs one, prints what happened, and says by its exit status whether the scene's check passed. Or it
 // times scenes, in Islet and in other engines.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bench.hpp"
+#include "finite_number.hpp"
 #include "html.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -135,12 +135,6 @@ int run_bench(const BenchCommand& command) {
     return ok;
 }
 
-/// A range lets NaN through, since NaN is neither below nor above anything.
-std::string finite_number(const std::string& text) {
-    double value = 0;
-    return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? std::string() : "must be a finite number: " + text;
-}
-
 /// The command line, and where what it says is kept.
 struct CommandLine {
     CLI::App app{"Islet: runs the scenes of the 2D physics engine without a screen"};
@@ -173,7 +167,7 @@ struct CommandLine {
                                                                               {"downward", islet::SweepOrder::downward}};
         run->add_option("--sweep-order", o.sweep_order, "the order in which contacts are swept")->transform(CLI::Transformer(sweep_orders));
         run->add_flag("--block-contacts", o.block_contacts, "solve the two points of a contact together");
-        run->add_option("--shock", o.shock, "shock propagation: 0 none, towards 1 more")->check(CLI::Range(0.0, 1.0))->check(finite_number);
+        run->add_option("--shock", o.shock, "shock propagation: 0 none, 0.7 the most")->check(CLI::Range(0.0f, 0.7f))->check(finite_number);
         run->add_option("--tolerance", o.tolerance, "end sweeps at this residual, m/s")->check(CLI::NonNegativeNumber)->check(finite_number);
         run->add_flag("--residual", o.measure_residual, "measure how far the impulses are from a solution");
         run->add_option("--workers", o.workers, "threads to step with")->check(CLI::Range(1u, islet::max_workers));

@@ -35,6 +35,8 @@ expect 2 'name a scene'
 expect 2 'not expected' hello --nonsense
 expect 2 '--step' hello --step -1
 expect 2 '--omega' hello --omega 2
+expect 2 '--omega' hello --omega nan
+expect 2 '--substep-h' hello --substep-h nan
 expect 2 '--iterations' hello --iterations many
 expect 2 '--islands' hello --islands some
 expect 2 'cannot write' hello --csv "$scratch/missing/out.csv"

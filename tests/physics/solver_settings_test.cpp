@@ -190,20 +190,65 @@ TEST(Shock, LeavesAloneWhatLiesOnTheGround) {
         }
         return heights;
     };
-    EXPECT_EQ(fall(0), fall(0.8f));
+    EXPECT_EQ(fall(0), fall(0.7f));
 }
 
-TEST(Shock, AllOfItAndNoGravityAreBorne) {
+TEST(Shock, TheMostOfItAndNoGravityAreBorne) {
     for (const Vec2 gravity : {Vec2{0, 0}, Vec2{0, -10}, Vec2{3, 4}}) {
         WorldDef def = sleepless();
         def.gravity = gravity;
-        def.solver.shock = 1;
+        def.solver.shock = 0.7f;
         TestWorld w(roomy, def);
         w.add_ground();
         const std::vector<BodyId> tower = add_tower(w, 0, 5);
         for (int i = 0; i < 300; ++i) w->step(step_time);
         EXPECT_EQ(w->validate(), nullptr);
         for (const BodyId id : tower) EXPECT_LT(std::abs(w->position(id).x), 3000);
+    }
+}
+
+// Two wheels on a bar, solved exactly, that lie on a box: taken for lighter they must not spin up by themselves.
+TEST(Shock, HingesSolvedExactlyDoNotSpinUp) {
+    for (const float shock : {0.2f, 0.5f}) {
+        WorldDef def = sleepless();
+        def.solver.shock = shock;
+        def.solver.joint_trees = JointTrees::all;
+        TestWorld w(roomy, def);
+        w.add_ground();
+        w.add_box({0, 0.5f}, 2, 0.5f);
+        const BodyId bar = w.add(make_box(1, 0.1f), Vec2{0, 1.4f}, {.filter = {.group = -1}});
+        for (const float x : {-0.8f, 0.8f}) {
+            const BodyId wheel = w.add(Circle{{}, 0.4f}, Vec2{x, 1.4f}, {.filter = {.group = -1}});
+            RevoluteJointDef hinge;
+            hinge.base.body_a = bar;
+            hinge.base.body_b = wheel;
+            hinge.base.frame_a.position = {x, 0};
+            EXPECT_TRUE(w->create_joint(hinge));
+            w->set_angular_velocity(wheel, 0.01f);
+        }
+        for (int i = 0; i < 60; ++i) w->step(step_time);
+        for (const BodyId id : w.bodies()) EXPECT_LT(std::abs(w->angular_velocity(id)), 0.02f);
+    }
+}
+
+// Bodies that tumble change what they lie on in every step, and with it how light they are taken for: no energy may come of it.
+TEST(Shock, APileOfLooseBodiesComesToRest) {
+    WorldDef def = sleepless();
+    def.solver.shock = 0.7f;
+    TestWorld w(roomy, def);
+    w.add_ground();
+    for (const float x : {-4.5f, 4.5f}) w.add(make_box(0.5f, 20), Vec2{x, 20}, {}, BodyType::static_body);
+    for (int i = 0; i < 60; ++i) {
+        const Vec2 at = {-3.0f + 1.5f * static_cast<float>(i % 5) + 0.1f * static_cast<float>(i % 3), 1.0f + 1.2f * static_cast<float>(i / 5)};
+        if (i % 2 == 0)
+            w.add_box(at, 0.4f, 0.5f);
+        else
+            w.add_circle(at, 0.45f, {.rolling_resistance = 0.1f});
+    }
+    for (int i = 0; i < 900; ++i) w->step(step_time);
+    for (const BodyId id : w.bodies()) {
+        EXPECT_LT(length(w->linear_velocity(id)), 1);
+        EXPECT_LE(w->position(id).y, 20) << "where the walls end";
     }
 }
 

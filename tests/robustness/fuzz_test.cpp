@@ -176,7 +176,7 @@ private:
             d.warm_start = !random_.one_in(4);
             d.sweep_order = static_cast<SweepOrder>(random_.below(5));
             d.block_contacts = random_.one_in(4);
-            d.shock = random_.one_in(3) ? number(-0.1f, 1.1f) : 0;
+            d.shock = random_.one_in(3) ? number(-0.1f, 0.8f) : 0;
             d.measure_residual = random_.one_in(3);
             d.tolerance = random_.one_in(4) ? number(-1e-4f, 1e-2f) : 0;
             w_->set_solver(d);

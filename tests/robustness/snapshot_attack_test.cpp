@@ -2,6 +2,7 @@
 // which every invariant holds and goes on holding. (tests/fuzz does the same with millions of images.)
 #include <gtest/gtest.h>
 
+#include "memory/edge_list.hpp"
 #include "physics/measure.hpp"
 #include "support/busy_world.hpp"
 #include "support/forge.hpp"
@@ -95,6 +96,51 @@ TEST(Attacks, NothingSleepsOnWhatIsAwake) {
     const Image image = save(*source);
     TestWorld victim;
     EXPECT_FALSE(victim->load(image.bytes())) << "the next step would write outside the world's block";
+}
+
+// The same with a hinge, which a plan of trees would give to a batch that does not exist.
+TEST(Attacks, NothingSleepsThatHangsOnWhatIsAwake) {
+    WorldDef def;
+    def.solver.joint_trees = JointTrees::all;
+    TestWorld source(roomy, def);
+    const auto hang = [&](BodyId on, Vec2 at) {
+        const BodyId body = source.add_circle(at + Vec2{0, -1});
+        EXPECT_TRUE(source->create_joint(RevoluteJointDef{.base = {.body_a = on, .body_b = body, .frame_a = {at}, .frame_b = {{0, 1}}}}));
+        return body;
+    };
+    BodyDef kinematic;
+    kinematic.type = BodyType::kinematic;
+    const BodyId hanging = hang(source->create_body(kinematic), {0, 10});
+    hang(source->create_body({}), {5, 10});
+    source->step(1.0f / 60);
+    ASSERT_EQ(source->validate(), nullptr);
+    detail::Core::of(*source).awake_bodies.clear(hanging.index1 - 1);
+    EXPECT_NE(source->validate(), nullptr);
+
+    const Image image = save(*source);
+    TestWorld victim;
+    EXPECT_FALSE(victim->load(image.bytes())) << "the next step would write outside the world's block";
+}
+
+// A gear hangs on the bodies that its joints move. Hung on the other end of one, it would tie bodies together that no walk over an island meets.
+TEST(Attacks, AGearHangsOnWhatItsJointsMove) {
+    TestWorld source;
+    const BodyId ground1 = source->create_body({}), ground2 = source->create_body({});
+    const BodyId wheel1 = source.add_circle({0, 5}), wheel2 = source.add_circle({5, 5});
+    const JointId joint1 = source->create_joint(RevoluteJointDef{.base = {.body_a = ground1, .body_b = wheel1, .frame_a = {{0, 5}}}});
+    const JointId joint2 = source->create_joint(RevoluteJointDef{.base = {.body_a = ground2, .body_b = wheel2, .frame_a = {{5, 5}}}});
+    const JointId gear = source->create_joint(GearJointDef{.joint1 = joint1, .joint2 = joint2});
+    ASSERT_TRUE(gear);
+    ASSERT_EQ(source->validate(), nullptr);
+    detail::Core& core = detail::Core::of(*source);
+    const std::uint32_t i = gear.index1 - 1, from = wheel2.index1 - 1, to = ground2.index1 - 1;
+    detail::unlink_edge(core.joints, i, 1, core.bodies[from].joint_head, core.bodies[from].joint_count);
+    core.joints[i].body_b = to;
+    detail::link_edge(core.joints, i, 1, core.bodies[to].joint_head, core.bodies[to].joint_count);
+
+    const Image image = save(*source);
+    TestWorld victim;
+    EXPECT_FALSE(victim->load(image.bytes()));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "finite_number.hpp"
 #include "lab.hpp"
 #include "near_names.hpp"
 #include "output_file.hpp"
@@ -155,12 +156,13 @@ void declare(CLI::App& app, Command& command) {
     app.add_option("--step", o.step, "steps to take before looking")->check(CLI::Range(0, 100'000))->capture_default_str();
     app.add_option("--substeps", o.substeps, "substeps of a step; the scene's own if not given")->check(CLI::Range(1, 64));
     app.add_option("--substep-h", o.substep_h, "length of the substep that is solved for, s; that of the run if not given")
-        ->check(CLI::Range(1e-6, 1.0));
+        ->check(CLI::Range(1e-6, 1.0))
+        ->check(islet::samples::finite_number);
     app.add_option("--islands", command.islands, "which islands: the one with the most rows, or all")
         ->check(CLI::IsMember({"largest", "all"}))
         ->capture_default_str();
     app.add_option("--method", command.methods, "a method of islet::lcp, once or more; all if not given")->allow_extra_args(false);
-    app.add_option("--omega", o.measure.psor_omega, "relaxation of psor")->check(CLI::Range(0.01, 1.99))->capture_default_str();
+    app.add_option("--omega", o.measure.psor_omega, "relaxation of psor")->check(CLI::Range(0.01, 1.99))->check(islet::samples::finite_number)->capture_default_str();
     app.add_option("--iterations", o.measure.iterations, "most iterations of a method")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();

@@ -125,10 +125,11 @@ struct SolverDef {
     bool warm_start = true;              ///< Start each step from the impulses of the last.
     JointTrees joint_trees = JointTrees::automatic;  ///< Which hinges are solved exactly instead of swept.
     float joint_tree_load = 10.0f;       ///< >= 1. Automatic: a tree is solved exactly if a hinge of it bears so many times the mass of the lighter of
-                                         ///< the two bodies it joins. Lower: more trees.
-    SweepOrder sweep_order = SweepOrder::colored;    ///< With block_contacts or shock, colored stands for as_found.
+                                         ///< the two bodies it joins. Lower: more trees. (Not for masses above 1e18 kg: their squares overflow.)
+    SweepOrder sweep_order = SweepOrder::colored;    ///< With block_contacts, colored stands for as_found.
     bool block_contacts = false;         ///< Solve the two normal impulses of a contact together, exactly.
-    float shock = 0;                     ///< 0 to 1. Shock propagation: by this share a contact takes the body below for immovable.
+    float shock = 0;                     ///< 0 to 0.7. Shock propagation: by this share a body is taken for lighter than what it lies on. For what stands: blows
+                                         ///< and the forces reported are those of the lighter bodies. From 0.5 on not with joints in the pile.
     bool measure_residual = false;       ///< Measure after each step how far the impulses are from a solution: World::residual.
     float tolerance = 0;                 ///< m/s, >= 0. Above 0: no more sweeps of a kind within a substep once the residual is at most this; islands that
                                          ///< are solved together (neighbours, see StepReport::batches) end together. Measuring costs two to three sweeps.

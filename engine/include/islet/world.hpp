@@ -44,7 +44,7 @@ public:
     void set_solver(const SolverDef& solver);
     /// m/s: how far the impulses of the body's island were from solving its constraints when the last step ended: the most by which solving any one contact
     /// or joint alone would still change the velocity of a body (its turning at its radius of gyration). 0 at a solution and nowhere else; and for what
-    /// rests or was not measured (SolverDef::measure_residual). Hinges solved exactly in trees are not looked at.
+    /// rested or was not measured (SolverDef::measure_residual). Hinges solved exactly in trees are not looked at.
     float residual(BodyId body) const;
     TaskSystem tasks() const;
     /// Threads to step with from now on. workers of 0 or above max_workers is refused (out_of_range). Not part of the state: no hash and no snapshot
@@ -287,7 +287,7 @@ public:
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------
 
     /// Writes to `memory` the complementarity problem that a substep of `h` seconds, 0 < h <= 1, would pose to the island of a dynamic body as it stands
-    /// now, and points `out` to it. Returns the bytes needed, and writes neither to memory nor to out if there are fewer; memory needs no alignment.
+    /// now, and points `out` to it. (Contacts have the normals and arms that the last step found; a centre of mass moved since then is not seen by them.) Returns the bytes needed, and writes neither to memory nor to out if there are fewer; memory needs no alignment.
     /// It is the same problem whichever of the island's bodies is named, asleep or awake. Not part of the state: no hash knows of it, and solving
     /// it changes no body; but it uses the world's scratch memory, so no other call to the world may run at the same time. Bodies of absurd masses may
     /// give numbers that overflow; lcp::solve then says not_finite. Returns 0 on an error: null_id, stale_id; no_dynamic_body; bad_time_step of h;

@@ -20,9 +20,12 @@ inline constexpr std::uint32_t most_trial_slots = 2 * (max_lanes > 2 ? max_lanes
 inline float velocity_change(const SolverBody& before, const SolverBody& after) {
     const Vec2 dv = after.v - before.v;
     const float dw = after.w - before.w;
-    const float turning = before.inv_inertia > 0 ? before.inv_mass / before.inv_inertia * dw * dw : 0;
+    const float turning = before.inv_inertia > 0 && dw != 0 ? before.inv_mass / before.inv_inertia * dw * dw : 0;
     return sqrt(dot(dv, dv) + turning);
 }
+
+/// The largest, and what stands for one that overflowed.
+inline constexpr float no_residual = 3.0e38f;
 
 /// What a block of rows and the bodies it may push are, before it is solved on trial.
 struct Trial {
@@ -47,10 +50,12 @@ inline void end_trial(const Trial& t, SolverBody* bodies, const std::uint32_t* i
         const std::uint32_t slot = t.slots[i];
         if (t.before[i].inv_mass > 0) {
             float& residual = residuals[island_of[slot]];
-            residual = max(residual, velocity_change(t.before[i], bodies[slot]));
+            const float change = velocity_change(t.before[i], bodies[slot]);
+            if (!(change <= residual)) residual = change < no_residual ? change : no_residual;
         }
     }
-    for (std::uint32_t i = 0; i < t.count; ++i) bodies[t.slots[i]] = t.before[i];
+    for (std::uint32_t i = 0; i < t.count; ++i)
+        if (t.before[i].inv_mass > 0) bodies[t.slots[i]] = t.before[i];  // others are only read
     std::memcpy(t.rows, t.saved, t.bytes);
 }
 

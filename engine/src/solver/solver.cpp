@@ -133,11 +133,9 @@ void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
         b.inv_mass = pose.inv_mass;
         b.dp = {0, 0};
         b.dq = 0;
-        b.inv_inertia = stiffened(pose.inv_inertia, core.bodies[i].stretch);
-        if (has_tuning && s.plan.lightness != nullptr) {
-            b.inv_mass *= s.plan.lightness[i];
-            b.inv_inertia *= s.plan.lightness[i];
-        }
+        const float lightness = has_tuning && s.plan.lightness != nullptr ? s.plan.lightness[i] : 1.0f;
+        b.inv_mass *= lightness;
+        b.inv_inertia = stiffened(lightness * pose.inv_inertia, core.bodies[i].stretch);
         gather_motion(s.motions[slot], core, i, h);
         s.core.bodies[i].stretch = 0;  // the joints' forces of this step give the next one's
     }

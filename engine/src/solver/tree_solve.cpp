@@ -89,7 +89,8 @@ void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const 
         l.up = plan.tree_parents[i];
         l.joint = body.joint;
         const float inv_inertia = in.poses[body.body].inv_inertia;
-        if (inv_inertia > 0) motions[l.child].angular_factor *= in.bodies[l.child].inv_inertia / inv_inertia;
+        const float light = plan.lightness != nullptr ? plan.lightness[body.body] : 1.0f;
+        if (inv_inertia > 0) motions[l.child].angular_factor *= in.bodies[l.child].inv_inertia / (light * inv_inertia);
         if (l.joint == null_index) continue;
         const Joint& j = in.joints[l.joint];
         const JointPose p = pose_of(j, in.poses, in.bodies_in);

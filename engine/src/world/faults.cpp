@@ -252,7 +252,8 @@ const char* fault_in_gear(const Core& c, const Joint& gear) {
         const auto type = j->joint_type();
         if (type != JointType::revolute && type != JointType::prismatic) return "a gear couples the wrong joints";
     }
-    const bool hangs_right = gear.body_a == moving_body(c, j1) && (gear.body_b == j2.body_a || gear.body_b == j2.body_b);
+    const std::uint32_t b = moving_body(c, j2);
+    const bool hangs_right = gear.body_a == moving_body(c, j1) && gear.body_b == (b != gear.body_a ? b : b == j2.body_b ? j2.body_a : j2.body_b);
     return hangs_right ? nullptr : "a gear hangs on the wrong bodies";
 }
 
@@ -261,7 +262,7 @@ const char* fault_in_joint(const Core& c, std::uint32_t i) {
     const bool has_a = j.body_a != null_index;
     const bool awake_a = has_a && c.is_awake(j.body_a), awake_b = c.is_awake(j.body_b);
     if (c.awake_joints.test(i) != (awake_a || awake_b)) return "a joint is awake though its bodies sleep, or the reverse";
-    if (has_a && c.is_dynamic(j.body_a) && c.is_dynamic(j.body_b) && awake_a != awake_b) return "an island is half asleep";
+    if (has_a && awake_a != awake_b && c.is_dynamic(awake_a ? j.body_b : j.body_a)) return "an island is half asleep";
     return j.joint_type() == JointType::gear ? fault_in_gear(c, j) : nullptr;
 }
 

@@ -12,8 +12,9 @@ FreeVelocity free_velocity_of(const Core& core, std::uint32_t body, float h) {
     gather_motion(m, core, body, h);
     // In trees of hinges that are solved exactly spin is scaled with the inertia (solver/tree_solve.hpp).
     bool exact = false;
-    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { exact = exact || (core.joints[joint].flags & joint_exact) != 0; });
-    if (exact && core.poses[body].inv_inertia > 0) m.angular_factor *= inv_inertia_of(core, body) / core.poses[body].inv_inertia;
+    if (core.poses[body].inv_inertia > 0)  // the ground has many joints, and no spin to scale
+        for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { exact = exact || (core.joints[joint].flags & joint_exact) != 0; });
+    if (exact) m.angular_factor *= inv_inertia_of(core, body) / core.poses[body].inv_inertia;
     const float dt = h * static_cast<float>(core.state->solver.substeps);
     return {free_velocity(m, core.motions[body].v, core.state->max_speed), free_turn(m, core.motions[body].w, max_turn_of(dt))};
 }

@@ -139,7 +139,7 @@ bool check_solver(const SolverDef& d, Error& error) {
                       d.contact_damping_ratio >= 0 && d.contact_push_speed >= 0 && d.joint_hertz > 0 &&
                       d.joint_damping_ratio >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 &&
                       d.omega < 2 && d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1 && d.sweep_order <= SweepOrder::downward &&
-                      d.shock >= 0 && d.shock <= 1 && d.tolerance >= 0;
+                      d.shock >= 0 && d.shock <= 0.7f && d.tolerance >= 0;
     error = !finite ? Error::not_finite : !sane ? Error::out_of_range : !has_tuning && needs_tuning(d) ? Error::feature_cut : Error::none;
     return error == Error::none;
 }
