@@ -125,7 +125,8 @@ ISLET_LANE typename L::F solve_motor_and_friction(CoordinateRows<L::width>& r, s
     F sum = L::splat(0.0f);
     const auto row = [&](float* impulse, F target, F bound) {
         const F old = L::load(impulse);
-        const F lambda = clamp_lanes<L>(old - m * (speed - target), -bound, bound);
+        // A lane that has no such row, beside one that has, is clamped to between -0 and 0: adding 0 leaves +0 there, as where it stands alone.
+        const F lambda = clamp_lanes<L>(old - m * (speed - target), -bound, bound) + L::splat(0.0f);
         L::store(impulse, lambda);
         sum = sum + (lambda - old);
         speed = speed + k * (lambda - old);
