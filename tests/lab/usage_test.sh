@@ -2,21 +2,10 @@
 # usage_test.sh ISLET_LAB: what the command does when it is used, and misused.
 set -euo pipefail
 
-lab=$1
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-failures=0
-
-# expect STATUS WORDS ARGUMENT...: the exit status, and words that the output (both streams) must hold.
-expect() {
-    local wanted=$1 words=$2 status=0 out
-    shift 2
-    out=$("$lab" "$@" 2>&1) || status=$?
-    if [ "$status" -ne "$wanted" ] || ! grep -q -- "$words" <<<"$out"; then
-        printf 'islet-lab %s\n  status %s, wanted %s; wanted the words "%s" in:\n%s\n' "$*" "$status" "$wanted" "$words" "$out"
-        failures=$((failures + 1))
-    fi
-}
+name=islet-lab
+program=$1
+# shellcheck source=tests/support/usage.sh
+. "$(dirname "$0")/../support/usage.sh"
 
 few=(--step 100 --iterations 20 --method pgs)
 expect 0 'hello after step 100' hello "${few[@]}"

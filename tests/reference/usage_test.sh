@@ -2,21 +2,10 @@
 # usage_test.sh ISLET_COMPARE: what the command does when it is used, and misused.
 set -euo pipefail
 
-compare=$1
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-failures=0
-
-# expect STATUS WORDS ARGUMENT...: the exit status, and words that the output (both streams) must hold.
-expect() {
-    local wanted=$1 words=$2 status=0 out
-    shift 2
-    out=$("$compare" "$@" 2>&1) || status=$?
-    if [ "$status" -ne "$wanted" ] || ! grep -q -- "$words" <<<"$out"; then
-        printf 'islet-compare %s\n  status %s, wanted %s; wanted the words "%s" in:\n%s\n' "$*" "$status" "$wanted" "$words" "$out"
-        failures=$((failures + 1))
-    fi
-}
+name=islet-compare
+program=$1
+# shellcheck source=tests/support/usage.sh
+. "$(dirname "$0")/../support/usage.sh"
 
 expect 0 pass hello
 expect 0 '"pass": true' hello --json

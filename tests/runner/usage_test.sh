@@ -2,21 +2,10 @@
 # usage_test.sh ISLET: what the runner does when it is used, and misused.
 set -euo pipefail
 
-islet=$1
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-failures=0
-
-# expect STATUS WORDS ARGUMENT...: the exit status, and words that the output (both streams) must hold.
-expect() {
-    local wanted=$1 words=$2 status=0 out
-    shift 2
-    out=$("$islet" "$@" 2>&1) || status=$?
-    if [ "$status" -ne "$wanted" ] || ! grep -q -- "$words" <<<"$out"; then
-        printf 'islet %s\n  status %s, wanted %s; wanted the words "%s" in:\n%s\n' "$*" "$status" "$wanted" "$words" "$out"
-        failures=$((failures + 1))
-    fi
-}
+name=islet
+program=$1
+# shellcheck source=tests/support/usage.sh
+. "$(dirname "$0")/../support/usage.sh"
 
 expect 0 card_house list
 expect 0 '"name": "card_house"' list --json

@@ -208,7 +208,7 @@ struct StepReport {
     std::uint32_t dropped_events = 0;    ///< end events that found no room since the last step began
     std::uint32_t islands = 0;           ///< awake islands
     std::uint32_t colors = 0;            ///< constraint colours in use
-    std::uint32_t overflow_contacts = 0; ///< contacts that found no colour and were solved one by one
+    std::uint32_t overflow_contacts = 0; ///< contacts solved one by one: those that found no colour, or all of them in any SweepOrder but colored
     std::uint32_t batches = 0;
     std::uint32_t joints = 0;            ///< all
     std::uint32_t awake_joints = 0;      ///< those solved

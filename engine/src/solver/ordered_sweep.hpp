@@ -1,7 +1,7 @@
 // Contacts solved one by one, in an order chosen: for what sweeps by colours converge too slowly on.
 //
-// A sweep hands an impulse on from contact to contact only in the direction it goes. Where the order is by height a tower's weight travels its whole way in
-// one sweep; where it is by colours, one layer or two.
+// A sweep hands an impulse on from contact to contact only in the direction it goes. Upward, the ground's support
+// reaches the top of a tower in one sweep (island/heights.hpp puts the contacts in order); by colours it gets one layer or two farther.
 //
 // A block solve finds the two normal impulses of a contact together: the complementarity problem of two rows has four cases, and they are tried.
 #pragma once

@@ -1,0 +1,17 @@
+# What the tests of the commands' usage share. Sourced with `name` and `program` set; ends in exit "$((failures > 0))".
+# shellcheck shell=bash
+# shellcheck disable=SC2154
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+# expect STATUS WORDS ARGUMENT...: the exit status, and words that the output (both streams) must hold.
+expect() {
+    local wanted=$1 words=$2 status=0 out
+    shift 2
+    out=$("$program" "$@" 2>&1) || status=$?
+    if [ "$status" -ne "$wanted" ] || ! grep -q -- "$words" <<<"$out"; then
+        printf '%s %s\n  status %s, wanted %s; wanted the words "%s" in:\n%s\n' "$name" "$*" "$status" "$wanted" "$words" "$out"
+        failures=$((failures + 1))
+    fi
+}
