@@ -11,6 +11,8 @@
 
 namespace islet {
 
+struct DebugDraw;      // debug_draw.hpp
+struct DrawStyle;
 struct IslandProblem;  // island.hpp
 
 namespace detail {
@@ -293,6 +295,14 @@ public:
     /// give numbers that overflow; lcp::solve then says not_finite. Returns 0 on an error: null_id, stale_id; no_dynamic_body; bad_time_step of h;
     /// out_of_range if there are more than lcp::max_rows rows or 2^32 - 1 entries.
     std::size_t export_island(BodyId body, float h, std::span<std::byte> memory, IslandProblem& out) const;
+
+    // -- drawing (debug_draw.hpp) ------------------------------------------------------------------------------------------------
+
+    /// Hands what `draw` asks for to its functions. Changes nothing and calls no function on an error: not_finite or out_of_range of its view, size or
+    /// scale. With BodyColors::island it uses the world's scratch memory, so then no other call to the world may run at the same time.
+    void draw(const DebugDraw& draw) const;
+    /// Draws a shape alone, as if its body were at `pose`, by draw's functions; nothing else of `draw` is looked at.
+    void draw_shape(const DebugDraw& draw, ShapeId shape, const Transform& pose, const DrawStyle& style) const;
 
 private:
     friend struct detail::Core;
