@@ -20,6 +20,7 @@ constexpr double picture_width = 1200;      // px
 constexpr double caption_height = 56;       // px
 constexpr std::size_t most_normals = 6000;  // with more contacts than this the normals would only be a smear, and megabytes
 constexpr std::size_t most_contacts = 40000;
+constexpr double smallest_ringed = 8;       // px; on smaller bodies a hinge's ring is no more than its dot
 constexpr int tint_count = 3;
 
 struct Style {
@@ -75,8 +76,8 @@ public:
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 
-    /// What `options` ask for, drawn into this.
-    void take(const World& world, DebugDraw options) {
+    /// What `options` ask for, drawn into this; if told so without the rings of joints.
+    void take(const World& world, DebugDraw options, bool rings = true) {
         options.view = camera_.view;
         options.context = this;
         options.polygon = [](std::span<const Vec2> corners, float radius, const DrawStyle& style, void* self) {
@@ -87,6 +88,7 @@ public:
         };
         options.capsule = [](Vec2 a, Vec2 b, float radius, const DrawStyle& style, void* self) { of(self).add_polygon({{a, b}}, radius, style); };
         options.segment = [](Vec2 a, Vec2 b, const DrawStyle& style, void* self) { of(self).add_segment(a, b, style); };
+        if (!rings) options.circle = nullptr;
         options.point = [](Vec2 p, const DrawStyle& style, void* self) { of(self).add_point(p, style); };
         options.text = [](Vec2 p, const char* text, const DrawStyle& style, void* self) { of(self).words.push_back({p, text, style.color}); };
         world.draw(options);
@@ -96,7 +98,7 @@ public:
     std::map<std::pair<DrawPart, DrawColor>, Marks> marks;
     std::vector<Arrow> arrows;
     std::vector<Word> words;
-    std::size_t contact_points = 0;
+    bool dark_marks = false;  // they have the colours of a row that is made for areas: lines need darker ones
 
 private:
     static Drawing& of(void* self) { return *static_cast<Drawing*>(self); }
@@ -124,10 +126,7 @@ private:
             draw_line(marks_of(style).lines, camera_, a, b);
     }
     void add_point(Vec2 p, const DrawStyle& style) {
-        if (style.part == DrawPart::contact) {
-            if (style.color == draw_color::speculative) return;
-            ++contact_points;
-        }
+        if (style.part == DrawPart::contact && style.color == draw_color::speculative) return;
         draw_dot(marks_of(style).dots, camera_, p);
     }
 
@@ -282,7 +281,7 @@ std::string marks(const Drawing& drawing, double size) {
     std::string text;
     for (const auto& [key, m] : drawing.marks) {
         const Widths widths = widths_of(key.first, size);
-        const std::string color = css(key.second);
+        const std::string color = css(drawing.dark_marks ? shaded(key.second, -0.3) : key.second);
         if (!m.lines.empty()) {
             text += fmt::format("<path stroke=\"{}\" stroke-opacity=\"{:g}\" stroke-width=\"{}\" d=\"{}\"/>\n", color, widths.opacity,
                                 units(widths.line), m.lines.text());
@@ -370,7 +369,7 @@ void take_marks(Drawing& drawing, const World& world, const DebugDraw& what, con
     DebugDraw rest = what;
     rest.shapes = rest.contacts = rest.normals = rest.impulses = false;
     rest.size = metres(std::clamp(0.4 * size, 3.0, 18.0));
-    drawing.take(world, rest);
+    drawing.take(world, rest, size >= smallest_ringed);
     // Of specks of bodies the contacts would hide everything.
     const std::size_t contacts = world.contact_count();
     if (size < 5 || contacts > most_contacts) return;
@@ -399,6 +398,7 @@ std::string draw_svg(const Run& run, const DebugDraw& what) {
     drawing.take(world, only_shapes);
     const double size = typical_size(drawing.shapes, camera);
     take_marks(drawing, world, what, camera, size);
+    drawing.dark_marks = what.constraint_colors;
 
     const EngineCounts counts = run.engine.counts();
     std::string details = fmt::format("step {}  ·  {:.4g} s  ·  {} bodies  ·  {} contacts", world.step_count(),

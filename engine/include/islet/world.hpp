@@ -52,6 +52,11 @@ public:
     /// Threads to step with from now on. workers of 0 or above max_workers is refused (out_of_range). Not part of the state: no hash and no snapshot
     /// knows of it.
     void set_tasks(const TaskSystem& tasks);
+    /// What the stages of the last step took. Only in a program that calls this function is anything measured.
+    const StepProfile& profile() const;
+    /// The clock to measure with from now on, null for none. Not part of the state: no hash and no snapshot knows of it.
+    void set_clock(Clock clock, void* context = nullptr);
+    WorldCounters counters() const;
     /// Turning sleep off wakes everything.
     void enable_sleep(bool enable);
 
@@ -75,8 +80,8 @@ public:
     /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
     std::size_t save(std::span<std::byte> out) const;
     /// Goes back to an image that this program made. What the image uses must fit this world's capacity, which need not be that of the world it was
-    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook
-    /// and the task system. Until the next step there are no events, and the report holds only how full the pools are.
+    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook,
+    /// the clock and the task system. Until the next step there are no events, and the report holds only how full the pools are.
     /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut where this build leaves out what the image
     /// needs. (A program that neither makes joints nor calls load has none linked, so an image with joints needs what it leaves out.)
     bool restore(std::span<const std::byte> image);
