@@ -31,11 +31,14 @@ struct Style {
 };
 
 /// In the order they are painted.
-constexpr std::array<Style, 4> styles = {{
+constexpr std::array<Style, 7> styles = {{
+    {"disabled", draw_color::disabled, {"#eceae4", "#eceae4", "#eceae4"}, "#c3c0b8"},
     {"static", draw_color::static_body, {"#d8dce3", "#d8dce3", "#d8dce3"}, "#8f99a8"},
     {"kinematic", draw_color::kinematic, {"#cdbfe9", "#cdbfe9", "#cdbfe9"}, "#7c66b0"},
     {"awake", draw_color::awake, {"#f7bd6d", "#f9cb8b", "#f4ae56"}, "#b0702c"},
     {"asleep", draw_color::asleep, {"#b4d2eb", "#c4ddf1", "#a5c7e5"}, "#5d89ae"},
+    {"bullet", draw_color::bullet, {"#f08a5d", "#f3a07b", "#ec7744"}, "#9c4421"},
+    {"sensor", draw_color::sensor, {"none", "none", "none"}, "#3b9a73"},
 }};
 constexpr const char* paper = "#fdfcf9";
 constexpr const char* grid_color = "#efece5";

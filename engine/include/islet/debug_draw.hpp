@@ -29,6 +29,9 @@ inline constexpr DrawColor static_body = 0xd8dce3;  // grey
 inline constexpr DrawColor kinematic = 0xcdbfe9;    // violet
 inline constexpr DrawColor awake = 0xf7bd6d;        // orange: dynamic
 inline constexpr DrawColor asleep = 0xb4d2eb;       // blue: dynamic
+inline constexpr DrawColor bullet = 0xf08a5d;       // coral: dynamic, awake and a bullet
+inline constexpr DrawColor disabled = 0xeceae4;     // nearly white: of a body that takes part in nothing
+inline constexpr DrawColor sensor = 0x7fc8a9;       // mint: the shape is a sensor
 // Joints.
 inline constexpr DrawColor joint = 0x2f7d6b;        // green
 inline constexpr DrawColor limit = 0xb5651d;        // brown: the marks of limits
@@ -67,11 +70,11 @@ enum class DrawPart : std::uint8_t {
 struct DrawStyle {
     DrawColor color = 0;
     DrawPart part = DrawPart::shape;
-    bool solid = true;       ///< of polygons, circles and capsules: filled. Shapes are; boxes and the marks of joints are outlines.
+    bool solid = true;       ///< of polygons, circles and capsules: filled. Shapes are, but for sensors; boxes and the marks of joints are outlines.
     std::uint32_t slot = 0;  ///< of what the thing belongs to
 };
 
-/// Which colour a dynamic body's shapes have. Others keep their own.
+/// Which colour a dynamic body's shapes have. Others keep their own, and so do sensors and what is disabled.
 enum class BodyColors : std::uint8_t {
     state,   ///< that of draw_color
     island,  ///< distinct_color of the lowest slot of a body in its island, awake or not. Islands are found while drawing, from contacts and joints.

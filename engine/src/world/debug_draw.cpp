@@ -21,12 +21,15 @@ bool check_draw(const Core& core, const DebugDraw& d) {
 }
 
 DrawColor state_color(const Core& core, std::uint32_t body) {
+    const std::uint32_t flags = core.bodies[body].flags;
+    if ((flags & body_disabled) != 0) return draw_color::disabled;
     switch (core.bodies[body].type()) {
         case BodyType::static_body: return draw_color::static_body;
         case BodyType::kinematic: return draw_color::kinematic;
         case BodyType::dynamic: break;
     }
-    return core.is_awake(body) ? draw_color::awake : draw_color::asleep;
+    if (!core.is_awake(body)) return draw_color::asleep;
+    return (flags & body_bullet) != 0 ? draw_color::bullet : draw_color::awake;
 }
 
 void draw_geometry(const DebugDraw& draw, const Geometry& g, const Transform& pose, const DrawStyle& style) {
@@ -51,9 +54,10 @@ void draw_shapes(const Core& core, const DebugDraw& draw) {
     for_each_live(core.state->shape_pool, core.shapes, [&](std::uint32_t i) {
         if (!sees_shape(core, draw, i)) return;
         const Shape& shape = core.shapes[i];
-        const bool in_island = islands != nullptr && islands[shape.body] != null_index;
-        const DrawColor color = in_island ? distinct_color(islands[shape.body]) : state_color(core, shape.body);
-        draw_geometry(draw, core.geometries[shape.geometry], body_transform(core, shape.body), {color, DrawPart::shape, true, shape.body});
+        const bool sensor = (shape.flags & shape_sensor) != 0;
+        const bool in_island = islands != nullptr && islands[shape.body] != null_index && (core.bodies[shape.body].flags & body_disabled) == 0;
+        const DrawColor color = sensor ? draw_color::sensor : in_island ? distinct_color(islands[shape.body]) : state_color(core, shape.body);
+        draw_geometry(draw, core.geometries[shape.geometry], body_transform(core, shape.body), {color, DrawPart::shape, !sensor, shape.body});
     });
 }
 

@@ -62,7 +62,7 @@ void World::step(float dt) {
     if (c.state->joint_pool.count != 0) choose_trees(c, arena);
     const Plan plan = make_plan(c, arena);
     note(c, Stage::islands);
-    const SolverBody* bodies = detail::solve(c, plan, arena, dt);
+    SolverBody* bodies = detail::solve(c, plan, arena, dt);
     note(c, Stage::solve);
     finish_bodies(c, plan, bodies, arena, dt);
     if (c.state->joint_pool.count != 0) break_joints(c);
