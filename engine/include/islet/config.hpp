@@ -44,13 +44,11 @@
 #if !defined(ISLET_SLEEP)
 #define ISLET_SLEEP 1  // islands falling asleep: without it a world is as after enable_sleep(false)
 #endif
-<<<<<<< HEAD
 #if !defined(ISLET_PROFILE)
 #define ISLET_PROFILE 1  // what the stages of a step took, where a program asks for it
-=======
+#endif
 #if !defined(ISLET_CONTINUOUS)
 #define ISLET_CONTINUOUS 1  // fast bodies swept along their way: without it a world is as after enable_continuous(false)
->>>>>>> 554f2787aa0b9a8f99b90b90063a752dac0f9806
 #endif
 #if !defined(ISLET_TUNING)
 #define ISLET_TUNING 1  // of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance
