@@ -141,11 +141,12 @@ TEST(DebugDraw, ColoursSayWhatABodyIs) {
     asleep.position = {6, 4};
     asleep.awake = false;
     w.add(Circle{}, asleep);
+    w.add(Circle{}, BodyDef{.type = BodyType::dynamic, .position = {9, 4}, .bullet = true});
     Sketch sketch;
     const std::vector<Call>& calls = sketch.of(*w);
-    ASSERT_EQ(calls.size(), 4u);
-    const DrawColor wanted[] = {draw_color::static_body, draw_color::kinematic, draw_color::awake, draw_color::asleep};
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(calls[i].style.color, wanted[i]) << i;
+    ASSERT_EQ(calls.size(), 5u);
+    const DrawColor wanted[] = {draw_color::static_body, draw_color::kinematic, draw_color::awake, draw_color::asleep, draw_color::bullet};
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(calls[i].style.color, wanted[i]) << i;
 }
 
 // The islands are worked out here by going from body to body over what World tells of contacts and joints until no label changes.
