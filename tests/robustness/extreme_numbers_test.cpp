@@ -131,4 +131,28 @@ TEST(ExtremeSpeedLimit, IsRefusedOrSurvived) {
     }
 }
 
+// How fast surfaces meet is worked out from what pulls at the bodies until then; no body is ever as fast as the strongest pull would make it.
+TEST(ExtremeNumbers, WhatBouncesUnderAnyPullHasFiniteImpulses) {
+    for (const float pull : {1e10f, 1e20f, 1e30f, 1e36f, 1e37f, 1e38f, 3.4e38f}) {
+        for (const bool is_gravity : {false, true}) {
+            for (const float dt : {1.0f / 240, 1.0f / 60, 1.0f}) {
+                TestWorld w;
+                w.add_ground(0, 100, {.restitution = 0.3f});
+                const BodyId ball = w.add_circle({0, 3}, 0.5f, {.restitution = 1, .density = 6000});
+                w->set_linear_velocity(ball, {0, -300});
+                if (is_gravity) {
+                    w->set_gravity({0, -pull});
+                } else {
+                    w->apply_force_to_center(ball, {0, -pull});
+                }
+                for (int i = 0; i < 6; ++i) {
+                    w.step(1, dt);
+                    const char* broken = w->validate();
+                    ASSERT_TRUE(broken == nullptr && w.is_finite()) << "pull " << pull << ", dt " << dt << ": " << (broken != nullptr ? broken : "not finite");
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
