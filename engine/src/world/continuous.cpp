@@ -16,6 +16,7 @@ namespace islet::detail {
 
 namespace {
 
+inline constexpr float least_gap = 0.05f * linear_slop;  // m that the middle of a shape keeps from what it must not pass
 inline constexpr std::uint32_t bullet_rounds = 4;  // each may stop a bullet in the way of another
 
 /// The way a body has just made.
@@ -46,19 +47,22 @@ float half_thickness(const Geometry& g) {
     return corners_of(g).radius + (g.shape_type() == ShapeType::polygon ? inner_radius(g.polygon) : 0);
 }
 
-/// The whole shape, or its core.
-SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, bool whole) {
+enum class Part { whole, core, middle };
+
+/// What of a shape is swept: all of it, its core, or its middle, a point or a line.
+SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part part) {
     const Geometry& g = core.geometries[core.shapes[shape].geometry];
     const Vec2 center = core.bodies[core.shapes[shape].body].local_center;
     const Corners corners = corners_of(g);
-    const bool inset = !whole && g.shape_type() == ShapeType::polygon;
+    const bool inset = part != Part::whole && g.shape_type() == ShapeType::polygon;
     const float by = inset ? 0.5f * inner_radius(g.polygon) : 0;
     SweptCore s;
     s.sweep = sweep;
-    s.core.count = corners.count;
-    s.core.radius = whole ? corners.radius : 0.5f * corners.radius;
-    for (std::uint32_t i = 0; i < corners.count; ++i) {
-        s.core.points[i] = (inset ? inset_corner(g.polygon, i, by) : corners.points[i]) - center;
+    s.core.count = inset && part == Part::middle ? 1 : corners.count;
+    s.core.radius = part == Part::whole ? corners.radius : part == Part::core ? 0.5f * corners.radius : 0;
+    for (std::uint32_t i = 0; i < s.core.count; ++i) {
+        const Vec2 point = !inset ? corners.points[i] : part == Part::core ? inset_corner(g.polygon, i, by) : g.polygon.centroid;
+        s.core.points[i] = point - center;
         s.reach = max(s.reach, length(s.core.points[i]));
     }
     return s;
@@ -84,10 +88,12 @@ bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
 float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::uint32_t other, const Sweep& other_way, float end) {
     if (!is_solid(core, shape, other) || comes_from_behind(core, shape, way, other)) return no_impact;
     const float tolerance = clamp(0.25f * half_thickness(core.geometries[core.shapes[shape].geometry]), 0.1f * linear_slop, 0.25f * linear_slop);
-    const SweptCore obstacle = swept(core, other, other_way, true);
-    const float passing = time_of_impact(swept(core, shape, way, false), obstacle, 0, tolerance, end);
-    if (passing == 0 || passing == no_impact) return no_impact;
-    const float touching = time_of_impact(swept(core, shape, way, true), obstacle, tolerance, tolerance, passing);
+    const SweptCore obstacle = swept(core, other, other_way, Part::whole);
+    float passing = time_of_impact(swept(core, shape, way, Part::core), obstacle, 0.5f * tolerance, 0.5f * tolerance, end);
+    // Where it has been squeezed in so deep already, its middle must at least stay on this side.
+    if (passing <= 0) passing = time_of_impact(swept(core, shape, way, Part::middle), obstacle, least_gap, least_gap, end);
+    if (passing < 0 || passing == no_impact) return no_impact;
+    const float touching = time_of_impact(swept(core, shape, way, Part::whole), obstacle, tolerance, tolerance, passing);
     return touching > 0 && touching < passing ? touching : passing;
 }
 
