@@ -8,12 +8,14 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
+#include "broadphase/sensors.hpp"
 #include "collide/manifold.hpp"
 #include "math/copies.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
 #include "memory/parallel.hpp"
 #include "world/continuous.hpp"
+#include "world/hooks.hpp"
 #include "world/sleep.hpp"
 
 namespace islet::detail {
@@ -144,7 +146,10 @@ bool has_parted(const Core& core, std::uint32_t index, float dt) {
     return !overlaps(a, b);
 }
 
-enum class Change : std::uint8_t { none, begins, ends, parts };
+enum class Change : std::uint8_t { none, changes, parts };
+
+// The pre_solve hook is to be asked about the contact in every step in which it has points.
+bool asks(const Core& core, const ContactManifold& m) { return has_hooks && (m.flags & contact_asks) != 0 && core.hooks.pre_solve != nullptr; }
 
 // Works on one contact alone, so contacts may be updated in any order or in parallel; what changes shared state is only reported.
 Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled) {
@@ -154,15 +159,16 @@ Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled
     if (((a.flags | b.flags) & pose_moved) != 0) {
         if (has_parted(core, index, dt)) return Change::parts;
     }
+    if (has_sensors && (m.flags & contact_sensor) != 0)
+        return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
     if (can_recycle(m, a, b)) {
         ++recycled;
-        return Change::none;
+    } else {
+        remake(core, index, dt);
     }
-    remake(core, index, dt);
-    const bool was = (m.flags & contact_touching) != 0;
     const bool is = m.count() > 0;
-    if (was == is) return Change::none;
-    return is ? Change::begins : Change::ends;
+    if (asks(core, m) && is) return Change::changes;  // maybe: what the hook will say is not known yet
+    return is == ((m.flags & contact_touching) != 0) ? Change::none : Change::changes;
 }
 
 void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
@@ -170,7 +176,7 @@ void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
     const Contact& c = core.contacts[index];
     m.flags |= contact_touching;
     assign_color(core, index);
-    core.begin_events[core.begin_count++] = {core.shape_id(c.shape_a), core.shape_id(c.shape_b)};
+    push_touch(core, core.begin_events, core.begin_count, core.sensor_begins, {core.shape_id(c.shape_a), core.shape_id(c.shape_b)});
     if (core.is_dynamic(m.body_a) && !core.is_awake(m.body_a)) to_wake.set(m.body_a);
     if (core.is_dynamic(m.body_b) && !core.is_awake(m.body_b)) to_wake.set(m.body_b);
 }
@@ -179,6 +185,20 @@ void end_touch(Core& core, std::uint32_t index) {
     core.manifolds[index].flags &= ~static_cast<std::uint32_t>(contact_touching);
     release_color(core, index);
     record_end_event(core, index);
+}
+
+// What a contact has become changes shared state.
+void commit(Core& core, std::uint32_t index, BitSet to_wake) {
+    const ContactManifold& m = core.manifolds[index];
+    if (has_sensors && (m.flags & contact_sensor) != 0) return (m.flags & contact_overlap) != 0 ? end_overlap(core, index) : begin_overlap(core, index);
+    if (asks(core, m) && m.count() > 0) ask_pre_solve(core, index);
+    const bool was = (m.flags & contact_touching) != 0;
+    if (was == (m.count() > 0)) return;
+    if (was) {
+        end_touch(core, index);
+    } else {
+        begin_touch(core, index, to_wake);
+    }
 }
 
 }  // namespace
@@ -216,10 +236,8 @@ void update_contacts(Core& core, float dt) {
     changed.for_each([&](std::uint32_t i) {
         if (parted.test(i)) {
             destroy_contact(core, i);
-        } else if (core.manifolds[i].count() > 0) {
-            begin_touch(core, i, to_wake);
         } else {
-            end_touch(core, i);
+            commit(core, i, to_wake);
         }
     });
     for_ranges(core, core.awake_bodies.word_count, clear_grain, [&](std::uint32_t first, std::uint32_t end) {
