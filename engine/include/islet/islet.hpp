@@ -5,6 +5,7 @@
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/math.hpp"
+#include "islet/query.hpp"
 #include "islet/snapshot.hpp"
 #include "islet/tasks.hpp"
 #include "islet/types.hpp"
