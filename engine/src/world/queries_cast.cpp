@@ -33,16 +33,19 @@ struct Cast {
     Vec2 d;
     QueryFilter filter;
     Aabb box;     // at the start, and a little more
+    Aabb swept;   // around the whole way
     Vec2 inv_d;   // 0 where d is as good as 0
 
     Cast(const Core& c, const ShapeProxy& p, Vec2 translation, const QueryFilter& f) : core(c), moving(p), d(translation), filter(f) {
         const Aabb start = box_of(p);
         box = expand(start, rounding_of(merge(start, {start.lower + d, start.upper + d})));
+        swept = merge(box, {box.lower + d, box.upper + d});
         inv_d = {abs(d.x) > 1e-30f ? 1.0f / d.x : 0, abs(d.y) > 1e-30f ? 1.0f / d.y : 0};
     }
 
     /// The fraction of the way at which the sweep enters a box, at least 0; above 1 if it does not.
     float entry(const Aabb& to) const {
+        if (!boxes_meet(swept, to)) return 2.0f;
         const Stay x = stay_in(box.lower.x, box.upper.x, d.x, inv_d.x, to.lower.x, to.upper.x);
         const Stay y = stay_in(box.lower.y, box.upper.y, d.y, inv_d.y, to.lower.y, to.upper.y);
         const float enter = max(0.0f, max(x.enter, y.enter));

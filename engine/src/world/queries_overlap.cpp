@@ -38,7 +38,7 @@ std::uint32_t count_overlaps(const Overlap& overlap, std::span<ShapeId> out) {
     FirstFew<ShapeId> found{out.data(), out.size()};
     std::uint32_t count = 0;
     search_shapes(
-        overlap.core, [&](const Aabb& box) { return overlaps(box, reach); },
+        overlap.core, [&](const Aabb& box) { return boxes_meet(box, reach); },
         [&](std::uint32_t shape) {
             if (!overlap.holds(shape)) return;
             ++count;
@@ -56,7 +56,7 @@ void visit_overlaps(const Overlap& overlap, OverlapVisitor visit, void* context)
     for (bool again = true; again;) {
         FirstFew<ShapeId> found{shapes, visits_a_search};
         search_shapes(
-            overlap.core, [&](const Aabb& box) { return overlaps(box, reach); },
+            overlap.core, [&](const Aabb& box) { return boxes_meet(box, reach); },
             [&](std::uint32_t shape) {
                 const ShapeId id = overlap.core.shape_id(shape);
                 if (comes_before(last, id) && (!found.full() || comes_before(id, shapes[visits_a_search - 1])) && overlap.holds(shape)) found.add(id);
