@@ -7,6 +7,7 @@
 #include "islet/island.hpp"
 #include "islet/islet.hpp"
 #include "islet/lcp.hpp"
+#include "islet/mover.hpp"
 #include "support/joint_world.hpp"
 
 // Sanitizers bring their own malloc, which may not be replaced; the operators may.
@@ -384,6 +385,23 @@ TEST(NoHeap, NoQueryAllocates) {
     const long n = watch.stop();
     EXPECT_EQ(n, 0);
     EXPECT_GT(found, 40u);
+}
+
+TEST(NoHeap, AMoverAllocatesNothing) {
+    World& w = build();
+    MoverState mover{.position = {-9, 4}};
+    bool good = true;
+    int on_ground = 0;
+    const Watch watch;
+    for (int i = 0; i < 300; ++i) {
+        w.step(1.0f / 60);
+        good &= step_mover(w, {}, mover, {.walk = i % 100 < 50 ? 4.0f : -4.0f, .jump = i % 40 == 0 ? 5.0f : 0}, 1.0f / 60);
+        on_ground += mover.ground ? 1 : 0;
+    }
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_TRUE(good);
+    EXPECT_GT(on_ground, 10);
 }
 
 TEST(NoHeap, NoMatrixSolverAllocates) {

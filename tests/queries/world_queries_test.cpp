@@ -2,7 +2,7 @@
 // static, kinematic, dynamic and sleeping bodies, filters of all kinds, and holes where shapes were destroyed.
 #include <gtest/gtest.h>
 
-#include "oracle.hpp"
+#include "known.hpp"
 #include "shapes.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
@@ -12,48 +12,11 @@ namespace {
 using namespace islet;
 using exact::Point;
 using oracle::Solid;
+using test::Known;
+using test::known_shapes;
 using test::TestWorld;
 
 constexpr double relative_error = 3e-6;  // of the largest difference of corners; a shape's body turns and moves it, which rounds too
-
-struct Known {
-    ShapeId id;
-    Solid solid;
-    Filter filter;
-    Point center;
-    double reach = 0;  // of the solid around its centre
-};
-
-ShapeProxy proxy_of(const World& w, ShapeId id) {
-    switch (w.shape_type(id)) {
-    case ShapeType::circle: return make_proxy(*w.circle(id));
-    case ShapeType::capsule: return make_proxy(*w.capsule(id));
-    case ShapeType::segment: return make_proxy(*w.segment(id));
-    case ShapeType::polygon: return make_proxy(*w.polygon(id));
-    case ShapeType::chain_segment: return make_proxy(*w.chain_segment(id));
-    }
-    return {};
-}
-
-// All shapes by ascending slot.
-std::vector<Known> known_shapes(const TestWorld& w) {
-    std::vector<Known> all;
-    for (const BodyId body : w.bodies()) {
-        std::vector<ShapeId> ids(w->shapes(body, {}));
-        w->shapes(body, ids);
-        for (const ShapeId id : ids) {
-            Known k;
-            k.id = id;
-            k.solid = oracle::solid_of(proxy_of(*w, id), w->transform(body));
-            k.filter = w->filter(id);
-            for (const Point p : k.solid.core) k.center = k.center + (1.0 / double(k.solid.core.size())) * p;
-            for (const Point p : k.solid.core) k.reach = std::max(k.reach, exact::length(p - k.center) + k.solid.radius);
-            all.push_back(k);
-        }
-    }
-    std::sort(all.begin(), all.end(), [](const Known& a, const Known& b) { return a.id.index1 < b.id.index1; });
-    return all;
-}
 
 bool wanted(const Known& k, const QueryFilter& f) { return (f.mask & k.filter.category) != 0 && (k.filter.mask & f.category) != 0; }
 

@@ -106,6 +106,14 @@ struct ClosestHit {
     explicit constexpr operator bool() const { return bool(shape); }
 };
 
+/// A surface near a shape: the plane that bounds it there.
+struct Surface {
+    ShapeId shape = {};
+    Vec2 point = {};       ///< m, its closest point; of an overlapping shape the deepest
+    Vec2 normal = {};      ///< unit, towards the shape asked for; the shortest way out of an overlap
+    float separation = 0;  ///< m, below 0 when they overlap: then minus the depth
+};
+
 /// Called for each hit, from the first on the way to the last, and in the order of their slots where fractions are equal. What it returns decides how to go
 /// on: 0 stops; a fraction above 0 cuts the way there, so that only hits up to it are still reported (1 cuts nothing, hit.fraction leaves what is as near);
 /// a negative number ignores the hit. It may call const functions of the world, queries too.

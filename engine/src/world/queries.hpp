@@ -61,6 +61,9 @@ inline bool comes_before(const QueryHit& a, const QueryHit& b) {
     return a.fraction < b.fraction || (a.fraction == b.fraction && a.shape.index1 < b.shape.index1);
 }
 inline bool comes_before(const ShapeId& a, const ShapeId& b) { return a.index1 < b.index1; }
+inline bool comes_before(const Surface& a, const Surface& b) {
+    return a.separation < b.separation || (a.separation == b.separation && a.shape.index1 < b.shape.index1);
+}
 
 /// The first few of what is added, in ascending order.
 template <class Item>
