@@ -23,8 +23,8 @@ inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u
 
 namespace detail {
 
-inline constexpr std::size_t core_bytes = 512;  // room for Core inside World
-inline constexpr std::size_t host_bytes = 576;  // room for World at the start of the block
+inline constexpr std::size_t core_bytes = 640;  // room for Core inside World
+inline constexpr std::size_t host_bytes = 704;  // room for World at the start of the block
 
 // The widest lanes that the build can use decide how the constraint rows are padded in scratch.
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
@@ -34,7 +34,7 @@ inline constexpr std::size_t state_bytes = 256;
 inline constexpr std::size_t pose_bytes = 32;
 inline constexpr std::size_t motion_bytes = 32;
 inline constexpr std::size_t body_bytes = 96;
-inline constexpr std::size_t shape_bytes = 72;
+inline constexpr std::size_t shape_bytes = 80;
 inline constexpr std::size_t box_bytes = 16;
 inline constexpr std::size_t geometry_bytes = 160;
 inline constexpr std::size_t tree_node_bytes = 32;

@@ -143,6 +143,8 @@ struct WorldDef {
     bool enable_sleep = true;            ///< Let islands at rest fall asleep after 0.5 s.
     float restitution_threshold = 1.0f;  ///< m/s, >= 0. Slower impacts do not bounce.
     float max_speed = 400.0f;            ///< m/s, > 0, at most max_speed_limit. No body moves faster.
+    bool continuous = true;              ///< Continuous collision: dynamic bodies pass through no static shape, and bullets through no other body, however
+                                         ///< fast they move and turn.
     std::uint32_t lanes = 0;             ///< 1, 4 or 8 constraints at once; 0 picks the widest the processor has. The bits are the same.
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
@@ -169,6 +171,8 @@ struct BodyDef {
     bool enable_sleep = true;       ///< false: keeps itself and its island awake.
     bool awake = true;              ///< false: starts asleep.
     bool fixed_rotation = false;    ///< true: infinite rotational inertia, and no angular velocity to start with.
+    bool bullet = false;            ///< true: does not pass through moving bodies either (WorldDef::continuous). For a few: each is compared with every
+                                    ///< awake body.
     std::uint64_t user_data = 0;
 };
 

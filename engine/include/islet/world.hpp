@@ -53,6 +53,9 @@ public:
     void set_tasks(const TaskSystem& tasks);
     /// Turning sleep off wakes everything.
     void enable_sleep(bool enable);
+    /// WorldDef::continuous.
+    bool continuous() const;
+    void enable_continuous(bool enable);
 
     const Capacity& capacity() const;
     /// What the last step did, and how full the pools are.
@@ -152,6 +155,9 @@ public:
     float gravity_scale(BodyId body) const;
     void set_gravity_scale(BodyId body, float scale);
     void set_fixed_rotation(BodyId body, bool fixed);
+    /// BodyDef::bullet. No effect unless the body is dynamic.
+    bool is_bullet(BodyId body) const;
+    void set_bullet(BodyId body, bool bullet);
     void enable_sleep(BodyId body, bool enable);
     bool is_awake(BodyId body) const;
     /// Wakes the body and its island.

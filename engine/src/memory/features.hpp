@@ -22,6 +22,7 @@ inline constexpr bool has_chains = ISLET_CHAINS != 0;
 inline constexpr bool has_restitution = ISLET_RESTITUTION != 0;
 inline constexpr bool has_surfaces = ISLET_SURFACES != 0;
 inline constexpr bool has_sleep = ISLET_SLEEP != 0;
+inline constexpr bool has_continuous = ISLET_CONTINUOUS != 0;
 inline constexpr bool has_tuning = ISLET_TUNING != 0;
 
 constexpr bool has_shape(ShapeType type) {

@@ -42,6 +42,10 @@ enum BodyFlags : std::uint32_t {
     body_type_mask = 3u,     // BodyType
     body_fixed_rotation = 4u,
     body_may_sleep = 8u,
+    body_bullet = 16u,       // does not pass through moving bodies either
+    body_disabled = 32u,     // takes part in nothing
+    body_lock_x = 64u, body_lock_y = 128u,  // its centre of mass does not move along the axis
+    body_all_flags = 255u,
 };
 
 struct Body {
@@ -66,6 +70,14 @@ struct Body {
     BodyType type() const { return static_cast<BodyType>(flags & body_type_mask); }
 };
 
+enum ShapeFlags : std::uint32_t {
+    shape_sensor = 1u,         // reports overlaps, collides with nothing
+    shape_sensor_events = 2u,  // sensors see it
+    shape_hit_events = 4u,
+    shape_pre_solve = 8u,      // the pre-solve hook is asked about its contacts
+    shape_all_flags = 15u,
+};
+
 struct Shape {
     std::uint32_t geometry = 0;
     std::uint32_t body = 0;
@@ -77,6 +89,8 @@ struct Shape {
     float margin = 0;                                    // m, by which the fat box exceeds the tight one
     std::uint32_t next_free = null_index;
     std::uint64_t user_data = 0;
+    std::uint32_t flags = 0;                             // ShapeFlags
+    std::uint32_t material = 0;                          // the user's id
 };
 
 /// A geometry, stored once however many shapes share it.
@@ -261,7 +275,10 @@ struct State {
     float last_substep = 0;                                        // s; impulses kept for warm starting belong to a substep of this length
     std::uint32_t trees_stale = 0;                                 // 1: something that decides which joints are solved exactly has changed
     std::uint32_t exact_joints = 0;                                // how many are
-    std::uint32_t pad[15] = {};
+    std::uint32_t continuous = 1;                                  // 1: fast bodies are swept
+    std::uint32_t bullet_count = 0;                                // bodies that are bullets
+    float hit_threshold = 1;                                       // m/s
+    std::uint32_t pad[12] = {};
 };
 
 static_assert(sizeof(Pose) == pose_bytes && sizeof(Motion) == motion_bytes && sizeof(Body) == body_bytes);
@@ -272,7 +289,7 @@ static_assert(sizeof(Joint) == joint_bytes && sizeof(State) == state_bytes);
 // The block is the same on every processor. On 32-bit x86 a struct aligns a 64-bit member to 4 bytes only, elsewhere to 8: each stands at a multiple
 // of 8 by the fields before it, and each struct ends at one, so that no compiler adds padding of its own. Counted in words of 4 bytes.
 static_assert(offsetof(Body, user_data) == 4 * 18 && sizeof(Body) == 4 * 24);
-static_assert(offsetof(Shape, user_data) == 4 * 16 && sizeof(Shape) == 4 * 18);
+static_assert(offsetof(Shape, user_data) == 4 * 16 && sizeof(Shape) == 4 * 20);
 static_assert(offsetof(Joint, user_data) == 4 * 56 && sizeof(Joint) == 4 * 58);
 static_assert(offsetof(State, steps) == 4 * 44 && sizeof(State) == 4 * 64);
 

@@ -522,7 +522,7 @@ void report_residuals(Core& core, const Plan& plan, const float* residuals) {
 
 }  // namespace
 
-const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
+SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     Solve s{core, plan, {}, {}, {}, {}, nullptr, nullptr, {}, {}, false, nullptr, nullptr, nullptr, nullptr, nullptr, 0};
     choose_numbers(s, dt);
     s.bodies = arena.take<SolverBody>(plan.slot_count);

@@ -8,6 +8,6 @@ namespace islet::detail {
 
 /// Solves the contacts of all awake bodies over dt and moves the bodies. Writes impulses, velocities, centres and rotations back, and clears forces.
 /// Returns the bodies by slot, in scratch: dp and dq are the way each made.
-const SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt);
+SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt);
 
 }  // namespace islet::detail

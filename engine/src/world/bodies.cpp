@@ -30,7 +30,7 @@ bool check_def(const Core& core, const BodyDef& d) {
                                    d.angular_damping, d.gravity_scale, d.sleep_threshold);
     return check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
-           check(core, has_sleep || d.awake, Error::feature_cut);
+           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, has_continuous || !d.bullet, Error::feature_cut);
 }
 
 void destroy_contacts(Core& core, std::uint32_t body) {
@@ -72,7 +72,8 @@ BodyId World::create_body(const BodyDef& def) {
     b.gravity_scale = def.gravity_scale;
     b.sleep_threshold = def.sleep_threshold;
     b.flags = static_cast<std::uint32_t>(def.type) | (def.fixed_rotation ? std::uint32_t{body_fixed_rotation} : 0u) |
-              (def.enable_sleep ? std::uint32_t{body_may_sleep} : 0u);
+              (def.enable_sleep ? std::uint32_t{body_may_sleep} : 0u) | (def.bullet ? std::uint32_t{body_bullet} : 0u);
+    if (def.bullet) ++c.state->bullet_count;
     b.user_data = def.user_data;
     c.poses[i] = Pose{};
     c.poses[i].center = def.position;
@@ -98,6 +99,7 @@ void World::destroy_body(BodyId id) {
     destroy_contacts(c, i);
     while (c.bodies[i].shape_head != null_index) remove_shape(c, c.bodies[i].shape_head);
     c.awake_bodies.clear(i);
+    if ((c.bodies[i].flags & body_bullet) != 0) --c.state->bullet_count;
     const std::uint32_t generation = c.bodies[i].generation;
     c.bodies[i] = Body{};
     c.bodies[i].generation = generation;
@@ -139,6 +141,7 @@ float World::linear_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].linea
 float World::angular_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].angular_damping); }
 float World::gravity_scale(BodyId id) const { ISLET_READ_BODY(c.bodies[i].gravity_scale); }
 bool World::is_awake(BodyId id) const { ISLET_READ_BODY(c.is_awake(i)); }
+bool World::is_bullet(BodyId id) const { ISLET_READ_BODY((c.bodies[i].flags & body_bullet) != 0); }
 std::uint64_t World::user_data(BodyId id) const { ISLET_READ_BODY(c.bodies[i].user_data); }
 
 #undef ISLET_READ_BODY
@@ -317,6 +320,16 @@ void World::set_fixed_rotation(BodyId id, bool fixed) {
     b.flags = fixed ? b.flags | body_fixed_rotation : b.flags & ~static_cast<std::uint32_t>(body_fixed_rotation);
     if (fixed) c.motions[i].w = 0;
     apply_mass(c, i, {b.mass, b.local_center, b.inertia});
+}
+
+void World::set_bullet(BodyId id, bool bullet) {
+    Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check(c, has_continuous || !bullet, Error::feature_cut)) return;
+    Body& b = c.bodies[i];
+    if (((b.flags & body_bullet) != 0) == bullet) return;
+    b.flags ^= body_bullet;
+    c.state->bullet_count += bullet ? 1u : ~0u;
 }
 
 void World::enable_sleep(BodyId id, bool enable) {

@@ -11,14 +11,9 @@ namespace {
 inline constexpr float max_box_margin = 0.05f;       // m, so that a body can move a little before its pairs are found anew
 inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: small things get small margins
 
-/// The points whose hull, grown by a radius, is the shape.
-struct Corners {
-    const Vec2* points;
-    std::uint32_t count;
-    float radius;
-};
-
 static_assert(sizeof(Segment) == 2 * sizeof(Vec2) && offsetof(Capsule, point2) == sizeof(Vec2));  // the points are an array
+
+}  // namespace
 
 Corners corners_of(const Geometry& g) {
     const ShapeType type = g.shape_type();
@@ -30,6 +25,8 @@ Corners corners_of(const Geometry& g) {
         default: return {reinterpret_cast<const Vec2*>(&g.chain.segment), 2, 0};
     }
 }
+
+namespace {
 
 ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
     if (g.shape_type() == ShapeType::polygon) {
@@ -46,11 +43,15 @@ ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
     return {farthest + corners.radius, corners.radius};
 }
 
+}  // namespace
+
 Vec2 middle_of(const Geometry& g) {
     if (g.shape_type() == ShapeType::polygon) return g.polygon.centroid;
     const Corners corners = corners_of(g);
     return lerp(corners.points[0], corners.points[corners.count - 1], 0.5f);
 }
+
+namespace {
 
 Aabb aabb_of(const Geometry& g, const Transform& t) {
     const Corners corners = corners_of(g);

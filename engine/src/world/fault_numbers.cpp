@@ -44,15 +44,15 @@ bool is_valid_geometry(const Geometry& g) {
 
 const char* fault_in_numbers(const State& s) {
     if (s.solver.schedule > 1 || s.solver.warm_start > 1 || s.solver.joint_trees > 2 || s.solver.sweep_order > 3 ||
-        s.solver.block_contacts > 1 || s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1) return "a setting of the world is none";
+        s.solver.block_contacts > 1 || s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1 || s.continuous > 1) return "a setting of the world is none";
     Error error = Error::none;
     const bool sane = check_solver(unpack(s.solver), error) && is_finite(s.gravity) && not_negative(s.restitution_threshold) && s.max_speed > 0 &&
-                      s.max_speed <= max_speed_limit && within(s.last_substep, 0, 1);
+                      s.max_speed <= max_speed_limit && within(s.last_substep, 0, 1) && not_negative(s.hit_threshold);
     return sane ? nullptr : "a setting of the world is out of range";
 }
 
 const char* fault_in_numbers(const Body& b, const Pose& pose, const Motion& motion) {
-    if ((b.flags & body_type_mask) > static_cast<std::uint32_t>(BodyType::dynamic) || b.flags >= 2 * body_may_sleep) return "a body's flags are none";
+    if ((b.flags & body_type_mask) > static_cast<std::uint32_t>(BodyType::dynamic) || b.flags > body_all_flags) return "a body's flags are none";
     if (pose.flags > (pose_fast | pose_moved)) return "a body's flags are none";
     if (!is_near(pose.center) || !is_near(b.origin) || !is_near(b.local_center) || !is_finite(motion.v) || !is_finite(motion.w))
         return "a body's state is not finite";
@@ -74,6 +74,7 @@ const char* fault_in_numbers(const Shape& s, const Aabb& box) {
     const bool sane = within(s.friction, 0, max_coefficient) && within(s.restitution, 0, 1) && within(s.rolling_resistance, 0, max_coefficient) &&
                       within(s.tangent_speed, -max_speed_limit, max_speed_limit) && not_negative(s.density) && not_negative(s.margin);
     if (!sane) return "a shape's material is out of range";
+    if (s.flags > shape_all_flags) return "a shape's flags are none";
     const bool ordered = box.lower.x <= box.upper.x && box.lower.y <= box.upper.y;
     return ordered && is_near(box.lower) && is_near(box.upper) ? nullptr : "a box is inside out or far away";
 }

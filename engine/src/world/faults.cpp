@@ -291,6 +291,13 @@ const char* fault_in_trees(const Core& c, Arena scratch) {
     return marked == c.state->exact_joints ? nullptr : "the hinges of trees are miscounted";
 }
 
+const char* fault_in_bullets(const Core& c) {
+    std::uint32_t bullets = 0;
+    for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)
+        if (pool_live(c.state->body_pool, c.bodies, i) && (c.bodies[i].flags & body_bullet) != 0) ++bullets;
+    return bullets == c.state->bullet_count ? nullptr : "the bullets are miscounted";
+}
+
 const char* fault_in_pairs(const Core& c, Arena scratch) {
     const std::uint32_t size = next_power_of_two(2 * c.state->contact_pool.high_water + 1);
     PairSet seen{scratch.take<std::uint64_t>(size), size - 1};
@@ -316,6 +323,7 @@ const char* find_fault(const Core& c, Arena scratch) {
     if (bad == nullptr) bad = first_fault(s.joint_pool, c.joints, [&](std::uint32_t i) { return fault_in_joint(c, i); });
     if (bad == nullptr) bad = fault_in_gear_counts(c, scratch);
     if (bad == nullptr) bad = fault_in_trees(c, scratch);
+    if (bad == nullptr) bad = fault_in_bullets(c);
     if (bad == nullptr) bad = fault_in_pairs(c, scratch);
     if (bad == nullptr) bad = tree_validate({&c.state->tree, c.tree});
     return bad;

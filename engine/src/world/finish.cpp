@@ -4,6 +4,7 @@
 #include "memory/joint_graph.hpp"
 #include "memory/parallel.hpp"
 #include "world/bounds.hpp"
+#include "world/continuous.hpp"
 #include "world/sleep.hpp"
 
 namespace islet::detail {
@@ -14,13 +15,14 @@ inline constexpr std::uint32_t finish_grain = 4;  // words of 64 bodies that are
 
 // Pose and boxes after the way made. The slack says how far the body may go on before a box could be left, so most bodies need no look at their shapes.
 // Returns whether it took that look; then `changed`, if given, says whose box is another.
-bool move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt, bool* changed) {
+bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* changed) {
     Pose& pose = core.poses[i];
     Motion& motion = core.motions[i];
     Body& body = core.bodies[i];
+    const float moved = length(way.dp) + abs(way.dq) * pose.max_extent;
+    if (has_continuous && core.state->continuous != 0 && moved > swept_fraction * body.min_extent) stop_at_static(core, i, way);
     body.origin = pose.center - rotate(pose.q, body.local_center);
 
-    const float moved = length(way.dp) + abs(way.dq) * pose.max_extent;
     motion.slack -= moved;
     const bool looks = motion.slack < 0;
     if (looks) fit_boxes(core, i, false, changed);
@@ -33,7 +35,7 @@ bool move_body(Core& core, std::uint32_t i, const SolverBody& way, float dt, boo
 }
 
 // `rested`, by slot: s that each body has been at rest.
-void move_bodies(Core& core, const Plan& plan, const SolverBody* bodies, float* rested, Arena arena, float dt) {
+void move_bodies(Core& core, const Plan& plan, SolverBody* bodies, float* rested, Arena arena, float dt) {
     if (!has_workers(core)) {
         for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
             const std::uint32_t body = plan.body_of[slot];
@@ -113,9 +115,10 @@ bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena aren
 
 }  // namespace
 
-void finish_bodies(Core& core, const Plan& plan, const SolverBody* bodies, Arena& arena, float dt) {
+void finish_bodies(Core& core, const Plan& plan, SolverBody* bodies, Arena& arena, float dt) {
     float* rested = arena.take<float>(plan.slot_count);
     move_bodies(core, plan, bodies, rested, arena, dt);
+    if (has_continuous && core.state->continuous != 0 && core.state->bullet_count != 0) stop_bullets(core, plan.body_of, plan.slot_count, bodies);
     report_moved(core, arena);
     if (!has_sleep || core.state->enable_sleep == 0 || !sleep_islands(core, plan, rested, arena)) return;
     // Who fell asleep is reported in slot order too.

@@ -61,6 +61,8 @@ std::uint64_t World::hash() const {
     h.word(s.moved_count);
     h.word(s.trees_stale);
     h.word(s.exact_joints);
+    h.word(s.continuous);
+    h.number(s.hit_threshold);
 
     SolverState solver = s.solver;
     solver.measure_residual = 0;  // decides nothing

@@ -116,7 +116,7 @@ bool needs_what_is_cut(const Core& c) {
     }
     for (std::uint32_t i = 0; !has_sleep && i < s.body_pool.high_water; ++i)
         if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i)) return true;
-    return (!has_sleep && s.enable_sleep != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
+    return (!has_sleep && s.enable_sleep != 0) || (!has_continuous && s.continuous != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
 }
 
 // Bits beyond those copied belong to slots that the image never used.

@@ -57,7 +57,7 @@ void World::step(float dt) {
     Arena arena = c.arena();
     if (c.state->joint_pool.count != 0) choose_trees(c, arena);
     const Plan plan = make_plan(c, arena);
-    const SolverBody* bodies = detail::solve(c, plan, arena, dt);
+    SolverBody* bodies = detail::solve(c, plan, arena, dt);
     finish_bodies(c, plan, bodies, arena, dt);
     if (c.state->joint_pool.count != 0) break_joints(c);
     fill_report(c, plan);

@@ -119,6 +119,7 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     state.solver = pack(def.solver);
     forget_residuals(core);
     state.enable_sleep = has_sleep && def.enable_sleep ? 1 : 0;
+    state.continuous = has_continuous && def.continuous ? 1 : 0;
     return world;
 }
 
@@ -184,6 +185,12 @@ void World::enable_sleep(bool enable) {
     if (enable) return;
     for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)
         if (pool_live(c.state->body_pool, c.bodies, i)) wake_island(c, i, c.arena());
+}
+
+bool World::continuous() const { return core().state->continuous != 0; }
+
+void World::enable_continuous(bool enable) {
+    if (check(core(), has_continuous || !enable, Error::feature_cut)) core().state->continuous = enable ? 1 : 0;
 }
 
 const Capacity& World::capacity() const { return core().capacity; }

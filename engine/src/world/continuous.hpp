@@ -1,0 +1,19 @@
+// Continuous collision: bodies that moved far in a step are swept from where they were to where they are, and stopped at what they would have passed.
+#pragma once
+
+#include "constraint/solver_body.hpp"
+#include "memory/core.hpp"
+
+namespace islet::detail {
+
+/// True if the body may have passed through something: it made a way longer than this share of its smallest half-thickness.
+inline constexpr float swept_fraction = 0.5f;
+
+/// Takes the body, whose pose is new already, back to where its core first met a static shape, if it did; `way` becomes what it went. Of the world it
+/// changes this body's pose alone, and reads what is at rest alone, so bodies may be stopped side by side.
+void stop_at_static(Core& core, std::uint32_t body, SolverBody& way);
+
+/// The same for bullets against all bodies that moved or sleep; boxes follow. `bodies` is by slot.
+void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_count, SolverBody* bodies);
+
+}  // namespace islet::detail
