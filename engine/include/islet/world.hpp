@@ -7,6 +7,7 @@
 
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
+#include "islet/query.hpp"
 #include "islet/types.hpp"
 
 namespace islet {
@@ -63,6 +64,17 @@ public:
     bool continuous() const;
     void enable_continuous(bool enable);
 
+    Hooks hooks() const;
+    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. A pre_solve hook is linked by programs that
+    /// call this function or hooks(); in others World::create refuses it (feature_cut).
+    void set_hooks(const Hooks& hooks);
+    float hit_threshold() const;
+    void set_hit_threshold(float speed);
+    /// Pushes every dynamic body with a circle, capsule or polygon in reach away from a point, shape by shape: by impulse_per_length times the shape's width
+    /// across the direction from the explosion to the shape's nearest point, where the impulse acts (if the shape holds the explosion, from there to its
+    /// middle). Nothing shields anything. Sensors do not feel it. Wakes what it pushes.
+    void explode(const ExplosionDef& explosion);
+
     const Capacity& capacity() const;
     /// What the last step did, and how full the pools are.
     const StepReport& report() const;
@@ -96,6 +108,14 @@ public:
 
     std::span<const TouchEvent> begin_touch_events() const;
     std::span<const TouchEvent> end_touch_events() const;
+    /// Overlaps of sensors that began, and that ended, ordered as those of touches are, and told at the same time: a step tells of the poses it begins with,
+    /// and calls that end overlaps tell at once and again after the step. Only programs that call one of these two functions or sensor_overlaps have
+    /// sensors linked; others are refused them (feature_cut).
+    std::span<const SensorEvent> sensor_begin_events() const;
+    std::span<const SensorEvent> sensor_end_events() const;
+    /// Contacts of shapes with ShapeDef::hit_events whose surfaces came together faster than hit_threshold() and needed an impulse, ordered by slot. Only
+    /// programs that call this function have hits linked; others are refused them (feature_cut).
+    std::span<const HitEvent> hit_events() const;
     /// Bodies that the last step moved (every awake one), ordered by slot.
     std::span<const BodyId> moved_bodies() const;
     /// Bodies that fell asleep in the last step, ordered by slot.
@@ -132,6 +152,9 @@ public:
     void set_linear_velocity(BodyId body, Vec2 velocity);
     /// As above; no effect on bodies of fixed rotation either.
     void set_angular_velocity(BodyId body, float velocity);
+    /// Gives a kinematic body the velocities that take it to a pose within a step of dt seconds (within rounding), at most max_speed and a quarter turn. After
+    /// that step they last, so call it before each. No effect on other bodies. target.q must be of unit length.
+    void set_target(BodyId body, const Transform& target, float dt);
 
     /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s)
     /// act at once.
@@ -160,16 +183,31 @@ public:
     void set_angular_damping(BodyId body, float damping);
     float gravity_scale(BodyId body) const;
     void set_gravity_scale(BodyId body, float scale);
+    bool is_rotation_fixed(BodyId body) const;
     void set_fixed_rotation(BodyId body, bool fixed);
+    /// BodyDef::lock_x and lock_y.
+    bool is_x_locked(BodyId body) const;
+    bool is_y_locked(BodyId body) const;
+    void lock_x(BodyId body, bool lock);
+    void lock_y(BodyId body, bool lock);
+    bool is_enabled(BodyId body) const;
+    /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold nobody, it does not
+    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways.
+    void set_enabled(BodyId body, bool enabled);
     /// BodyDef::bullet. No effect unless the body is dynamic.
     bool is_bullet(BodyId body) const;
     void set_bullet(BodyId body, bool bullet);
     void enable_sleep(BodyId body, bool enable);
+    float sleep_threshold(BodyId body) const;
+    /// m/s, >= 0
+    void set_sleep_threshold(BodyId body, float threshold);
     bool is_awake(BodyId body) const;
     /// Wakes the body and its island.
     void wake(BodyId body);
     std::uint64_t user_data(BodyId body) const;
     void set_user_data(BodyId body, std::uint64_t data);
+    /// Writes the body's touching contacts, newest first, as far as they fit; returns how many there are.
+    std::uint32_t contacts(BodyId body, std::span<ContactInfo> out) const;
     /// Writes the ids of the body's shapes, newest first, as far as they fit; returns how many there are.
     std::uint32_t shapes(BodyId body, std::span<ShapeId> out) const;
 
@@ -196,6 +234,15 @@ public:
     const Segment* segment(ShapeId shape) const;
     const Polygon* polygon(ShapeId shape) const;
     const ChainSegment* chain_segment(ShapeId shape) const;
+    /// Another geometry for the shape, of any type. Its contacts and overlaps end, and those still due begin in the next step; mass follows. Wakes the body and
+    /// what touched it. Errors: bad_geometry; geometries_full.
+    void set_circle(ShapeId shape, const Circle& circle);
+    void set_capsule(ShapeId shape, const Capsule& capsule);
+    void set_segment(ShapeId shape, const Segment& segment);
+    void set_polygon(ShapeId shape, const Polygon& polygon);
+    /// kg/m^2, >= 0; the body's mass follows.
+    float density(ShapeId shape) const;
+    void set_density(ShapeId shape, float density);
     /// The tight box around the shape, world coordinates.
     Aabb aabb(ShapeId shape) const;
     float friction(ShapeId shape) const;
@@ -206,6 +253,23 @@ public:
     void set_rolling_resistance(ShapeId shape, float resistance);
     float tangent_speed(ShapeId shape) const;
     void set_tangent_speed(ShapeId shape, float speed);
+    /// All of these at once, and the user's id.
+    SurfaceMaterial material(ShapeId shape) const;
+    void set_material(ShapeId shape, const SurfaceMaterial& material);
+    bool is_sensor(ShapeId shape) const;
+    /// Writes the shapes that overlap the sensor (not_a_sensor), the latest to come near first, as far as they fit; returns how many there are.
+    std::uint32_t sensor_overlaps(ShapeId sensor, std::span<ShapeId> out) const;
+    /// ShapeDef::sensor_events, hit_events and pre_solve.
+    bool sensor_events_enabled(ShapeId shape) const;
+    void enable_sensor_events(ShapeId shape, bool enable);
+    bool hit_events_enabled(ShapeId shape) const;
+    void enable_hit_events(ShapeId shape, bool enable);
+    bool pre_solve_enabled(ShapeId shape) const;
+    void enable_pre_solve(ShapeId shape, bool enable);
+    /// Adds the force of a wind on what of the shape's outline faces it, from the shape's own motion too; acts over the next step, as apply_force does:
+    /// rho u^2 / 2 times width times coefficient, u being the air's velocity past the shape's middle. Each face of a polygon is pushed at its middle; only
+    /// flat faces have lift. No effect on segments and on bodies that are not dynamic. Nothing shields anything.
+    void apply_wind(ShapeId shape, const WindDef& wind);
     Filter filter(ShapeId shape) const;
     /// Contacts that the new filter forbids end; new ones are found in the next step.
     void set_filter(ShapeId shape, const Filter& filter);
@@ -296,6 +360,47 @@ public:
     float joint_torque(JointId joint) const;
     /// How far apart the joint has been pulled now.
     JointError joint_error(JointId joint) const;
+
+    // -- queries (query.hpp) -----------------------------------------------------------------------------------------------------
+    //
+    // What is where now: poses as of the last step, and what was set since. Queries change nothing, need no memory and are the same whatever order shapes
+    // were made and moved in: hits come in the order of their fractions, then of their shapes' slots; overlaps in that of their slots. With good arguments
+    // any number of threads may ask at once, as long as none changes the world. Errors, which find nothing: bad_geometry for a proxy; not_finite and
+    // out_of_range for points and corners beyond max_position, translations beyond max_translation.
+    //
+    // Chain segments are met by rays and casts from their outer side only, and are thin lines to overlap and distance queries.
+
+    /// The first shape that a ray from `origin` to `origin + translation` meets. A ray that starts inside a shape meets it at fraction 0: see islet::cast_ray.
+    QueryHit cast_ray(Vec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
+    /// Whether it meets any: faster, where many shapes are in the way.
+    bool cast_ray_any(Vec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
+    /// All that it meets, as far as they fit: those hit first. Returns how many there are.
+    std::uint32_t cast_ray_all(Vec2 origin, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter = {}) const;
+    /// Calls `visit`, unless null, for each that it meets until told to stop: see CastVisitor.
+    void cast_ray_each(Vec2 origin, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const;
+    /// The same for a shape that stands where its proxy says, in the world, and moves by `translation` without turning: see islet::cast_shape.
+    QueryHit cast_shape(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
+    bool cast_shape_any(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
+    std::uint32_t cast_shape_all(const ShapeProxy& shape, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter = {}) const;
+    void cast_shape_each(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const;
+
+    /// Shapes whose tight box (aabb) overlaps `box`, as far as they fit. Returns how many there are. bad_geometry unless lower <= upper.
+    std::uint32_t overlap_box(const Aabb& box, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
+    /// Shapes that share a point with `shape`, which is in the world.
+    std::uint32_t overlap_shape(const ShapeProxy& shape, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
+    /// Shapes that contain the point; segments contain none.
+    std::uint32_t overlap_point(Vec2 point, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
+    /// Call `visit`, unless null, for each of them until it returns false.
+    void overlap_box_each(const Aabb& box, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
+    void overlap_shape_each(const ShapeProxy& shape, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
+    void overlap_point_each(Vec2 point, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
+
+    /// The shape closest to `point` and no farther than max_distance, 0 to max_translation, m; of equally close ones that with the lowest slot.
+    ClosestHit closest(Vec2 point, float max_distance, const QueryFilter& filter = {}) const;
+    /// The surfaces no farther than `within`, 0 to max_translation, m, from a shape in the world, as far as they fit: the closest ones, the deepest overlap
+    /// first; equally close ones in the order of their slots. Returns how many there are. Chain segments whose back the shape is at (by the mean of its
+    /// corners) are left out, and push to their outer side only.
+    std::uint32_t surfaces_near(const ShapeProxy& shape, float within, std::span<Surface> out, const QueryFilter& filter = {}) const;
 
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------
 

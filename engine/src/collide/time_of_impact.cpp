@@ -35,8 +35,11 @@ float time_of_impact(const SweptCore& a, const SweptCore& b, float target, float
         place(points_b, b, fraction, a.sweep.center);
         const DistanceResult gap = core_distance(points_a, a.core.count, points_b, b.core.count);
         const float left = gap.distance - near;
-        if (left <= tolerance) return fraction;
         const float approach = dot(a.sweep.way - b.sweep.way, gap.normal) + turning;
+        if (left <= tolerance) {
+            if (fraction > 0) return fraction;
+            return gap.normal == Vec2{0, 0} ? overlaps_from_the_start : approach > 0 ? 0 : no_impact;
+        }
         if (!(approach * (end - fraction) > left)) return no_impact;
         fraction += left / approach;
     }

@@ -11,6 +11,12 @@
 
 namespace islet::detail {
 
+/// What sensors told, in the room that touches leave in an array of events (broadphase/sensors.cpp).
+struct SensorEvents {
+    SensorEvent* events = nullptr;
+    std::uint32_t count = 0;
+};
+
 struct Core {
     Capacity capacity;
     std::uint32_t lanes = 1;
@@ -20,6 +26,7 @@ struct Core {
     TaskSystem tasks;
     Clock clock = nullptr;
     void* clock_context = nullptr;
+    Hooks hooks;
 
     State* state = nullptr;
     Pose* poses = nullptr;
@@ -41,11 +48,14 @@ struct Core {
 
     TouchEvent* begin_events = nullptr;
     TouchEvent* end_events = nullptr;
+    SensorEvents sensor_begins, sensor_ends;
+    HitEvent* hit_events = nullptr;
     BodyId* moved_events = nullptr;
     BodyId* slept_events = nullptr;
     JointBreakEvent* break_events = nullptr;
     float* residuals = nullptr;       // m/s, by body: of its island in the last step, if measured
     std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0, break_count = 0;
+    std::uint32_t sensor_ends_reported = 0, hit_count = 0;
 
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;

@@ -26,6 +26,9 @@ inline constexpr bool has_restitution = ISLET_RESTITUTION != 0;
 inline constexpr bool has_surfaces = ISLET_SURFACES != 0;
 inline constexpr bool has_sleep = ISLET_SLEEP != 0;
 inline constexpr bool has_continuous = ISLET_CONTINUOUS != 0;
+inline constexpr bool has_sensors = ISLET_SENSORS != 0;
+inline constexpr bool has_hits = ISLET_HITS != 0;
+inline constexpr bool has_hooks = ISLET_HOOKS != 0;
 inline constexpr bool has_tuning = ISLET_TUNING != 0;
 inline constexpr bool has_profile = ISLET_PROFILE != 0;
 

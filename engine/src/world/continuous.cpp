@@ -16,6 +16,7 @@ namespace islet::detail {
 
 namespace {
 
+inline constexpr float least_gap = 0.05f * linear_slop;  // m that the middle of a shape keeps from what it must not pass
 inline constexpr std::uint32_t bullet_rounds = 4;  // each may stop a bullet in the way of another
 
 /// The way a body has just made.
@@ -46,19 +47,22 @@ float half_thickness(const Geometry& g) {
     return corners_of(g).radius + (g.shape_type() == ShapeType::polygon ? inner_radius(g.polygon) : 0);
 }
 
-/// The whole shape, or its core.
-SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, bool whole) {
+enum class Part { whole, core, middle };
+
+/// What of a shape is swept: all of it, its core, or its middle, a point or a line.
+SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part part) {
     const Geometry& g = core.geometries[core.shapes[shape].geometry];
     const Vec2 center = core.bodies[core.shapes[shape].body].local_center;
     const Corners corners = corners_of(g);
-    const bool inset = !whole && g.shape_type() == ShapeType::polygon;
+    const bool inset = part != Part::whole && g.shape_type() == ShapeType::polygon;
     const float by = inset ? 0.5f * inner_radius(g.polygon) : 0;
     SweptCore s;
     s.sweep = sweep;
-    s.core.count = corners.count;
-    s.core.radius = whole ? corners.radius : 0.5f * corners.radius;
-    for (std::uint32_t i = 0; i < corners.count; ++i) {
-        s.core.points[i] = (inset ? inset_corner(g.polygon, i, by) : corners.points[i]) - center;
+    s.core.count = inset && part == Part::middle ? 1 : corners.count;
+    s.core.radius = part == Part::whole ? corners.radius : part == Part::core ? 0.5f * corners.radius : 0;
+    for (std::uint32_t i = 0; i < s.core.count; ++i) {
+        const Vec2 point = !inset ? corners.points[i] : part == Part::core ? inset_corner(g.polygon, i, by) : g.polygon.centroid;
+        s.core.points[i] = point - center;
         s.reach = max(s.reach, length(s.core.points[i]));
     }
     return s;
@@ -77,17 +81,23 @@ bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep
 
 bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
     constexpr std::uint32_t undecided = shape_sensor | shape_pre_solve;  // passes through, or may
-    return ((core.shapes[shape].flags | core.shapes[other].flags) & undecided) == 0 && may_collide(core, shape, other);
+    if (((core.shapes[shape].flags | core.shapes[other].flags) & undecided) != 0) return false;
+    // Static shapes are looked at by many workers at once, who must not ask the filter hook; but it was asked when a contact was made.
+    if (has_hooks && core.hooks.filter != nullptr && core.bodies[core.shapes[other].body].type() == BodyType::static_body)
+        return core.pairs.contains(PairSet::key(shape, other)) && may_collide(core, shape, other);
+    return is_pair_wanted(core, shape, other);
 }
 
 /// The fraction of the way at which `shape` must stop for `other`, or no_impact.
 float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::uint32_t other, const Sweep& other_way, float end) {
     if (!is_solid(core, shape, other) || comes_from_behind(core, shape, way, other)) return no_impact;
     const float tolerance = clamp(0.25f * half_thickness(core.geometries[core.shapes[shape].geometry]), 0.1f * linear_slop, 0.25f * linear_slop);
-    const SweptCore obstacle = swept(core, other, other_way, true);
-    const float passing = time_of_impact(swept(core, shape, way, false), obstacle, 0, tolerance, end);
-    if (passing == 0 || passing == no_impact) return no_impact;
-    const float touching = time_of_impact(swept(core, shape, way, true), obstacle, tolerance, tolerance, passing);
+    const SweptCore obstacle = swept(core, other, other_way, Part::whole);
+    float passing = time_of_impact(swept(core, shape, way, Part::core), obstacle, 0.5f * tolerance, 0.5f * tolerance, end);
+    // Where it has been squeezed in so deep already, its middle must at least stay on this side.
+    if (passing <= 0) passing = time_of_impact(swept(core, shape, way, Part::middle), obstacle, least_gap, least_gap, end);
+    if (passing < 0 || passing == no_impact) return no_impact;
+    const float touching = time_of_impact(swept(core, shape, way, Part::whole), obstacle, tolerance, tolerance, passing);
     return touching > 0 && touching < passing ? touching : passing;
 }
 
@@ -155,6 +165,16 @@ Sweep carried(const Sweep& way, const Impact& impact) {
 }
 
 }  // namespace
+
+Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt) {
+    const Motion& motion = core.motions[body];
+    return {core.poses[body].center, core.poses[body].q, dt * motion.v, clamp(dt * motion.w, -0.5f * pi, 0.5f * pi)};
+}
+
+float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {
+    constexpr float gap = 0.25f * linear_slop;
+    return time_of_impact(swept(core, shape_a, a, Part::whole), swept(core, shape_b, b, Part::whole), gap, gap, 1);
+}
 
 void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     if (!core.is_dynamic(body)) return;

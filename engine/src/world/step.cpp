@@ -19,8 +19,13 @@ void clear_events(Core& core) {
     const std::uint32_t pending = core.end_count - core.end_reported;
     std::memmove(core.end_events, core.end_events + core.end_reported, std::size_t{pending} * sizeof(TouchEvent));
     core.end_count = pending;
-    core.begin_count = core.moved_count = core.slept_count = core.break_count = 0;
-    core.report.dropped_events = 0;
+    if (has_sensors) {
+        core.sensor_ends.events += core.sensor_ends_reported;
+        core.sensor_ends.count -= core.sensor_ends_reported;
+        core.sensor_ends_reported = core.sensor_begins.count = 0;
+    }
+    core.begin_count = core.moved_count = core.slept_count = core.break_count = core.hit_count = 0;
+    core.report.dropped_events = core.report.dropped_hits = 0;
 }
 
 void fill_report(Core& core, const Plan& plan) {
@@ -41,6 +46,7 @@ void fill_report(Core& core, const Plan& plan) {
     r.overflow_joints = plan.overflow_joints;
     r.joints = core.state->joint_pool.count;
     core.end_reported = core.end_count;
+    core.sensor_ends_reported = core.sensor_ends.count;
     ++core.state->steps;
 }
 
