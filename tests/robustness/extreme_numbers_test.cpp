@@ -69,6 +69,20 @@ const Call calls[] = {
      [](TestWorld& w, BodyId b, float x) {
          w->set_mass(b, {1, {x, x}, 1});
      }},
+    {"set_mass_center_of_what_turns",
+     [](TestWorld& w, BodyId b, float x) {
+         w->set_angular_velocity(b, x);
+         w->set_mass(b, {1, {3, 2}, 1});
+         w->set_mass(b, {1, {-3, 2}, 1});
+     }},
+    {"apply_impulses_twice",
+     [](TestWorld& w, BodyId b, float x) {
+         for (int i = 0; i < 2; ++i) {
+             w->apply_linear_impulse(b, {x, -x}, {100, x});
+             w->apply_angular_impulse(b, x);
+             w->apply_torque(b, x);
+         }
+     }},
     {"set_mass_inertia",
      [](TestWorld& w, BodyId b, float x) {
          w->set_mass(b, {1, {}, x});
@@ -102,6 +116,7 @@ TEST_P(ExtremeNumber, IsRefusedOrSurvived) {
             w.add_circle({0.2f, 1.4f});
             w.step(5);
             GetParam().with(w, box, x);
+            EXPECT_EQ(w->validate(), nullptr) << GetParam().name << '(' << x << "), before any step";
             w.step(5);
             GetParam().with(w, box, x);
             w.step(20);
