@@ -12,6 +12,8 @@
 
 namespace islet {
 
+struct DebugDraw;      // debug_draw.hpp
+struct DrawStyle;
 struct IslandProblem;  // island.hpp
 
 namespace detail {
@@ -51,6 +53,11 @@ public:
     /// Threads to step with from now on. workers of 0 or above max_workers is refused (out_of_range). Not part of the state: no hash and no snapshot
     /// knows of it.
     void set_tasks(const TaskSystem& tasks);
+    /// What the stages of the last step took. Only in a program that calls this function is anything measured.
+    const StepProfile& profile() const;
+    /// The clock to measure with from now on, null for none. Not part of the state: no hash and no snapshot knows of it.
+    void set_clock(Clock clock, void* context = nullptr);
+    WorldCounters counters() const;
     /// Turning sleep off wakes everything.
     void enable_sleep(bool enable);
     /// WorldDef::continuous.
@@ -88,8 +95,8 @@ public:
     /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
     std::size_t save(std::span<std::byte> out) const;
     /// Goes back to an image that this program made. What the image uses must fit this world's capacity, which need not be that of the world it was
-    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook
-    /// and the task system. Until the next step there are no events, and the report holds only how full the pools are.
+    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook,
+    /// the clock and the task system. Until the next step there are no events, and the report holds only how full the pools are.
     /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut where this build leaves out what the image
     /// needs. (A program that neither makes joints nor calls load has none linked, so an image with joints needs what it leaves out.)
     bool restore(std::span<const std::byte> image);
@@ -404,6 +411,14 @@ public:
     /// give numbers that overflow; lcp::solve then says not_finite. Returns 0 on an error: null_id, stale_id; no_dynamic_body; bad_time_step of h;
     /// out_of_range if there are more than lcp::max_rows rows or 2^32 - 1 entries.
     std::size_t export_island(BodyId body, float h, std::span<std::byte> memory, IslandProblem& out) const;
+
+    // -- drawing (debug_draw.hpp) ------------------------------------------------------------------------------------------------
+
+    /// Hands what `draw` asks for to its functions. Changes nothing and calls no function on an error: not_finite or out_of_range of its view, size or
+    /// scale. With BodyColors::island it uses the world's scratch memory, so then no other call to the world may run at the same time.
+    void draw(const DebugDraw& draw) const;
+    /// Draws a shape alone, as if its body were at `pose`, by draw's functions; nothing else of `draw` is looked at.
+    void draw_shape(const DebugDraw& draw, ShapeId shape, const Transform& pose, const DrawStyle& style) const;
 
 private:
     friend struct detail::Core;
