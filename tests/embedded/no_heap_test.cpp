@@ -7,6 +7,7 @@
 #include "islet/island.hpp"
 #include "islet/islet.hpp"
 #include "islet/lcp.hpp"
+#include "islet/mover.hpp"
 #include "support/joint_world.hpp"
 
 // Sanitizers bring their own malloc, which may not be replaced; the operators may.
@@ -362,6 +363,68 @@ TEST(NoHeap, ExportingIslandsAllocatesNothing) {
     EXPECT_EQ(n, 0);
     EXPECT_TRUE(fit && refused);
     EXPECT_GT(rows, 100u);
+}
+
+TEST(NoHeap, NoQueryAllocates) {
+    World& w = build();
+    for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
+    QueryHit hits[8];
+    ShapeId ids[8];
+    std::uint32_t found = 0;
+    const CastVisitor count_hit = [](const QueryHit&, void* n) { return ++*static_cast<std::uint32_t*>(n), 1.0f; };
+    const OverlapVisitor count_id = [](ShapeId, void* n) { return ++*static_cast<std::uint32_t*>(n), true; };
+    const Watch watch;
+    const ShapeProxy ball = make_proxy(Circle{{-12, 1}, 0.5f});
+    found += w.cast_ray({-12, 1}, {24, 0}) && w.cast_ray_any({-12, 1}, {24, 0}) ? 1u : 0u;
+    found += w.cast_ray_all({-12, 1}, {24, 0}, hits) + w.cast_shape_all(ball, {24, 0}, hits);
+    w.cast_ray_each({-12, 1}, {24, 0}, {}, count_hit, &found);
+    w.cast_shape_each(ball, {24, 0}, {}, count_hit, &found);
+    found += w.overlap_box({{-9, 0}, {9, 9}}, ids) + w.overlap_shape(ball, ids) + w.overlap_point({0, 0.5f}, ids);
+    w.overlap_box_each({{-9, 0}, {9, 9}}, {}, count_id, &found);
+    found += w.closest({0, 5}, 10) ? 1u : 0u;
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_GT(found, 40u);
+}
+
+TEST(NoHeap, AMoverAllocatesNothing) {
+    World& w = build();
+    MoverState mover{.position = {-9, 4}};
+    bool good = true;
+    int on_ground = 0;
+    const Watch watch;
+    for (int i = 0; i < 300; ++i) {
+        w.step(1.0f / 60);
+        good &= step_mover(w, {}, mover, {.walk = i % 100 < 50 ? 4.0f : -4.0f, .jump = i % 40 == 0 ? 5.0f : 0}, 1.0f / 60);
+        on_ground += mover.ground ? 1 : 0;
+    }
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_TRUE(good);
+    EXPECT_GT(on_ground, 10);
+}
+
+TEST(NoHeap, DrawingAllocatesNothing) {
+    World& w = build();
+    test::add_machine(w, {40, 0});
+    for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
+    long drawn = 0;
+    DebugDraw draw;
+    draw.context = &drawn;
+    draw.polygon = [](std::span<const Vec2>, float, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.circle = [](Vec2, float, Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.capsule = [](Vec2, Vec2, float, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.segment = [](Vec2, Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.point = [](Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.text = [](Vec2, const char*, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.contacts = draw.normals = draw.impulses = draw.boxes = draw.fat_boxes = draw.tree = draw.centers = draw.names = true;
+    draw.body_colors = BodyColors::island;
+    draw.constraint_colors = true;
+    const Watch watch;
+    w.draw(draw);
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_GT(drawn, 300);
 }
 
 TEST(NoHeap, NoMatrixSolverAllocates) {

@@ -44,6 +44,9 @@
 #if !defined(ISLET_SLEEP)
 #define ISLET_SLEEP 1  // islands falling asleep: without it a world is as after enable_sleep(false)
 #endif
+#if !defined(ISLET_PROFILE)
+#define ISLET_PROFILE 1  // what the stages of a step took, where a program asks for it
+#endif
 #if !defined(ISLET_CONTINUOUS)
 #define ISLET_CONTINUOUS 1  // fast bodies swept along their way: without it a world is as after enable_continuous(false)
 #endif

@@ -1,10 +1,12 @@
-// Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all the public ones but lcp.hpp and island.hpp.
+// Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all the public ones but lcp.hpp, island.hpp and mover.hpp.
 #pragma once
 
+#include "islet/debug_draw.hpp"
 #include "islet/geometry.hpp"
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/math.hpp"
+#include "islet/query.hpp"
 #include "islet/snapshot.hpp"
 #include "islet/tasks.hpp"
 #include "islet/types.hpp"

@@ -112,6 +112,9 @@ struct Hooks {
     friend bool operator==(const Hooks&, const Hooks&) = default;
 };
 
+/// Reads a clock of yours, which counts on in whatever unit you like. Must not call the world.
+using Clock = std::uint64_t (*)(void* context);
+
 /// The order of the numbers in a step. `soft` is the default; `classic` is one position-corrected velocity solve per step.
 enum class Schedule : std::uint8_t {
     soft,     ///< substeps of: integrate, biased sweep with soft contacts, integrate positions, relax sweep
@@ -178,6 +181,8 @@ struct WorldDef {
     void* error_context = nullptr;
     Hooks hooks = {};                    ///< See World::set_hooks.
     TaskSystem tasks = {};               ///< Threads to step with; none by default. The bits are the same.
+    Clock clock = nullptr;               ///< What World::profile is measured with; none by default. The bits are the same.
+    void* clock_context = nullptr;
 };
 
 enum class BodyType : std::uint8_t {
@@ -303,6 +308,30 @@ struct StepReport {
     std::uint32_t overflow_joints = 0;   ///< joints solved one by one: gears, and those that found no colour
     std::uint32_t sweeps = 0;            ///< that were made; fewer than SolverDef says where a tolerance ended them, then of the batch with the most
     float residual = 0;                  ///< m/s, the largest of any island (World::residual); 0 if not measured
+};
+
+/// What the stages of the last step took, in ticks of WorldDef::clock: all 0 without one.
+struct StepProfile {
+    std::uint64_t pairs = 0;    ///< which fat boxes overlap
+    std::uint64_t collide = 0;  ///< where and how shapes touch
+    std::uint64_t islands = 0;  ///< what belongs together and in which order it is solved
+    std::uint64_t solve = 0;    ///< forces, impulses and motion
+    std::uint64_t finish = 0;   ///< places, boxes, sleep and events
+    std::uint64_t total = 0;    ///< the whole step: the sum of these
+};
+
+/// Constraint colours there are.
+inline constexpr std::uint32_t constraint_color_count = 32;
+
+/// What a world is made of now, beside what StepReport says. For displays: it is counted when asked for.
+struct WorldCounters {
+    std::size_t bytes = 0;           ///< of the world's block: world_bytes(capacity)
+    std::size_t snapshot_bytes = 0;  ///< of it that save() needs now
+    std::uint32_t geometries = 0;    ///< different ones
+    std::uint32_t tree_shapes = 0;   ///< shapes at rest, which a tree of boxes holds; the others are found by sorting
+    std::uint32_t tree_height = 0;   ///< boxes on the way from the tree's root to its farthest leaf; 0 if it is empty
+    std::uint32_t colors[constraint_color_count] = {};  ///< touching contacts and joints by constraint colour, awake or not
+    std::uint32_t uncolored = 0;     ///< those that found no colour, which are solved one by one
 };
 
 /// One touching point of a contact, in world coordinates. A force over a substep of h seconds, h = dt / substeps, is impulse / h newtons: what stands still

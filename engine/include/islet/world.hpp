@@ -7,10 +7,13 @@
 
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
+#include "islet/query.hpp"
 #include "islet/types.hpp"
 
 namespace islet {
 
+struct DebugDraw;      // debug_draw.hpp
+struct DrawStyle;
 struct IslandProblem;  // island.hpp
 
 namespace detail {
@@ -50,6 +53,11 @@ public:
     /// Threads to step with from now on. workers of 0 or above max_workers is refused (out_of_range). Not part of the state: no hash and no snapshot
     /// knows of it.
     void set_tasks(const TaskSystem& tasks);
+    /// What the stages of the last step took. Only in a program that calls this function is anything measured.
+    const StepProfile& profile() const;
+    /// The clock to measure with from now on, null for none. Not part of the state: no hash and no snapshot knows of it.
+    void set_clock(Clock clock, void* context = nullptr);
+    WorldCounters counters() const;
     /// Turning sleep off wakes everything.
     void enable_sleep(bool enable);
     /// WorldDef::continuous.
@@ -87,8 +95,8 @@ public:
     /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
     std::size_t save(std::span<std::byte> out) const;
     /// Goes back to an image that this program made. What the image uses must fit this world's capacity, which need not be that of the world it was
-    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook
-    /// and the task system. Until the next step there are no events, and the report holds only how full the pools are.
+    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook,
+    /// the clock and the task system. Until the next step there are no events, and the report holds only how full the pools are.
     /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut where this build leaves out what the image
     /// needs. (A program that neither makes joints nor calls load has none linked, so an image with joints needs what it leaves out.)
     bool restore(std::span<const std::byte> image);
@@ -354,6 +362,47 @@ public:
     /// How far apart the joint has been pulled now.
     JointError joint_error(JointId joint) const;
 
+    // -- queries (query.hpp) -----------------------------------------------------------------------------------------------------
+    //
+    // What is where now: poses as of the last step, and what was set since. Queries change nothing, need no memory and are the same whatever order shapes
+    // were made and moved in: hits come in the order of their fractions, then of their shapes' slots; overlaps in that of their slots. With good arguments
+    // any number of threads may ask at once, as long as none changes the world. Errors, which find nothing: bad_geometry for a proxy; not_finite and
+    // out_of_range for points and corners beyond max_position, translations beyond max_translation.
+    //
+    // Chain segments are met by rays and casts from their outer side only, and are thin lines to overlap and distance queries.
+
+    /// The first shape that a ray from `origin` to `origin + translation` meets. A ray that starts inside a shape meets it at fraction 0: see islet::cast_ray.
+    QueryHit cast_ray(Vec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
+    /// Whether it meets any: faster, where many shapes are in the way.
+    bool cast_ray_any(Vec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
+    /// All that it meets, as far as they fit: those hit first. Returns how many there are.
+    std::uint32_t cast_ray_all(Vec2 origin, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter = {}) const;
+    /// Calls `visit`, unless null, for each that it meets until told to stop: see CastVisitor.
+    void cast_ray_each(Vec2 origin, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const;
+    /// The same for a shape that stands where its proxy says, in the world, and moves by `translation` without turning: see islet::cast_shape.
+    QueryHit cast_shape(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
+    bool cast_shape_any(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
+    std::uint32_t cast_shape_all(const ShapeProxy& shape, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter = {}) const;
+    void cast_shape_each(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const;
+
+    /// Shapes whose tight box (aabb) overlaps `box`, as far as they fit. Returns how many there are. bad_geometry unless lower <= upper.
+    std::uint32_t overlap_box(const Aabb& box, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
+    /// Shapes that share a point with `shape`, which is in the world.
+    std::uint32_t overlap_shape(const ShapeProxy& shape, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
+    /// Shapes that contain the point; segments contain none.
+    std::uint32_t overlap_point(Vec2 point, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
+    /// Call `visit`, unless null, for each of them until it returns false.
+    void overlap_box_each(const Aabb& box, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
+    void overlap_shape_each(const ShapeProxy& shape, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
+    void overlap_point_each(Vec2 point, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
+
+    /// The shape closest to `point` and no farther than max_distance, 0 to max_translation, m; of equally close ones that with the lowest slot.
+    ClosestHit closest(Vec2 point, float max_distance, const QueryFilter& filter = {}) const;
+    /// The surfaces no farther than `within`, 0 to max_translation, m, from a shape in the world, as far as they fit: the closest ones, the deepest overlap
+    /// first; equally close ones in the order of their slots. Returns how many there are. Chain segments whose back the shape is at (by the mean of its
+    /// corners) are left out, and push to their outer side only.
+    std::uint32_t surfaces_near(const ShapeProxy& shape, float within, std::span<Surface> out, const QueryFilter& filter = {}) const;
+
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------
 
     /// Writes to `memory` the complementarity problem that a substep of `h` seconds, 0 < h <= 1, would pose to the island of a dynamic body as it stands
@@ -363,6 +412,14 @@ public:
     /// give numbers that overflow; lcp::solve then says not_finite. Returns 0 on an error: null_id, stale_id; no_dynamic_body; bad_time_step of h;
     /// out_of_range if there are more than lcp::max_rows rows or 2^32 - 1 entries.
     std::size_t export_island(BodyId body, float h, std::span<std::byte> memory, IslandProblem& out) const;
+
+    // -- drawing (debug_draw.hpp) ------------------------------------------------------------------------------------------------
+
+    /// Hands what `draw` asks for to its functions. Changes nothing and calls no function on an error: not_finite or out_of_range of its view, size or
+    /// scale. With BodyColors::island it uses the world's scratch memory, so then no other call to the world may run at the same time.
+    void draw(const DebugDraw& draw) const;
+    /// Draws a shape alone, as if its body were at `pose`, by draw's functions; nothing else of `draw` is looked at.
+    void draw_shape(const DebugDraw& draw, ShapeId shape, const Transform& pose, const DrawStyle& style) const;
 
 private:
     friend struct detail::Core;

@@ -48,6 +48,25 @@ struct TreeWalk {
     }
 };
 
+/// Calls visit(shape) for every leaf that `reaches(box)` accepts, in an order that depends on the tree. What accepts a box must accept those that hold it;
+/// it may accept less as the walk goes on.
+template <class Reaches, class Visit>
+void tree_search(Tree tree, Reaches&& reaches, Visit&& visit) {
+    std::uint32_t stack[tree_stack];
+    std::uint32_t top = 0;
+    if (tree.state->root != null_index) stack[top++] = tree.state->root;
+    while (top > 0) {
+        const TreeNode& node = tree.nodes[stack[--top]];
+        if (!reaches(node.box)) continue;
+        if (node.child1 == null_index) {
+            visit(node.child2);
+            continue;
+        }
+        stack[top++] = node.child2;
+        stack[top++] = node.child1;
+    }
+}
+
 /// Calls visit(shape) for every leaf whose box overlaps `box`.
 template <class Visit>
 void tree_query(Tree tree, const Aabb& box, Visit&& visit) {

@@ -25,6 +25,8 @@ struct Core {
     void* error_context = nullptr;
     TaskSystem tasks;
     Hooks hooks;
+    Clock clock = nullptr;
+    void* clock_context = nullptr;
 
     State* state = nullptr;
     Pose* poses = nullptr;
@@ -58,6 +60,8 @@ struct Core {
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;
     StepReport report;
+    StepProfile profile;
+    std::uint64_t last_tick = 0;
 
     Arena arena() const { return {scratch, scratch_end}; }
 
@@ -78,6 +82,7 @@ struct Core {
 
 static_assert(sizeof(Core) <= core_bytes);
 static_assert(sizeof(State) == state_bytes);
+static_assert(constraint_color_count == color_count);
 
 /// None is known from now on.
 inline void forget_residuals(Core& core) {

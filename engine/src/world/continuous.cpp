@@ -164,6 +164,16 @@ Sweep carried(const Sweep& way, const Impact& impact) {
 
 }  // namespace
 
+Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt) {
+    const Motion& motion = core.motions[body];
+    return {core.poses[body].center, core.poses[body].q, dt * motion.v, clamp(dt * motion.w, -0.5f * pi, 0.5f * pi)};
+}
+
+float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {
+    constexpr float gap = 0.25f * linear_slop;
+    return time_of_impact(swept(core, shape_a, a, Part::whole), swept(core, shape_b, b, Part::whole), gap, gap, 1);
+}
+
 void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     if (!core.is_dynamic(body)) return;
     Sweep sweep = sweep_of(core, body, way);

@@ -6,6 +6,7 @@
 #include "world/contact_update.hpp"
 #include "world/finish.hpp"
 #include "world/joints.hpp"
+#include "world/profile.hpp"
 
 namespace islet {
 
@@ -55,18 +56,24 @@ void World::step(float dt) {
     Core& c = core();
     if (!(dt > 0) || !(dt <= 1.0f)) return c.fail(Error::bad_time_step);
     const DefaultFloatMode mode;
+    note(c, Stage::begin);
     clear_events(c);
 
     find_pairs(c, dt);
+    note(c, Stage::pairs);
     update_contacts(c, dt);
+    note(c, Stage::collide);
 
     Arena arena = c.arena();
     if (c.state->joint_pool.count != 0) choose_trees(c, arena);
     const Plan plan = make_plan(c, arena);
+    note(c, Stage::islands);
     SolverBody* bodies = detail::solve(c, plan, arena, dt);
+    note(c, Stage::solve);
     finish_bodies(c, plan, bodies, arena, dt);
     if (c.state->joint_pool.count != 0) break_joints(c);
     fill_report(c, plan);
+    note(c, Stage::finish);
 }
 
 }  // namespace islet

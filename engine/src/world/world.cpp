@@ -5,6 +5,7 @@
 #include "world/cpu.hpp"
 #include "world/geometry_pool.hpp"
 #include "world/hooks.hpp"
+#include "world/profile.hpp"
 #include "world/sleep.hpp"
 
 // A placement new without <new>: the engine needs no C++ runtime.
@@ -37,6 +38,7 @@ Error check_def(const WorldDef& def) {
     if (def.restitution_threshold < 0 || def.hit_threshold < 0 || def.max_speed <= 0 || def.max_speed > max_speed_limit) return Error::out_of_range;
     if (def.lanes != 0 && def.lanes != 1 && def.lanes != 4 && def.lanes != 8) return Error::out_of_range;
     if (!is_usable(def.tasks)) return Error::out_of_range;
+    if (!has_profile && def.clock != nullptr) return Error::feature_cut;
     Error error = Error::none;
     check_solver(def.solver, error);
     return error;
@@ -110,6 +112,8 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     core.error_context = def.error_context;
     core.tasks = def.tasks;
     core.hooks = def.hooks;
+    if (has_profile && ISLET_IS_LINKED(note_stage)) core.clock = def.clock;
+    core.clock_context = def.clock_context;
     point_into(core, block.data(), l);
 
     // Persistent memory starts as zeros, so that no byte of a world depends on what the block held before.
