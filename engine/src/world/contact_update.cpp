@@ -16,6 +16,7 @@
 #include "memory/parallel.hpp"
 #include "world/continuous.hpp"
 #include "world/hooks.hpp"
+#include "world/seams.hpp"
 #include "world/sleep.hpp"
 
 namespace islet::detail {
@@ -102,8 +103,9 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
     const Vec2 center_b = core.bodies[m.body_b].local_center;
     const Rot turn = inv_mul(stand.a, stand.b);
     const Transform b_in_a{inv_rotate(stand.a, stand.offset) + center_a - rotate(turn, center_b), turn};
-    const Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
-                                    speculative_distance);
+    Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
+                              speculative_distance);
+    if (fresh.count > 0) drop_inner_edges(core, c, b_in_a, fresh);
 
     const ContactManifold old = m;
     m.normal = rotate(stand.a, fresh.normal);
