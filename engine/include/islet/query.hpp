@@ -81,7 +81,7 @@ bool contains(const ShapeProxy& shape, Vec2 point);
 // -- queries of a World ------------------------------------------------------------------------------------------------------------
 
 /// Which shapes a query finds: those whose filter's category is in `mask` and whose filter's mask holds `category`. The default finds every shape but
-/// those whose mask is 0. No query finds sensors, nor shapes of disabled bodies.
+/// those whose mask is 0.
 struct QueryFilter {
     std::uint32_t category = 0xffffffffu;
     std::uint32_t mask = 0xffffffffu;

@@ -7,10 +7,10 @@
 
 namespace islet::detail {
 
-/// Whether queries with this filter find the shape at all. They never find sensors, which are nothing solid.
+/// Whether queries with this filter find the shape at all.
 inline bool is_queried(const Core& core, std::uint32_t shape, const QueryFilter& filter) {
     const Filter& f = core.shapes[shape].filter;
-    return (filter.mask & f.category) != 0 && (f.mask & filter.category) != 0 && (core.shapes[shape].flags & shape_sensor) == 0;
+    return (filter.mask & f.category) != 0 && (f.mask & filter.category) != 0;
 }
 
 /// A shape in its body's frame.
@@ -45,7 +45,7 @@ void search_shapes(const Core& core, Reaches&& reaches, Visit&& visit) {
     const std::uint32_t shapes = core.state->shape_pool.high_water;
     if (4 * core.awake_bodies.count() > shapes) {
         for (std::uint32_t s = 0; s < shapes; ++s) {
-            if (reaches(core.boxes[s]) && pool_live(core.state->shape_pool, core.shapes, s) && core.is_awake(core.shapes[s].body)) visit(s);
+            if (reaches(core.boxes[s]) && core.shapes[s].tree_node == null_index && pool_live(core.state->shape_pool, core.shapes, s)) visit(s);
         }
         return;
     }
