@@ -65,8 +65,8 @@ public:
     void enable_continuous(bool enable);
 
     Hooks hooks() const;
-    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. A pre_solve hook is linked by programs that
-    /// call this function or hooks(); in others World::create refuses it (feature_cut).
+    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. Only programs that call this
+    /// function or hooks() have hooks linked; in others World::create refuses them (feature_cut).
     void set_hooks(const Hooks& hooks);
     float hit_threshold() const;
     void set_hit_threshold(float speed);
@@ -207,7 +207,8 @@ public:
     void lock_y(BodyId body, bool lock);
     bool is_enabled(BodyId body) const;
     /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold nobody, it does not
-    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways.
+    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways. Only programs that call this function have disabled bodies; in others
+    /// create_body refuses them (feature_cut).
     void set_enabled(BodyId body, bool enabled);
     /// BodyDef::bullet. No effect unless the body is dynamic.
     bool is_bullet(BodyId body) const;

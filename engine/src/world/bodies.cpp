@@ -2,6 +2,7 @@
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
 #include "math/float_mode.hpp"
+#include "memory/joint_graph.hpp"
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/joints.hpp"
@@ -31,7 +32,7 @@ bool check_def(const Core& core, const BodyDef& d) {
                                    d.angular_damping, d.gravity_scale, d.sleep_threshold);
     return check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
-           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, has_continuous || !d.bullet, Error::feature_cut);
+           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, (has_continuous || !d.bullet) && (d.enabled || disabling_is_linked()), Error::feature_cut);
 }
 
 // Takes the slot of a body that can be pushed and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.

@@ -150,9 +150,6 @@ bool has_parted(const Core& core, std::uint32_t index, float dt) {
 
 enum class Change : std::uint8_t { none, changes, parts };
 
-// The pre_solve hook is to be asked about the contact in every step in which it has points.
-bool asks(const Core& core, const ContactManifold& m) { return has_hooks && (m.flags & contact_asks) != 0 && core.hooks.pre_solve != nullptr; }
-
 // Works on one contact alone, so contacts may be updated in any order or in parallel; what changes shared state is only reported.
 Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled) {
     ContactManifold& m = core.manifolds[index];
@@ -169,7 +166,7 @@ Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled
         remake(core, index, dt);
     }
     const bool is = m.count() > 0;
-    if (asks(core, m) && is) return Change::changes;  // maybe: what the hook will say is not known yet
+    if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // maybe: what the hook will say is not known yet
     return is == ((m.flags & contact_touching) != 0) ? Change::none : Change::changes;
 }
 
@@ -193,7 +190,7 @@ void end_touch(Core& core, std::uint32_t index) {
 void commit(Core& core, std::uint32_t index, BitSet to_wake) {
     const ContactManifold& m = core.manifolds[index];
     if (has_sensors && (m.flags & contact_sensor) != 0) return (m.flags & contact_overlap) != 0 ? end_overlap(core, index) : begin_overlap(core, index);
-    if (asks(core, m) && m.count() > 0) ask_pre_solve(core, index);
+    if (has_hooks && (m.flags & contact_asks) != 0 && m.count() > 0 && core.hooks.pre_solve != nullptr) ask_pre_solve(core, index);
     const bool was = (m.flags & contact_touching) != 0;
     if (was == (m.count() > 0)) return;
     if (was) {
