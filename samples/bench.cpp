@@ -3,6 +3,7 @@
 #include "thread_pool.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -38,18 +39,50 @@ std::vector<Contender> contenders(const SceneInfo& info, const BenchOptions& opt
     return list;
 }
 
+constexpr double nanoseconds_per_ms = 1e6;
+
+std::uint64_t nanoseconds(void*) {
+    return static_cast<std::uint64_t>(std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count());
+}
+
+void add(std::optional<BenchProfile>& sum, const StepProfile& step) {
+    if (!sum) sum.emplace();
+    const auto ms = [](std::uint64_t ticks) { return double(ticks) / nanoseconds_per_ms; };
+    sum->pairs += ms(step.pairs);
+    sum->collide += ms(step.collide);
+    sum->islands += ms(step.islands);
+    sum->solve += ms(step.solve);
+    sum->finish += ms(step.finish);
+}
+
+/// The median of each stage; none if a run has no profile.
+std::optional<BenchProfile> median_profile(const std::vector<BenchRun>& runs) {
+    BenchProfile medians;
+    for (double BenchProfile::*stage : {&BenchProfile::pairs, &BenchProfile::collide, &BenchProfile::islands, &BenchProfile::solve, &BenchProfile::finish}) {
+        std::vector<double> values;
+        for (const BenchRun& run : runs) {
+            if (!run.profile) return std::nullopt;
+            values.push_back((*run.profile).*stage);
+        }
+        medians.*stage = median(values);
+    }
+    return medians;
+}
+
 /// A scene of its own for each run: scripts keep state.
 BenchRun run_once(const Contender& contender, const SceneInfo& info, const std::function<void()>& stepped) {
     const int steps = contender.result.steps;
     ThreadPool pool(contender.result.workers);
     Scene scene = info.make();
     scene.world.tasks = pool.tasks();
+    scene.world.clock = nanoseconds;
     const std::unique_ptr<Engine> engine = contender.engine->make();
     engine->load(scene);
     BenchRun run;
     run.step_ms.reserve(static_cast<std::size_t>(steps));
     for (int i = 0; i < steps; ++i) {
         run.step_ms.push_back(engine->advance(scene, i, scene.dt));
+        if (const std::optional<StepProfile> profile = engine->profile()) add(run.profile, *profile);
         stepped();
     }
     const EngineCounts counts = engine->counts();
@@ -86,6 +119,7 @@ void summarise(const std::vector<BenchRun>& runs, const std::vector<BenchRun>& r
     result.ms_per_step_p50 = median(p50);
     result.ms_per_step_p99 = median(p99);
     if (!ratios.empty()) result.ratio = median(ratios);
+    result.profile = median_profile(runs);
     result.bodies = runs.back().bodies;
     result.contacts = runs.back().contacts;
 }

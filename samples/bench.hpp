@@ -22,11 +22,17 @@ struct BenchOptions {
     std::vector<std::uint32_t> workers{1};  // Islet runs once with each of these; the other engines have one thread
 };
 
+/// What the stages of Islet's steps took, summed over a run.
+struct BenchProfile {
+    double pairs = 0, collide = 0, islands = 0, solve = 0, finish = 0;  // ms
+};
+
 /// One run of one scene in one engine, from a fresh world.
 struct BenchRun {
     std::vector<double> step_ms;  // the engine's own step alone, scripts left out
     std::size_t bodies = 0;       // after the last step
     std::size_t contacts = 0;     // after the last step, as the engine counts them
+    std::optional<BenchProfile> profile;  // if the engine tells it
 };
 
 /// What the runs of an engine come to.
@@ -37,6 +43,7 @@ struct BenchResult {
     int steps = 0;
     std::size_t bodies = 0, contacts = 0;
     double ms_total = 0, ms_per_step_p50 = 0, ms_per_step_p99 = 0;  // each the median over the runs
+    std::optional<BenchProfile> profile;  // each stage the median over the runs
     std::optional<double> ratio;  // median over the turns of its time by Islet's (with the first number of workers); none if Islet was not timed
 };
 

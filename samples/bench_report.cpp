@@ -51,7 +51,11 @@ std::string json_of(const std::vector<BenchResult>& results) {
         object["ms_total"] = r.ms_total;
         object["ms_per_step_p50"] = r.ms_per_step_p50;
         object["ms_per_step_p99"] = r.ms_per_step_p99;
-        object["profile"] = nullptr;  // {pairs, collide, islands, solve, finish} once the engine takes a clock
+        object["profile"] = nullptr;
+        if (r.profile) {
+            const BenchProfile& p = *r.profile;
+            object["profile"] = {{"pairs", p.pairs}, {"collide", p.collide}, {"islands", p.islands}, {"solve", p.solve}, {"finish", p.finish}};
+        }
         object["ratio"] = r.ratio ? Json(*r.ratio) : Json(nullptr);
         list.push_back(std::move(object));
     }

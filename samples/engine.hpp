@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ public:
     /// Bodies ever made, which is also the next index.
     virtual std::size_t body_slots() const = 0;
     virtual EngineCounts counts() const = 0;
+    /// What the stages of the last step took, in ticks of the clock of the scene's world; none if the engine does not say.
+    virtual std::optional<StepProfile> profile() const { return std::nullopt; }
     /// Deepest overlap of two shapes now (m, >= 0), as the engine itself sees it.
     virtual double max_penetration() const = 0;
 
@@ -112,6 +115,7 @@ public:
     bool exists(std::size_t index) const override;
     std::size_t body_slots() const override;
     EngineCounts counts() const override;
+    std::optional<StepProfile> profile() const override;
     double max_penetration() const override;
     std::size_t create_body(const SceneBody& body) override;
     void destroy_body(std::size_t index) override;

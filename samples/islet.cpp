@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -26,6 +27,7 @@ enum ExitStatus { ok = 0, check_failed = 1, wrong_usage = 2 };
 
 struct RunCommand {
     std::string scene, csv_path, svg_path, html_path;
+    std::vector<std::string> draw;  // names of layers
     RunOptions options;
     bool json = false;
 };
@@ -60,6 +62,32 @@ bool close_output(std::ofstream& file) {
     return !file.fail();
 }
 
+using islet::DebugDraw;
+
+/// What can be drawn besides shapes, by its name on the command line.
+const std::map<std::string, void (*)(DebugDraw&)> layers = {
+    {"shapes", [](DebugDraw&) {}},
+    {"joints", [](DebugDraw& d) { d.joints = true; }},
+    {"contacts", [](DebugDraw& d) { d.contacts = true; }},
+    {"normals", [](DebugDraw& d) { d.normals = true; }},
+    {"impulses", [](DebugDraw& d) { d.impulses = true; }},
+    {"boxes", [](DebugDraw& d) { d.boxes = true; }},
+    {"fat-boxes", [](DebugDraw& d) { d.fat_boxes = true; }},
+    {"tree", [](DebugDraw& d) { d.tree = true; }},
+    {"centers", [](DebugDraw& d) { d.centers = true; }},
+    {"names", [](DebugDraw& d) { d.names = true; }},
+    {"islands", [](DebugDraw& d) { d.body_colors = islet::BodyColors::island; }},
+    {"constraint-colors", [](DebugDraw& d) { d.constraint_colors = true; }},
+};
+
+DebugDraw drawing_of(const std::vector<std::string>& names) {
+    if (names.empty()) return usual_drawing();
+    DebugDraw draw;
+    draw.joints = false;
+    for (const std::string& name : names) layers.at(name)(draw);
+    return draw;
+}
+
 int run_scene(const RunCommand& command) {
     const SceneInfo* info = find_scene(command.scene);
     if (info == nullptr) return unknown_scene(command.scene);
@@ -80,7 +108,7 @@ int run_scene(const RunCommand& command) {
     });
     bar.clear();
 
-    if (svg.is_open()) svg << draw_svg(picture_of(run));
+    if (svg.is_open()) svg << draw_svg(run, drawing_of(command.draw));
     if (recorder) {
         html << player_page(run, result, *recorder);
         if (recorder->stride() > 1)
@@ -175,6 +203,9 @@ struct CommandLine {
         run->add_option("--hash-every", o.hash_every, "print the state's hash every so many steps")->check(CLI::Range(1, 100'000'000));
         run->add_option("--csv", command.csv_path, "write a line of numbers per step to this file");
         run->add_option("--svg", command.svg_path, "draw the last state to this file");
+        run->add_option("--draw", command.draw, "what the picture shows besides shapes; joints,contacts,normals if not given")
+            ->delimiter(',')
+            ->check(CLI::IsMember(layers));
         run->add_option("--html", command.html_path, "write a page that plays the run back to this file");
         run->add_flag("--json", command.json, "print one JSON object");
 
@@ -187,7 +218,7 @@ struct CommandLine {
             ->check(CLI::Range(1u, islet::max_workers));
         bench->add_option("--repeat", b.repeat, "runs of each engine, of which the medians are taken")->check(CLI::Range(1, 100));
         bench->add_option("--steps", b.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(1, 100'000));
-        bench->add_flag("--json", bench_command.json, "print a JSON list; its profile is null, as Islet takes no clock yet");
+        bench->add_flag("--json", bench_command.json, "print a JSON list; its profile is Islet's stages in ms, of all steps together");
     }
 };
 

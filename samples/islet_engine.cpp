@@ -99,6 +99,8 @@ EngineCounts IsletEngine::counts() const {
     return counts;
 }
 
+std::optional<StepProfile> IsletEngine::profile() const { return world().profile(); }
+
 double IsletEngine::max_penetration() const {
     double deepest = 0;
     ContactInfo contact;

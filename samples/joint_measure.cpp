@@ -140,28 +140,4 @@ Anchors anchors_of(const Engine& engine, std::size_t index) {
     return std::visit(anchors, joint.def);
 }
 
-JointDrawing draw_joint(const Engine& engine, std::size_t index) {
-    const SceneJoint& joint = engine.joint(index);
-    if (std::holds_alternative<GearJointDef>(joint.def)) return {};
-    const Anchors anchors = anchors_of(engine, index);
-    JointDrawing drawing;
-    // Lines to the middle of the ground would cross the whole picture: only bodies that can move have one.
-    const auto add_body = [&](std::size_t body) {
-        const BodyState state = engine.body(body);
-        if (state.mass > 0) drawing.line.push_back(state.center);
-    };
-    drawing.dots = {anchors.a, anchors.b};
-    if (!std::holds_alternative<MouseJointDef>(joint.def)) add_body(joint.body_a);
-    drawing.line.push_back(anchors.a);
-    if (const auto* pulley = std::get_if<PulleyJointDef>(&joint.def)) {
-        drawing.line.push_back(pulley->ground_a);
-        drawing.line.push_back(pulley->ground_b);
-        drawing.dots.push_back(pulley->ground_a);
-        drawing.dots.push_back(pulley->ground_b);
-    }
-    drawing.line.push_back(anchors.b);
-    add_body(joint.body_b);
-    return drawing;
-}
-
 }  // namespace islet::samples

@@ -2,8 +2,6 @@
 // measured by the same formulas. Only a continuous angle is taken from the engine.
 #pragma once
 
-#include <vector>
-
 #include "engine.hpp"
 
 namespace islet::samples {
@@ -20,12 +18,5 @@ struct Anchors {
     Vec2 a, b;
 };
 Anchors anchors_of(const Engine& engine, std::size_t index);
-
-/// What a picture shows of a joint: a line from body to anchor to anchor to body, and the anchors. Nothing of a gear.
-struct JointDrawing {
-    std::vector<Vec2> line;
-    std::vector<Vec2> dots;
-};
-JointDrawing draw_joint(const Engine& engine, std::size_t index);
 
 }  // namespace islet::samples

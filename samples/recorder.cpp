@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "scenes/checks.hpp"
 
@@ -15,30 +17,18 @@ std::int32_t parts_of_turn(double angle, std::int32_t turn) {
     return std::isfinite(turns) ? static_cast<std::int32_t>(std::llround(turns * turn)) & (turn - 1) : 0;
 }
 
+/// A shape in its body's frame: what DebugDraw says of its geometry alone.
 Outline outline_of(const World& world, ShapeId shape) {
-    switch (world.shape_type(shape)) {
-    case ShapeType::circle: {
-        const Circle& c = *world.circle(shape);
-        return {c.radius, {c.center}};
-    }
-    case ShapeType::capsule: {
-        const Capsule& c = *world.capsule(shape);
-        return {c.radius, {c.point1, c.point2}};
-    }
-    case ShapeType::polygon: {
-        const Polygon& p = *world.polygon(shape);
-        return {p.radius, {p.vertices, p.vertices + p.count}};
-    }
-    case ShapeType::segment: {
-        const Segment& s = *world.segment(shape);
-        return {-1, {s.point1, s.point2}};
-    }
-    case ShapeType::chain_segment: {
-        const Segment& s = world.chain_segment(shape)->segment;
-        return {-1, {s.point1, s.point2}};
-    }
-    }
-    return {};
+    Outline outline;
+    DebugDraw draw;
+    draw.context = &outline;
+    static constexpr auto keep = [](void* to, float radius, std::vector<Vec2> points) { *static_cast<Outline*>(to) = {radius, std::move(points)}; };
+    draw.circle = [](Vec2 center, float radius, Vec2, const DrawStyle&, void* to) { keep(to, radius, {center}); };
+    draw.capsule = [](Vec2 a, Vec2 b, float radius, const DrawStyle&, void* to) { keep(to, radius, {a, b}); };
+    draw.polygon = [](std::span<const Vec2> p, float radius, const DrawStyle&, void* to) { keep(to, radius, {p.begin(), p.end()}); };
+    draw.segment = [](Vec2 a, Vec2 b, const DrawStyle&, void* to) { keep(to, -1, {a, b}); };
+    world.draw_shape(draw, shape, {}, {});
+    return outline;
 }
 
 std::string key_of(const Model& model) {

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "joint_measure.hpp"
 #include "svg_path.hpp"
 
 namespace islet::samples {
@@ -18,29 +20,121 @@ constexpr double picture_width = 1200;      // px
 constexpr double caption_height = 56;       // px
 constexpr std::size_t most_normals = 6000;  // with more contacts than this the normals would only be a smear, and megabytes
 constexpr std::size_t most_contacts = 40000;
+constexpr double smallest_ringed = 8;       // px; on smaller bodies a hinge's ring is no more than its dot
 constexpr int tint_count = 3;
-constexpr float touching = 0.005f;  // m; points farther apart than this are only watched by the solver
 
 struct Style {
     const char* name;
+    DrawColor color;  // as DebugDraw gives it
     std::array<const char*, tint_count> fills;
     const char* stroke;
 };
 
-/// By Look.
-constexpr std::array<Style, 4> styles = {{
-    {"static", {"#d8dce3", "#d8dce3", "#d8dce3"}, "#8f99a8"},
-    {"kinematic", {"#cdbfe9", "#cdbfe9", "#cdbfe9"}, "#7c66b0"},
-    {"awake", {"#f7bd6d", "#f9cb8b", "#f4ae56"}, "#b0702c"},
-    {"asleep", {"#b4d2eb", "#c4ddf1", "#a5c7e5"}, "#5d89ae"},
+/// In the order they are painted.
+constexpr std::array<Style, 7> styles = {{
+    {"disabled", draw_color::disabled, {"#eceae4", "#eceae4", "#eceae4"}, "#c3c0b8"},
+    {"static", draw_color::static_body, {"#d8dce3", "#d8dce3", "#d8dce3"}, "#8f99a8"},
+    {"kinematic", draw_color::kinematic, {"#cdbfe9", "#cdbfe9", "#cdbfe9"}, "#7c66b0"},
+    {"awake", draw_color::awake, {"#f7bd6d", "#f9cb8b", "#f4ae56"}, "#b0702c"},
+    {"asleep", draw_color::asleep, {"#b4d2eb", "#c4ddf1", "#a5c7e5"}, "#5d89ae"},
+    {"bullet", draw_color::bullet, {"#f08a5d", "#f3a07b", "#ec7744"}, "#9c4421"},
+    {"sensor", draw_color::sensor, {"none", "none", "none"}, "#3b9a73"},
 }};
 constexpr const char* paper = "#fdfcf9";
 constexpr const char* grid_color = "#efece5";
-constexpr const char* contact_color = "#c4314b";
-constexpr const char* joint_color = "#2f7d6b";
 constexpr const char* trail_color = "#d98a3d";
 constexpr const char* ink = "#2c3440";
 constexpr const char* pale_ink = "#77808d";
+
+/// A solid shape: one point is a circle, with a point on its axis behind it; two are a capsule, more a polygon. Or a line of two points.
+struct Shape {
+    std::vector<Vec2> points;
+    float radius = 0;
+    bool is_circle = false, is_line = false;
+    DrawColor color = 0;
+    std::uint32_t body = 0;
+};
+
+/// What is not a shape is drawn over the shapes, as lines and dots of a colour.
+struct Marks {
+    PathWriter lines, dots;
+};
+
+struct Word {
+    Vec2 at;
+    std::string text;
+    DrawColor color = 0;
+};
+
+/// A line whose length says how strong an impulse is.
+struct Arrow {
+    Vec2 from, way;
+    DrawColor color = 0;
+};
+
+/// Takes what World::draw hands out.
+class Drawing {
+public:
+    explicit Drawing(const Camera& camera) : camera_(camera) {}
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+
+    /// What `options` ask for, drawn into this; if told so without the rings of joints.
+    void take(const World& world, DebugDraw options, bool rings = true) {
+        options.view = camera_.view;
+        options.context = this;
+        options.polygon = [](std::span<const Vec2> corners, float radius, const DrawStyle& style, void* self) {
+            of(self).add_polygon(corners, radius, style);
+        };
+        options.circle = [](Vec2 center, float radius, Vec2 axis, const DrawStyle& style, void* self) {
+            of(self).add_circle(center, radius, axis, style);
+        };
+        options.capsule = [](Vec2 a, Vec2 b, float radius, const DrawStyle& style, void* self) { of(self).add_polygon({{a, b}}, radius, style); };
+        options.segment = [](Vec2 a, Vec2 b, const DrawStyle& style, void* self) { of(self).add_segment(a, b, style); };
+        if (!rings) options.circle = nullptr;
+        options.point = [](Vec2 p, const DrawStyle& style, void* self) { of(self).add_point(p, style); };
+        options.text = [](Vec2 p, const char* text, const DrawStyle& style, void* self) { of(self).words.push_back({p, text, style.color}); };
+        world.draw(options);
+    }
+
+    std::vector<Shape> shapes;
+    std::map<std::pair<DrawPart, DrawColor>, Marks> marks;
+    std::vector<Arrow> arrows;
+    std::vector<Word> words;
+    bool dark_marks = false;  // they have the colours of a row that is made for areas: lines need darker ones
+
+private:
+    static Drawing& of(void* self) { return *static_cast<Drawing*>(self); }
+
+    Marks& marks_of(const DrawStyle& style) { return marks[{style.part, style.color}]; }
+
+    void add_polygon(std::span<const Vec2> corners, float radius, const DrawStyle& style) {
+        if (style.part == DrawPart::shape)
+            shapes.push_back({{corners.begin(), corners.end()}, radius, false, false, style.color, style.slot});
+        else
+            draw_rounded(marks_of(style).lines, camera_, corners, radius);
+    }
+    void add_circle(Vec2 center, float radius, Vec2 axis, const DrawStyle& style) {
+        if (style.part == DrawPart::shape)
+            shapes.push_back({{center, center + radius * axis}, radius, true, false, style.color, style.slot});
+        else
+            draw_circle(marks_of(style).lines, camera_, center, radius);
+    }
+    void add_segment(Vec2 a, Vec2 b, const DrawStyle& style) {
+        if (style.part == DrawPart::shape)
+            shapes.push_back({{a, b}, 0, false, true, style.color, style.slot});
+        else if (style.part == DrawPart::impulse)
+            arrows.push_back({a, b - a, style.color});
+        else
+            draw_line(marks_of(style).lines, camera_, a, b);
+    }
+    void add_point(Vec2 p, const DrawStyle& style) {
+        if (style.part == DrawPart::contact && style.color == draw_color::speculative) return;
+        draw_dot(marks_of(style).dots, camera_, p);
+    }
+
+    const Camera& camera_;
+};
 
 /// A round number of metres, 1, 2 or 5 times a power of ten, that is at least `pixels` wide.
 double round_length(const Camera& camera, double pixels) {
@@ -52,63 +146,108 @@ double round_length(const Camera& camera, double pixels) {
     return 10 * power;
 }
 
+/// About the diameter, px: the middle of height and width, seen along the first edge.
+double size_of(const Shape& shape, const Camera& camera) {
+    const double pixels = camera.scale / units_per_pixel;
+    if (shape.is_circle) return 2 * double(shape.radius) * pixels;
+    const Vec2 along = normalize(shape.points[1] - shape.points[0]), across = left_perp(along);
+    Aabb box = {{3e30f, 3e30f}, {-3e30f, -3e30f}};
+    for (const Vec2 p : shape.points) {
+        const Vec2 turned = {dot(p, along), dot(p, across)};
+        box = merge(box, {turned, turned});
+    }
+    return 0.25 * double(perimeter(expand(box, shape.radius))) * pixels;
+}
+
 /// The middling size of the moving bodies, each by its largest shape, in pixels: lines and dots are drawn in proportion to it.
-double typical_size(const Picture& picture, const Camera& camera) {
-    std::map<std::size_t, double> largest;
-    for (const DrawnShape& shape : picture.shapes) {
-        if (shape.look != Look::fixed) largest[shape.body] = std::max(largest[shape.body], size_of(shape.geometry));
+double typical_size(const std::vector<Shape>& shapes, const Camera& camera) {
+    std::map<std::uint32_t, double> largest;
+    for (const Shape& shape : shapes) {
+        if (shape.color != draw_color::static_body) largest[shape.body] = std::max(largest[shape.body], size_of(shape, camera));
     }
     if (largest.empty()) return 30;
     std::vector<double> sizes;
-    for (const auto& [body, size] : largest) sizes.push_back(size * camera.scale / units_per_pixel);
+    for (const auto& [body, size] : largest) sizes.push_back(size);
     const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::nth_element(sizes.begin(), middle, sizes.end());
     return *middle;
 }
 
 /// One of a few tints, scattered so that neighbours differ without a pattern.
-int tint_of(std::size_t body) {
-    auto bits = static_cast<std::uint32_t>(body) * 2654435761u;
+int tint_of(std::uint32_t body) {
+    std::uint32_t bits = body * 2654435761u;
     bits = (bits ^ bits >> 15) * 2246822519u;
     return static_cast<int>((bits ^ bits >> 13) % tint_count);
 }
 
 int units(double pixels) { return static_cast<int>(std::lround(pixels * units_per_pixel)); }
 
-std::string grid(const Picture& picture, const Camera& camera) {
+std::string css(DrawColor color) { return fmt::format("#{:06x}", color); }
+
+/// The colour mixed with black (share below 0) or white.
+DrawColor shaded(DrawColor color, double share) {
+    DrawColor mixed = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+        const double part = double(color >> shift & 255u), end = share < 0 ? 0 : 255;
+        mixed |= static_cast<DrawColor>(std::lround(part + std::abs(share) * (end - part))) << shift;
+    }
+    return mixed;
+}
+
+std::string grid(const Camera& camera) {
     const double step = round_length(camera, 50);
     PathWriter path;
-    for (double x = std::ceil(double(picture.view.lower.x) / step) * step; x <= double(picture.view.upper.x); x += step) {
+    for (double x = std::ceil(double(camera.view.lower.x) / step) * step; x <= double(camera.view.upper.x); x += step) {
         path.move(camera.x(x), 0);
         path.line(camera.x(x), camera.height);
     }
-    for (double y = std::ceil(double(picture.view.lower.y) / step) * step; y <= double(picture.view.upper.y); y += step) {
+    for (double y = std::ceil(double(camera.view.lower.y) / step) * step; y <= double(camera.view.upper.y); y += step) {
         path.move(0, camera.y(y));
         path.line(camera.width, camera.y(y));
     }
     return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n", path.text(), grid_color, units(1));
 }
 
-/// All shapes of one look and tint are one path: thousands of boxes then cost 30 bytes each.
-std::string shapes(const Picture& picture, const Camera& camera, double size) {
+/// A line that turns with the shape.
+void draw_turn_hint(PathWriter& path, const Camera& camera, const Shape& shape) {
+    const std::vector<Vec2>& p = shape.points;
+    if (shape.is_circle) return draw_line(path, camera, p[0], lerp(p[0], p[1], 0.85f));
+    Vec2 middle = {};
+    for (const Vec2 corner : p) middle += (1 / static_cast<float>(p.size())) * corner;
+    draw_line(path, camera, middle, p.size() == 2 ? p[1] : lerp(middle, lerp(p[0], p[1], 0.5f), 0.6f));
+}
+
+/// Where a shape's colour stands among the styles; those of islands come last.
+std::size_t rank_of(DrawColor color) {
+    const auto style = std::find_if(styles.begin(), styles.end(), [color](const Style& s) { return s.color == color; });
+    return static_cast<std::size_t>(style - styles.begin());
+}
+
+/// All shapes of one colour and tint are one path: thousands of boxes then cost 30 bytes each.
+std::string shapes(const std::vector<Shape>& list, const Camera& camera, double size) {
     struct Layer {
         PathWriter solids, lines, hints;
     };
-    std::map<std::pair<int, int>, Layer> layers;
-    for (const DrawnShape& shape : picture.shapes) {
-        if (!camera.sees(shape.geometry, shape.pose)) continue;
-        Layer& layer = layers[{static_cast<int>(shape.look), tint_of(shape.body)}];
-        draw_outline(is_line(shape.geometry) ? layer.lines : layer.solids, camera, shape.geometry, shape.pose);
-        const double pixels = size_of(shape.geometry) * camera.scale / units_per_pixel;
-        if (shape.look != Look::fixed && pixels >= 9) draw_turn_hint(layer.hints, camera, shape.geometry, shape.pose);
+    std::map<std::tuple<std::size_t, DrawColor, int>, Layer> layers;
+    for (const Shape& shape : list) {
+        Layer& layer = layers[{rank_of(shape.color), shape.color, tint_of(shape.body)}];
+        if (shape.is_line)
+            draw_line(layer.lines, camera, shape.points[0], shape.points[1]);
+        else if (shape.is_circle)
+            draw_circle(layer.solids, camera, shape.points[0], shape.radius);
+        else
+            draw_rounded(layer.solids, camera, shape.points, shape.radius);
+        if (!shape.is_line && shape.color != draw_color::static_body && size_of(shape, camera) >= 9) draw_turn_hint(layer.hints, camera, shape);
     }
     const double stroke = std::clamp(0.045 * size, 0.35, 1.6);
     std::string text;
     for (const auto& [key, layer] : layers) {
-        const Style& style = styles[static_cast<std::size_t>(key.first)];
-        text += fmt::format("<g stroke=\"{}\" stroke-width=\"{}\">\n", style.stroke, units(stroke));
-        if (!layer.solids.empty())
-            text += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", style.fills[static_cast<std::size_t>(key.second)], layer.solids.text());
+        const auto& [rank, color, tint] = key;
+        const bool known = rank < styles.size();
+        const std::string line = known ? styles[rank].stroke : css(shaded(color, -0.4));
+        const std::string fill = known ? styles[rank].fills[static_cast<std::size_t>(tint)] : css(shaded(color, 0.25 + 0.1 * tint));
+        text += fmt::format("<g stroke=\"{}\" stroke-width=\"{}\">\n", line, units(stroke));
+        if (!layer.solids.empty()) text += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", fill, layer.solids.text());
         if (!layer.lines.empty())
             text += fmt::format("<path stroke-width=\"{}\" d=\"{}\"/>\n", units(std::max(1.5, stroke)), layer.lines.text());
         if (!layer.hints.empty()) text += fmt::format("<path stroke-opacity=\".55\" d=\"{}\"/>\n", layer.hints.text());
@@ -117,63 +256,54 @@ std::string shapes(const Picture& picture, const Camera& camera, double size) {
     return text;
 }
 
-void add_line(PathWriter& path, const Camera& camera, const std::vector<Vec2>& points) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const int x = camera.x(double(points[i].x)), y = camera.y(double(points[i].y));
-        if (i == 0)
-            path.move(x, y);
-        else
-            path.line(x, y);
-    }
-}
-
-std::string trails(const Picture& picture, const Camera& camera) {
+std::string trails(const std::vector<Trail>& list, const Camera& camera) {
     PathWriter path;
-    for (const Trail& trail : picture.trails) add_line(path, camera, trail);
+    for (const Trail& trail : list) {
+        for (std::size_t i = 1; i < trail.size(); ++i) draw_line(path, camera, trail[i - 1], trail[i]);
+    }
     if (path.empty()) return {};
     return fmt::format("<path stroke=\"{}\" stroke-width=\"{}\" stroke-opacity=\".75\" d=\"{}\"/>\n", trail_color, units(1.6), path.text());
 }
 
-/// Thin lines, and a dot at each anchor: two dots beside each other are a joint that has come apart.
-std::string joints(const Picture& picture, const Camera& camera, double size) {
-    PathWriter lines, dots;
-    for (const DrawnJoint& joint : picture.joints) {
-        add_line(lines, camera, joint.line);
-        for (const Vec2 dot : joint.dots) {
-            dots.move(camera.x(double(dot.x)), camera.y(double(dot.y)));
-            dots.dot();
-        }
+/// Widths of the lines and dots of a part, px.
+struct Widths {
+    double line, dot, opacity;
+};
+
+Widths widths_of(DrawPart part, double size) {
+    switch (part) {
+    case DrawPart::joint: return {std::clamp(0.03 * size, 0.35, 1.4), std::clamp(0.12 * size, 1.0, 5.0), 0.75};
+    case DrawPart::contact: return {0, std::clamp(0.1 * size, 1.0, 5.0), 1};
+    case DrawPart::normal: return {std::clamp(0.025 * size, 0.35, 1.2), 0, 0.6};
+    case DrawPart::center: return {1.2, 3, 1};
+    default: return {0.8, 2, 0.8};
     }
-    if (lines.empty()) return {};
-    return fmt::format(
-        "<path stroke=\"{0}\" stroke-opacity=\".7\" stroke-width=\"{1}\" d=\"{2}\"/>\n<path stroke=\"{0}\" stroke-width=\"{3}\" "
-        "d=\"{4}\"/>\n",
-        joint_color, units(std::clamp(0.03 * size, 0.35, 1.4)), lines.text(), units(std::clamp(0.12 * size, 1.0, 5.0)), dots.text());
 }
 
-std::string contacts(const Picture& picture, const Camera& camera, double size) {
-    if (size < 5 || picture.contacts.size() > most_contacts) return {};
-    PathWriter dots, normals;
-    const double length = std::clamp(0.2 * size, 2.0, 14.0) * units_per_pixel;
-    for (const DrawnContact& contact : picture.contacts) {
-        if (!contains(picture.view, {contact.point, contact.point})) continue;
-        const int x = camera.x(double(contact.point.x)), y = camera.y(double(contact.point.y));
-        dots.move(x, y);
-        dots.dot();
-        if (picture.contacts.size() > most_normals) continue;
-        normals.move(x, y);
-        normals.line(x + static_cast<int>(std::lround(length * double(contact.normal.x))),
-                     y - static_cast<int>(std::lround(length * double(contact.normal.y))));
-    }
+std::string marks(const Drawing& drawing, double size) {
     std::string text;
-    if (!normals.empty()) {
-        text += fmt::format("<path stroke=\"{}\" stroke-opacity=\".6\" stroke-width=\"{}\" d=\"{}\"/>\n", contact_color,
-                            units(std::clamp(0.025 * size, 0.35, 1.2)), normals.text());
+    for (const auto& [key, m] : drawing.marks) {
+        const Widths widths = widths_of(key.first, size);
+        const std::string color = css(drawing.dark_marks ? shaded(key.second, -0.3) : key.second);
+        if (!m.lines.empty()) {
+            text += fmt::format("<path stroke=\"{}\" stroke-opacity=\"{:g}\" stroke-width=\"{}\" d=\"{}\"/>\n", color, widths.opacity,
+                                units(widths.line), m.lines.text());
+        }
+        if (!m.dots.empty()) text += fmt::format("<path stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"/>\n", color, units(widths.dot), m.dots.text());
     }
-    if (!dots.empty()) {
-        text += fmt::format("<path stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"/>\n", contact_color, units(std::clamp(0.1 * size, 1.0, 5.0)),
-                            dots.text());
-    }
+    return text;
+}
+
+/// The strongest impulse is as long as two bodies, and the others in proportion.
+std::string impulses(const std::vector<Arrow>& arrows, const Camera& camera, double size) {
+    float strongest = 0;
+    for (const Arrow& arrow : arrows) strongest = std::max(strongest, length(arrow.way));
+    if (!(strongest > 0)) return {};
+    const auto scale = static_cast<float>(std::clamp(2 * size, 20.0, 160.0) * units_per_pixel / camera.scale / double(strongest));
+    std::map<DrawColor, PathWriter> paths;
+    for (const Arrow& arrow : arrows) draw_line(paths[arrow.color], camera, arrow.from, arrow.from + scale * arrow.way);
+    std::string text;
+    for (const auto& [color, path] : paths) text += fmt::format("<path stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"/>\n", css(color), units(1.4), path.text());
     return text;
 }
 
@@ -183,16 +313,25 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
+std::string words(const std::vector<Word>& list, const Camera& camera) {
+    std::string text;
+    for (const Word& word : list) {
+        text += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\" fill=\"{}\">{}</text>\n",
+                            camera.x(double(word.at.x)), camera.y(double(word.at.y)) - units(3), units(11), css(word.color), escaped(word.text));
+    }
+    return text;
+}
+
 /// The strip below: title, numbers, what the colours mean, and a bar of a round number of metres.
-std::string caption(const Picture& picture, const Camera& camera, bool contacts_drawn) {
+std::string caption(const std::string& title, const std::string& details, const Drawing& drawing, const Camera& camera) {
     const int top = camera.height, middle = top + units(0.5 * caption_height), base = middle + units(6);
     std::string text =
         fmt::format("<path fill=\"#fff\" d=\"M0 {}h{}v{}H0z\"/>\n<path stroke=\"#e3dfd6\" stroke-width=\"{}\" d=\"M0 {}h{}\"/>\n", top,
                     camera.width, units(caption_height), units(1), top, camera.width);
     text += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\"><tspan font-weight=\"600\">{}</tspan>", units(20), base,
-                        units(17), ink, escaped(picture.title));
+                        units(17), ink, escaped(title));
     text += fmt::format("<tspan dx=\"{}\" font-size=\"{}\" fill=\"{}\">{}</tspan></text>\n", units(14), units(14.5), pale_ink,
-                        escaped(picture.details));
+                        escaped(details));
 
     const double metres = round_length(camera, 60);
     const int bar = static_cast<int>(std::lround(metres * camera.scale));
@@ -211,92 +350,79 @@ std::string caption(const Picture& picture, const Camera& camera, bool contacts_
         text += fmt::format("<path transform=\"translate({} {})\" {}/>\n", right, middle, swatch);
         right -= units(22);
     };
-    if (!picture.joints.empty()) legend("joint", fmt::format("stroke=\"{}\" stroke-width=\"{}\" d=\"M0 0h0\"", joint_color, units(6)));
-    if (contacts_drawn) legend("contact", fmt::format("stroke=\"{}\" stroke-width=\"{}\" d=\"M0 0h0\"", contact_color, units(6)));
-    for (int look = static_cast<int>(styles.size()) - 1; look >= 0; --look) {
-        const bool used = std::any_of(picture.shapes.begin(), picture.shapes.end(),
-                                      [look](const DrawnShape& s) { return static_cast<int>(s.look) == look; });
-        const Style& style = styles[static_cast<std::size_t>(look)];
+    const auto dot = [](DrawColor color) { return fmt::format("stroke=\"{}\" stroke-width=\"{}\" d=\"M0 0h0\"", css(color), units(6)); };
+    const auto has = [&](DrawPart part) {
+        return std::any_of(drawing.marks.begin(), drawing.marks.end(), [part](const auto& entry) { return entry.first.first == part; });
+    };
+    if (has(DrawPart::joint)) legend("joint", dot(draw_color::joint));
+    if (has(DrawPart::contact)) legend("contact", dot(draw_color::pressing));
+    for (auto style = styles.rbegin(); style != styles.rend(); ++style) {
+        const bool used =
+            std::any_of(drawing.shapes.begin(), drawing.shapes.end(), [style](const Shape& s) { return s.color == style->color; });
         if (used)
-            legend(style.name, fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\" d=\"M-55-55h110v110h-110z\"", style.fills[0],
-                                           style.stroke, units(1.2)));
+            legend(style->name, fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\" d=\"M-55-55h110v110h-110z\"", style->fills[0],
+                                            style->stroke, units(1.2)));
     }
     return text;
 }
 
-Look look_of(const World& world, BodyId body) {
-    if (world.type(body) == BodyType::static_body) return Look::fixed;
-    if (world.type(body) == BodyType::kinematic) return Look::kinematic;
-    return world.is_awake(body) ? Look::awake : Look::asleep;
-}
-
-std::optional<SceneGeometry> geometry_of(const World& world, ShapeId shape) {
-    switch (world.shape_type(shape)) {
-    case ShapeType::circle: return *world.circle(shape);
-    case ShapeType::capsule: return *world.capsule(shape);
-    case ShapeType::segment: return *world.segment(shape);
-    case ShapeType::polygon: return *world.polygon(shape);
-    case ShapeType::chain_segment: return world.chain_segment(shape)->segment;
-    }
-    return std::nullopt;
+/// Draws the marks of joints and contacts in sizes that go with the bodies'.
+void take_marks(Drawing& drawing, const World& world, const DebugDraw& what, const Camera& camera, double size) {
+    const auto metres = [&](double pixels) { return static_cast<float>(pixels * units_per_pixel / camera.scale); };
+    DebugDraw rest = what;
+    rest.shapes = rest.contacts = rest.normals = rest.impulses = false;
+    rest.size = metres(std::clamp(0.4 * size, 3.0, 18.0));
+    drawing.take(world, rest, size >= smallest_ringed);
+    // Of specks of bodies the contacts would hide everything.
+    const std::size_t contacts = world.contact_count();
+    if (size < 5 || contacts > most_contacts) return;
+    DebugDraw touches = what;
+    touches.shapes = touches.joints = touches.boxes = touches.fat_boxes = touches.tree = touches.centers = touches.names = false;
+    touches.normals = what.normals && contacts <= most_normals;
+    touches.size = metres(std::clamp(0.2 * size, 2.0, 14.0));
+    drawing.take(world, touches);
 }
 
 }  // namespace
 
-Picture picture_of(const Run& run) {
-    const World& world = run.engine.world();
-    Picture picture;
-    picture.view = run.scene.view;
-    picture.trails = run.trails;
-    std::vector<ShapeId> ids(world.capacity().shapes);
-    for (std::uint32_t slot = 0; slot < world.capacity().bodies; ++slot) {
-        const BodyId body = world.body_at(slot);
-        if (!body) continue;
-        const std::uint32_t count = world.shapes(body, ids);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            if (const auto geometry = geometry_of(world, ids[i]))
-                picture.shapes.push_back({*geometry, world.transform(body), look_of(world, body), slot});
-        }
-    }
-    ContactInfo contact;
-    for (std::uint32_t slot = 0; slot < world.capacity().contacts; ++slot) {
-        if (!world.contact_at(slot, contact)) continue;
-        for (std::uint32_t i = 0; i < contact.point_count; ++i) {
-            if (contact.points[i].separation < touching) picture.contacts.push_back({contact.points[i].point, contact.normal});
-        }
-    }
-    for (std::size_t i = 0; i < run.engine.joint_slots(); ++i) {
-        if (!run.engine.joint_exists(i)) continue;
-        JointDrawing drawing = draw_joint(run.engine, i);
-        if (!drawing.line.empty()) picture.joints.push_back({std::move(drawing.line), std::move(drawing.dots)});
-    }
-    const EngineCounts counts = run.engine.counts();
-    picture.title = run.scene.name;
-    picture.details = fmt::format("step {}  ·  {:.4g} s  ·  {} bodies  ·  {} contacts", world.step_count(),
-                                  double(world.step_count()) * double(run.scene.dt), counts.bodies, counts.contacts);
-    if (counts.joints > 0) picture.details += fmt::format("  ·  {} joints", counts.joints);
-    return picture;
+DebugDraw usual_drawing() {
+    DebugDraw draw;
+    draw.contacts = draw.normals = true;
+    return draw;
 }
 
-std::string draw_svg(const Picture& picture) {
-    const Camera camera(picture.view, picture_width);
-    const double size = typical_size(picture, camera);
+std::string draw_svg(const Run& run, const DebugDraw& what) {
+    const World& world = run.engine.world();
+    const Camera camera(run.scene.view, picture_width);
+    Drawing drawing(camera);
+    DebugDraw only_shapes;
+    only_shapes.joints = false;
+    only_shapes.body_colors = what.body_colors;
+    drawing.take(world, only_shapes);
+    const double size = typical_size(drawing.shapes, camera);
+    take_marks(drawing, world, what, camera, size);
+    drawing.dark_marks = what.constraint_colors;
+
+    const EngineCounts counts = run.engine.counts();
+    std::string details = fmt::format("step {}  ·  {:.4g} s  ·  {} bodies  ·  {} contacts", world.step_count(),
+                                      double(world.step_count()) * double(run.scene.dt), counts.bodies, counts.contacts);
+    if (counts.joints > 0) details += fmt::format("  ·  {} joints", counts.joints);
     const int height = camera.height + units(caption_height);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" "
         "font-family=\"Inter, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif\">\n",
         picture_width, height / units_per_pixel, camera.width, height);
-    text +=
-        fmt::format("<title>{}</title>\n<path fill=\"{}\" d=\"M0 0h{}v{}H0z\"/>\n", escaped(picture.title), paper, camera.width, height);
+    text += fmt::format("<title>{}</title>\n<path fill=\"{}\" d=\"M0 0h{}v{}H0z\"/>\n", escaped(run.scene.name), paper, camera.width, height);
     text += "<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
-    text += grid(picture, camera);
-    text += trails(picture, camera);
-    text += shapes(picture, camera, size);
-    text += joints(picture, camera, size);
-    const std::string dots = contacts(picture, camera, size);
-    text += dots;
-    text += "</g>\n<g stroke-linecap=\"round\">\n";
-    text += caption(picture, camera, !dots.empty());
+    text += grid(camera);
+    text += trails(run.trails, camera);
+    text += shapes(drawing.shapes, camera, size);
+    text += marks(drawing, size);
+    text += impulses(drawing.arrows, camera, size);
+    text += "</g>\n";
+    text += words(drawing.words, camera);
+    text += "<g stroke-linecap=\"round\">\n";
+    text += caption(run.scene.name, details, drawing, camera);
     text += "</g>\n</svg>\n";
     return text;
 }

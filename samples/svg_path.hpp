@@ -1,9 +1,10 @@
 // From metres to SVG path data: a camera, a writer of short relative paths, and the outlines of shapes.
 #pragma once
 
+#include <span>
 #include <string>
 
-#include "scene.hpp"
+#include <islet/islet.hpp>
 
 namespace islet::samples {
 
@@ -17,8 +18,6 @@ struct Camera {
     int x(double metres) const;
     int y(double metres) const;
     int length(double metres) const;
-    /// False if the shape lies wholly outside the view.
-    bool sees(const SceneGeometry& geometry, const Transform& pose) const;
 
     Aabb view;
     double scale = 1;           // units per metre
@@ -29,6 +28,8 @@ struct Camera {
 class PathWriter {
 public:
     void move(int x, int y);
+    /// As move, but nothing where a line has just ended there: of lines in a row, as those of a chain, only the first begins with a move.
+    void go_on_from(int x, int y);
     void line(int x, int y);
     /// Circular arc to (x, y), the short way, turning with or against the clock as seen in the picture.
     void arc(int radius, int x, int y, bool clockwise);
@@ -47,12 +48,11 @@ private:
     int x_ = 0, y_ = 0, start_x_ = 0, start_y_ = 0;
 };
 
-/// Segments and chains have no inside.
-bool is_line(const SceneGeometry& geometry);
-/// About the diameter, m.
-double size_of(const SceneGeometry& geometry);
-void draw_outline(PathWriter& path, const Camera& camera, const SceneGeometry& geometry, const Transform& pose);
-/// A line that turns with the shape.
-void draw_turn_hint(PathWriter& path, const Camera& camera, const SceneGeometry& geometry, const Transform& pose);
+/// Points are in the world, m.
+void draw_circle(PathWriter& path, const Camera& camera, Vec2 center, float radius);
+/// Corners counter-clockwise, rounded by the radius; two are a capsule.
+void draw_rounded(PathWriter& path, const Camera& camera, std::span<const Vec2> corners, float radius);
+void draw_line(PathWriter& path, const Camera& camera, Vec2 from, Vec2 to);
+void draw_dot(PathWriter& path, const Camera& camera, Vec2 at);
 
 }  // namespace islet::samples

@@ -404,6 +404,29 @@ TEST(NoHeap, AMoverAllocatesNothing) {
     EXPECT_GT(on_ground, 10);
 }
 
+TEST(NoHeap, DrawingAllocatesNothing) {
+    World& w = build();
+    test::add_machine(w, {40, 0});
+    for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
+    long drawn = 0;
+    DebugDraw draw;
+    draw.context = &drawn;
+    draw.polygon = [](std::span<const Vec2>, float, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.circle = [](Vec2, float, Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.capsule = [](Vec2, Vec2, float, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.segment = [](Vec2, Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.point = [](Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.text = [](Vec2, const char*, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.contacts = draw.normals = draw.impulses = draw.boxes = draw.fat_boxes = draw.tree = draw.centers = draw.names = true;
+    draw.body_colors = BodyColors::island;
+    draw.constraint_colors = true;
+    const Watch watch;
+    w.draw(draw);
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_GT(drawn, 300);
+}
+
 TEST(NoHeap, NoMatrixSolverAllocates) {
     const double m[] = {2, 1, 0, 1, 2, 1, 0, 1, 2}, q[] = {-1, 1, -1}, lo[] = {0, -1, 0}, hi[] = {1, 1, 0.5};
     const std::uint32_t friction[] = {lcp::no_row, lcp::no_row, 0}, blocks[] = {0, 2};

@@ -59,7 +59,7 @@ TEST(Percentile, IsTheNearestRank) {
 }
 
 TEST(Summary, TakesMediansOverTheRuns) {
-    const std::vector<BenchRun> runs = {{{1, 2, 9}, 4, 5}, {{50, 60, 70}, 4, 5}, {{3, 3, 3}, 4, 6}};
+    const std::vector<BenchRun> runs = {{{1, 2, 9}, 4, 5, {}}, {{50, 60, 70}, 4, 5, {}}, {{3, 3, 3}, 4, 6, {}}};
     BenchResult result;
     summarise(runs, {}, result);
     EXPECT_EQ(result.ms_total, 12);        // of 12, 180, 9
@@ -72,13 +72,28 @@ TEST(Summary, TakesMediansOverTheRuns) {
 
 // The second turn was disturbed, both runs of it: the ratio of medians would be 20 / 10, that of each turn is 2, 4, 4.
 TEST(Summary, ComparesRunsOfTheSameTurn) {
-    const std::vector<BenchRun> islet = {{{10}, 1, 0}, {{100}, 1, 0}, {{5}, 1, 0}};
-    const std::vector<BenchRun> other = {{{20}, 1, 0}, {{400}, 1, 0}, {{20}, 1, 0}};
+    const std::vector<BenchRun> islet = {{{10}, 1, 0, {}}, {{100}, 1, 0, {}}, {{5}, 1, 0, {}}};
+    const std::vector<BenchRun> other = {{{20}, 1, 0, {}}, {{400}, 1, 0, {}}, {{20}, 1, 0, {}}};
     BenchResult result;
     summarise(other, islet, result);
     EXPECT_EQ(result.ratio, 4);
     summarise(islet, islet, result);
     EXPECT_EQ(result.ratio, 1);
+}
+
+TEST(Summary, TakesTheMedianOfEachStage) {
+    std::vector<BenchRun> runs = {{{1}, 1, 0, BenchProfile{1, 20, 3, 4, 5}}, {{1}, 1, 0, BenchProfile{2, 10, 9, 4, 6}}, {{1}, 1, 0, BenchProfile{3, 30, 1, 4, 7}}};
+    BenchResult result;
+    summarise(runs, {}, result);
+    ASSERT_TRUE(result.profile.has_value());
+    EXPECT_EQ(result.profile->pairs, 2);
+    EXPECT_EQ(result.profile->collide, 20);
+    EXPECT_EQ(result.profile->islands, 3);
+    EXPECT_EQ(result.profile->solve, 4);
+    EXPECT_EQ(result.profile->finish, 6);
+    runs[1].profile.reset();
+    summarise(runs, {}, result);
+    EXPECT_FALSE(result.profile.has_value());
 }
 
 TEST(Bench, EnginesTakeTurnsAndEachBeginsOne) {
@@ -135,6 +150,15 @@ TEST(Bench, JsonHasTheFieldsThatArePromised) {
         EXPECT_EQ(object["steps"], 5);
         EXPECT_EQ(object["bodies"], 56);  // 10 + 9 + ... + 1, and the ground
         EXPECT_GT(object["contacts"], 0);
+        double stages = 0;
+        std::set<std::string> names;
+        for (const auto& item : object["profile"].items()) {
+            names.insert(item.key());
+            EXPECT_GT(item.value(), 0.0) << item.key();
+            stages += item.value().get<double>();
+        }
+        EXPECT_EQ(names, (std::set<std::string>{"pairs", "collide", "islands", "solve", "finish"}));
+        EXPECT_LT(stages, 2 * object["ms_total"].get<double>());  // medians of each over two runs; ms, not other units
         EXPECT_GT(object["ms_total"], 0.0);
         EXPECT_GE(object["ms_per_step_p99"], object["ms_per_step_p50"]);
     }

@@ -12,6 +12,8 @@ expect 0 '"name": "card_house"' list --json
 expect 0 'check passed' run hello
 expect 0 '"steps": 7' run hello --steps 7 --json --csv "$scratch/out.csv" --svg "$scratch/out.svg" --html "$scratch/out.html"
 expect 0 'check skipped' run hello --steps 0 --html "$scratch/start.html"
+expect 0 'check skipped' run car --steps 9 --svg "$scratch/drawn.svg" --draw joints,names,islands,boxes,impulses
+expect 2 'not in' run hello --draw joints,everything
 expect 2 'near names: hello' run helo
 expect 2 'required' run
 expect 2 'cannot write' run hello --csv "$scratch/missing/out.csv"
@@ -27,6 +29,8 @@ complain() {
 }
 [ "$(wc -l <"$scratch/out.csv")" -eq 8 ] || complain "out.csv must have a header and a line for each step"
 grep -q '</svg>' "$scratch/out.svg" || complain "out.svg is not whole"
+grep -q '>wheel<' "$scratch/drawn.svg" || complain "--draw names must name the car's joints"
+! grep -q '>wheel<' "$scratch/out.svg" || complain "joints must not be named unasked"
 for page in out start; do
     [ "$(tail -n 1 "$scratch/$page.html")" = '</html>' ] || complain "$page.html is not whole"
 done

@@ -44,8 +44,20 @@
 #if !defined(ISLET_SLEEP)
 #define ISLET_SLEEP 1  // islands falling asleep: without it a world is as after enable_sleep(false)
 #endif
+#if !defined(ISLET_PROFILE)
+#define ISLET_PROFILE 1  // what the stages of a step took, where a program asks for it
+#endif
 #if !defined(ISLET_CONTINUOUS)
 #define ISLET_CONTINUOUS 1  // fast bodies swept along their way: without it a world is as after enable_continuous(false)
+#endif
+#if !defined(ISLET_SENSORS)
+#define ISLET_SENSORS 1  // sensors
+#endif
+#if !defined(ISLET_HITS)
+#define ISLET_HITS 1  // hit events
+#endif
+#if !defined(ISLET_HOOKS)
+#define ISLET_HOOKS 1  // the user's filter, pre-solve and mixing
 #endif
 #if !defined(ISLET_TUNING)
 #define ISLET_TUNING 1  // of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance

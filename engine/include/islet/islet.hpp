@@ -1,6 +1,7 @@
 // Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all the public ones but lcp.hpp, island.hpp and mover.hpp.
 #pragma once
 
+#include "islet/debug_draw.hpp"
 #include "islet/geometry.hpp"
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"

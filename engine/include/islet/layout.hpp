@@ -40,7 +40,7 @@ inline constexpr std::size_t geometry_bytes = 160;
 inline constexpr std::size_t tree_node_bytes = 32;
 inline constexpr std::size_t contact_bytes = 32;
 inline constexpr std::size_t manifold_bytes = 96;
-inline constexpr std::size_t image_header_bytes = 72;
+inline constexpr std::size_t image_header_bytes = 80;
 inline constexpr std::size_t delta_header_bytes = 48;
 inline constexpr std::size_t solver_body_bytes = 32;
 inline constexpr std::size_t solver_motion_bytes = 32;
@@ -67,6 +67,10 @@ constexpr std::uint32_t next_power_of_two(std::uint32_t n) {
 constexpr std::size_t words_for(std::uint32_t bits) { return (std::size_t{bits} + 63) / 64; }
 
 constexpr std::uint32_t geometry_capacity(const Capacity& c) { return c.geometries != 0 ? c.geometries : c.shapes; }
+
+constexpr std::uint32_t hit_capacity(const Capacity& c) {
+    return c.hits != 0 ? c.hits : c.contacts / 8 > 8 ? c.contacts / 8 : 8;
+}
 
 /// Batches that the islands of a world can make, at most.
 constexpr std::uint32_t batch_capacity(const Capacity& c) { return c.bodies / batch_bodies + 2; }
@@ -97,7 +101,7 @@ struct Layout {
     std::size_t state, poses, motions, bodies, shapes, boxes, geometries, geometry_buckets, tree, contacts, manifolds, pairs, joints;
     std::size_t awake_bodies, awake_contacts, awake_joints, moved_shapes;
     std::size_t persistent_end;
-    std::size_t begin_events, end_events, moved_events, slept_events, break_events, residuals;
+    std::size_t begin_events, end_events, hit_events, moved_events, slept_events, break_events, residuals;
     std::size_t scratch, end;
 };
 
@@ -119,7 +123,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 +
                              tree_capacity(c) * tree_link_bytes + 5 * 64;
     const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * 64;
-    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + max_of(rows, finish) + 3 * 64;
+    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + c.contacts * std::size_t{4} + max_of(rows, finish) + 4 * 64;
     return max_of(plan + max_of(planning, solve), max_of(pairs, collide));
 }
 
@@ -151,6 +155,7 @@ constexpr Layout layout_of(const Capacity& c) {
     l.persistent_end = at;
     l.begin_events = take(c.contacts * sizeof(TouchEvent));
     l.end_events = take(c.contacts * sizeof(TouchEvent));
+    l.hit_events = take(hit_capacity(c) * sizeof(HitEvent));
     l.moved_events = take(c.bodies * sizeof(BodyId));
     l.slept_events = take(c.bodies * sizeof(BodyId));
     l.break_events = take(c.joints * sizeof(JointBreakEvent));

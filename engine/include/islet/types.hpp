@@ -41,6 +41,7 @@ struct Capacity {
     std::uint32_t contacts = 0;    ///< Pairs of shapes whose fat boxes overlap, touching or not: 3 to 5 a body in a dense pile.
     std::uint32_t joints = 0;
     std::uint32_t geometries = 0;  ///< Different geometries (equal ones are stored once); 0 means as many as shapes.
+    std::uint32_t hits = 0;        ///< Hit events in one step; 0 means an eighth of contacts, at least 8.
     friend bool operator==(const Capacity&, const Capacity&) = default;
 };
 
@@ -76,7 +77,9 @@ enum class Error : std::uint8_t {
     unsound_image,       ///< the image's checksum is right, but what it holds is no world
     image_too_large,     ///< the world has less capacity than the image uses
     wrong_delta,         ///< the delta does not start from the image given
-    feature_cut,         ///< this build of the engine was made without what the call needs (islet/config.hpp)
+    feature_cut,         ///< this build of the engine was made without what the call needs (islet/config.hpp), or nothing links it
+    not_a_sensor,        ///< the shape is no sensor
+    hits_full,           ///< raise Capacity::hits
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.
@@ -84,6 +87,33 @@ const char* describe(Error e);
 
 /// Receives each error as it happens. Must not call the world.
 using ErrorHook = void (*)(Error error, void* context);
+
+struct PreSolve;  // below
+
+/// The user's part in decisions that a step needs at once. All may be null; `context` is passed on to each. Hooks are no part of the state: no hash knows of
+/// them and no snapshot holds them, so worlds that are to have equal futures must be given equal ones, which answer alike.
+///
+/// filter and pre_solve are called on the thread that steps, one after another, in an order that does not depend on the number of workers; they may read the
+/// world's bodies and shapes, and must not change it. mix_friction and mix_restitution are called on any worker, as often as the engine likes: they must be
+/// functions of their arguments alone.
+struct Hooks {
+    /// May these two shapes meet, or may this sensor see that shape? Asked when their fat boxes begin to overlap and whenever that pair is found again, of
+    /// pairs that their filters allow. A pair once made is not asked about again before it parts.
+    bool (*filter)(ShapeId shape_a, ShapeId shape_b, void* context) = nullptr;
+    /// May look at a contact before it is solved, and change it for this step: see PreSolve. Called in every step for every awake contact that has points
+    /// and a shape with ShapeDef::pre_solve, in the order of their slots.
+    void (*pre_solve)(PreSolve& contact, void* context) = nullptr;
+    /// Coefficient of two shapes, in place of the geometric mean; `material` is SurfaceMaterial::id. Taken as 0 to max_coefficient. Asked when two shapes
+    /// meet or a material changes.
+    float (*mix_friction)(float friction_a, std::uint32_t material_a, float friction_b, std::uint32_t material_b, void* context) = nullptr;
+    /// The same for restitution, in place of the larger. Taken as 0 to 1.
+    float (*mix_restitution)(float restitution_a, std::uint32_t material_a, float restitution_b, std::uint32_t material_b, void* context) = nullptr;
+    void* context = nullptr;
+    friend bool operator==(const Hooks&, const Hooks&) = default;
+};
+
+/// Reads a clock of yours, which counts on in whatever unit you like. Must not call the world.
+using Clock = std::uint64_t (*)(void* context);
 
 /// The order of the numbers in a step. `soft` is the default; `classic` is one position-corrected velocity solve per step.
 enum class Schedule : std::uint8_t {
@@ -143,12 +173,16 @@ struct WorldDef {
     bool enable_sleep = true;            ///< Let islands at rest fall asleep after 0.5 s.
     float restitution_threshold = 1.0f;  ///< m/s, >= 0. Slower impacts do not bounce.
     float max_speed = 400.0f;            ///< m/s, > 0, at most max_speed_limit. No body moves faster.
+    float hit_threshold = 1.0f;          ///< m/s, >= 0. Hit events tell of shapes that come together faster.
     bool continuous = true;              ///< Continuous collision: dynamic bodies pass through no static shape, and bullets through no other body, however
                                          ///< fast they move and turn.
     std::uint32_t lanes = 0;             ///< 1, 4 or 8 constraints at once; 0 picks the widest the processor has. The bits are the same.
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
+    Hooks hooks = {};                    ///< See World::set_hooks.
     TaskSystem tasks = {};               ///< Threads to step with; none by default. The bits are the same.
+    Clock clock = nullptr;               ///< What World::profile is measured with; none by default. The bits are the same.
+    void* clock_context = nullptr;
 };
 
 enum class BodyType : std::uint8_t {
@@ -171,6 +205,9 @@ struct BodyDef {
     bool enable_sleep = true;       ///< false: keeps itself and its island awake.
     bool awake = true;              ///< false: starts asleep.
     bool fixed_rotation = false;    ///< true: infinite rotational inertia, and no angular velocity to start with.
+    bool lock_x = false;            ///< true: if dynamic, the centre of mass does not move along the world's x axis, whatever pushes. The lock is solved
+    bool lock_y = false;            ///< like a contact, in every sweep. The same along y.
+    bool enabled = true;            ///< false: takes part in nothing; see World::set_enabled.
     bool bullet = false;            ///< true: does not pass through moving bodies either (WorldDef::continuous). For a few: each is compared with every
                                     ///< awake body.
     std::uint64_t user_data = 0;
@@ -183,6 +220,16 @@ struct Filter {
     std::int32_t group = 0;
 };
 
+/// What a surface is like: the first four fields as in ShapeDef, and a number of the user's, which the mixing hooks are given.
+struct SurfaceMaterial {
+    float friction = 0.6f;
+    float restitution = 0;
+    float rolling_resistance = 0;
+    float tangent_speed = 0;
+    std::uint32_t id = 0;
+    friend bool operator==(const SurfaceMaterial&, const SurfaceMaterial&) = default;
+};
+
 /// What a new shape is like.
 struct ShapeDef {
     float friction = 0.6f;           ///< Coulomb coefficient, 0 to max_coefficient. Two shapes mix by the geometric mean.
@@ -191,6 +238,14 @@ struct ShapeDef {
     float tangent_speed = 0;         ///< m/s. A conveyor: what lies on the surface is carried to its right (clockwise around the shape). Two shapes add.
     float density = 1;               ///< kg/m^2, >= 0
     Filter filter = {};
+    bool sensor = false;             ///< Collides with nothing, and tells which shapes overlap it: of all bodies but its own, that its filter allows and that
+                                     ///< consent; but a static sensor sees no static bodies, and no sensor sees another. It has mass as its density says.
+                                     ///< What passes all of it within one step is not seen.
+    bool sensor_events = true;       ///< false: sensors do not see this shape. (A sensor is made on purpose, so it sees all by default. In Box2D from
+                                     ///< version 3.1 on both shapes have to be told to.)
+    bool hit_events = false;         ///< Tell of hits of this shape: World::hit_events.
+    bool pre_solve = false;          ///< Ask the pre_solve hook about contacts of this shape.
+    std::uint32_t material = 0;      ///< SurfaceMaterial::id
     std::uint64_t user_data = 0;
 };
 
@@ -198,6 +253,39 @@ struct ShapeDef {
 struct TouchEvent {
     ShapeId shape_a = {};
     ShapeId shape_b = {};
+};
+
+/// A shape began to overlap a sensor, or ceased to (or one of them was destroyed, disabled or moved). An id in an end event may be stale.
+struct SensorEvent {
+    ShapeId sensor = {};
+    ShapeId visitor = {};
+};
+
+/// Two shapes came together fast.
+struct HitEvent {
+    ShapeId shape_a = {};
+    ShapeId shape_b = {};
+    Vec2 point = {};      ///< m, midway between the surfaces, where they came together the fastest
+    Vec2 normal = {};     ///< unit, from a to b
+    float speed = 0;      ///< m/s, at which the surfaces came together along the normal, before they pushed each other
+};
+
+/// An explosion: World::explode.
+struct ExplosionDef {
+    Vec2 position = {};                 ///< m
+    float radius = 0;                   ///< m, >= 0. What is nearer feels the whole of it.
+    float falloff = 0;                  ///< m, >= 0. Beyond the radius the impulse falls linearly to 0 over this distance.
+    float impulse_per_length = 0;       ///< N s per metre of the shape's width as seen from there; below 0: an implosion
+    std::uint32_t mask = 0xffffffffu;   ///< Shapes of these categories feel it.
+};
+
+/// Wind on a shape: World::apply_wind.
+struct WindDef {
+    Vec2 velocity = {};       ///< m/s, of the air; up to max_speed_limit
+    float drag = 1;           ///< >= 0, coefficient of the force along the stream. Of a flat plate across it 1.2 to 2, of a disc about 1.
+    float lift = 0;           ///< coefficient of the force across the stream
+    float density = 1.225f;   ///< kg/m^3, >= 0, of a slice one metre deep: air
+    bool wake = true;         ///< false: no effect on bodies that sleep
 };
 
 /// What the last step did.
@@ -210,6 +298,7 @@ struct StepReport {
     std::uint32_t recycled_contacts = 0; ///< awake contacts whose manifold was kept
     std::uint32_t dropped_contacts = 0;  ///< pairs that found no room this step; they are retried every step
     std::uint32_t dropped_events = 0;    ///< end events that found no room since the last step began
+    std::uint32_t dropped_hits = 0;      ///< hits that found no room among the hit events
     std::uint32_t islands = 0;           ///< awake islands
     std::uint32_t colors = 0;            ///< constraint colours in use
     std::uint32_t overflow_contacts = 0; ///< contacts solved one by one: those that found no colour, or all of them in any SweepOrder but colored
@@ -221,7 +310,32 @@ struct StepReport {
     float residual = 0;                  ///< m/s, the largest of any island (World::residual); 0 if not measured
 };
 
-/// One touching point of a contact, in world coordinates.
+/// What the stages of the last step took, in ticks of WorldDef::clock: all 0 without one.
+struct StepProfile {
+    std::uint64_t pairs = 0;    ///< which fat boxes overlap
+    std::uint64_t collide = 0;  ///< where and how shapes touch
+    std::uint64_t islands = 0;  ///< what belongs together and in which order it is solved
+    std::uint64_t solve = 0;    ///< forces, impulses and motion
+    std::uint64_t finish = 0;   ///< places, boxes, sleep and events
+    std::uint64_t total = 0;    ///< the whole step: the sum of these
+};
+
+/// Constraint colours there are.
+inline constexpr std::uint32_t constraint_color_count = 32;
+
+/// What a world is made of now, beside what StepReport says. For displays: it is counted when asked for.
+struct WorldCounters {
+    std::size_t bytes = 0;           ///< of the world's block: world_bytes(capacity)
+    std::size_t snapshot_bytes = 0;  ///< of it that save() needs now
+    std::uint32_t geometries = 0;    ///< different ones
+    std::uint32_t tree_shapes = 0;   ///< shapes at rest, which a tree of boxes holds; the others are found by sorting
+    std::uint32_t tree_height = 0;   ///< boxes on the way from the tree's root to its farthest leaf; 0 if it is empty
+    std::uint32_t colors[constraint_color_count] = {};  ///< touching contacts and joints by constraint colour, awake or not
+    std::uint32_t uncolored = 0;     ///< those that found no colour, which are solved one by one
+};
+
+/// One touching point of a contact, in world coordinates. A force over a substep of h seconds, h = dt / substeps, is impulse / h newtons: what stands still
+/// bears normal_impulse / h.
 struct ContactPoint {
     Vec2 point = {};                ///< m, midway between the surfaces
     float separation = 0;      ///< m, negative when overlapping
@@ -239,6 +353,14 @@ struct ContactInfo {
     std::uint32_t point_count = 0;
     float friction = 0;
     float restitution = 0;
+};
+
+/// What the pre_solve hook sees of a contact, and may change for this one step.
+struct PreSolve {
+    ContactInfo contact = {};  ///< as it is before the step, with the impulses of the last one; changing it has no effect
+    bool enabled = true;       ///< false: the two shapes do not touch in this step, and so nothing tells of it
+    float friction = 0;        ///< Coulomb coefficient, 0 to max_coefficient
+    float tangent_speed = 0;   ///< m/s, as in ShapeDef, of both together
 };
 
 }  // namespace islet

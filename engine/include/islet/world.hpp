@@ -12,6 +12,8 @@
 
 namespace islet {
 
+struct DebugDraw;      // debug_draw.hpp
+struct DrawStyle;
 struct IslandProblem;  // island.hpp
 
 namespace detail {
@@ -51,11 +53,27 @@ public:
     /// Threads to step with from now on. workers of 0 or above max_workers is refused (out_of_range). Not part of the state: no hash and no snapshot
     /// knows of it.
     void set_tasks(const TaskSystem& tasks);
+    /// What the stages of the last step took. Only in a program that calls this function is anything measured.
+    const StepProfile& profile() const;
+    /// The clock to measure with from now on, null for none. Not part of the state: no hash and no snapshot knows of it.
+    void set_clock(Clock clock, void* context = nullptr);
+    WorldCounters counters() const;
     /// Turning sleep off wakes everything.
     void enable_sleep(bool enable);
     /// WorldDef::continuous.
     bool continuous() const;
     void enable_continuous(bool enable);
+
+    Hooks hooks() const;
+    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. A pre_solve hook is linked by programs that
+    /// call this function or hooks(); in others World::create refuses it (feature_cut).
+    void set_hooks(const Hooks& hooks);
+    float hit_threshold() const;
+    void set_hit_threshold(float speed);
+    /// Pushes every dynamic body with a circle, capsule or polygon in reach away from a point, shape by shape: by impulse_per_length times the shape's width
+    /// across the direction from the explosion to the shape's nearest point, where the impulse acts (if the shape holds the explosion, from there to its
+    /// middle). Nothing shields anything. Sensors do not feel it. Wakes what it pushes.
+    void explode(const ExplosionDef& explosion);
 
     const Capacity& capacity() const;
     /// What the last step did, and how full the pools are.
@@ -77,8 +95,8 @@ public:
     /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
     std::size_t save(std::span<std::byte> out) const;
     /// Goes back to an image that this program made. What the image uses must fit this world's capacity, which need not be that of the world it was
-    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook
-    /// and the task system. Until the next step there are no events, and the report holds only how full the pools are.
+    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook,
+    /// the clock and the task system. Until the next step there are no events, and the report holds only how full the pools are.
     /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut where this build leaves out what the image
     /// needs. (A program that neither makes joints nor calls load has none linked, so an image with joints needs what it leaves out.)
     bool restore(std::span<const std::byte> image);
@@ -90,6 +108,14 @@ public:
 
     std::span<const TouchEvent> begin_touch_events() const;
     std::span<const TouchEvent> end_touch_events() const;
+    /// Overlaps of sensors that began, and that ended, ordered as those of touches are, and told at the same time: a step tells of the poses it begins with,
+    /// and calls that end overlaps tell at once and again after the step. Only programs that call one of these two functions or sensor_overlaps have
+    /// sensors linked; others are refused them (feature_cut).
+    std::span<const SensorEvent> sensor_begin_events() const;
+    std::span<const SensorEvent> sensor_end_events() const;
+    /// Contacts of shapes with ShapeDef::hit_events whose surfaces came together faster than hit_threshold() and needed an impulse, ordered by slot. Only
+    /// programs that call this function have hits linked; others are refused them (feature_cut).
+    std::span<const HitEvent> hit_events() const;
     /// Bodies that the last step moved (every awake one), ordered by slot.
     std::span<const BodyId> moved_bodies() const;
     /// Bodies that fell asleep in the last step, ordered by slot.
@@ -126,6 +152,9 @@ public:
     void set_linear_velocity(BodyId body, Vec2 velocity);
     /// As above; no effect on bodies of fixed rotation either.
     void set_angular_velocity(BodyId body, float velocity);
+    /// Gives a kinematic body the velocities that take it to a pose within a step of dt seconds (within rounding), at most max_speed and a quarter turn. After
+    /// that step they last, so call it before each. No effect on other bodies. target.q must be of unit length.
+    void set_target(BodyId body, const Transform& target, float dt);
 
     /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s)
     /// act at once.
@@ -154,16 +183,31 @@ public:
     void set_angular_damping(BodyId body, float damping);
     float gravity_scale(BodyId body) const;
     void set_gravity_scale(BodyId body, float scale);
+    bool is_rotation_fixed(BodyId body) const;
     void set_fixed_rotation(BodyId body, bool fixed);
+    /// BodyDef::lock_x and lock_y.
+    bool is_x_locked(BodyId body) const;
+    bool is_y_locked(BodyId body) const;
+    void lock_x(BodyId body, bool lock);
+    void lock_y(BodyId body, bool lock);
+    bool is_enabled(BodyId body) const;
+    /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold nobody, it does not
+    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways.
+    void set_enabled(BodyId body, bool enabled);
     /// BodyDef::bullet. No effect unless the body is dynamic.
     bool is_bullet(BodyId body) const;
     void set_bullet(BodyId body, bool bullet);
     void enable_sleep(BodyId body, bool enable);
+    float sleep_threshold(BodyId body) const;
+    /// m/s, >= 0
+    void set_sleep_threshold(BodyId body, float threshold);
     bool is_awake(BodyId body) const;
     /// Wakes the body and its island.
     void wake(BodyId body);
     std::uint64_t user_data(BodyId body) const;
     void set_user_data(BodyId body, std::uint64_t data);
+    /// Writes the body's touching contacts, newest first, as far as they fit; returns how many there are.
+    std::uint32_t contacts(BodyId body, std::span<ContactInfo> out) const;
     /// Writes the ids of the body's shapes, newest first, as far as they fit; returns how many there are.
     std::uint32_t shapes(BodyId body, std::span<ShapeId> out) const;
 
@@ -190,6 +234,15 @@ public:
     const Segment* segment(ShapeId shape) const;
     const Polygon* polygon(ShapeId shape) const;
     const ChainSegment* chain_segment(ShapeId shape) const;
+    /// Another geometry for the shape, of any type. Its contacts and overlaps end, and those still due begin in the next step; mass follows. Wakes the body and
+    /// what touched it. Errors: bad_geometry; geometries_full.
+    void set_circle(ShapeId shape, const Circle& circle);
+    void set_capsule(ShapeId shape, const Capsule& capsule);
+    void set_segment(ShapeId shape, const Segment& segment);
+    void set_polygon(ShapeId shape, const Polygon& polygon);
+    /// kg/m^2, >= 0; the body's mass follows.
+    float density(ShapeId shape) const;
+    void set_density(ShapeId shape, float density);
     /// The tight box around the shape, world coordinates.
     Aabb aabb(ShapeId shape) const;
     float friction(ShapeId shape) const;
@@ -200,6 +253,23 @@ public:
     void set_rolling_resistance(ShapeId shape, float resistance);
     float tangent_speed(ShapeId shape) const;
     void set_tangent_speed(ShapeId shape, float speed);
+    /// All of these at once, and the user's id.
+    SurfaceMaterial material(ShapeId shape) const;
+    void set_material(ShapeId shape, const SurfaceMaterial& material);
+    bool is_sensor(ShapeId shape) const;
+    /// Writes the shapes that overlap the sensor (not_a_sensor), the latest to come near first, as far as they fit; returns how many there are.
+    std::uint32_t sensor_overlaps(ShapeId sensor, std::span<ShapeId> out) const;
+    /// ShapeDef::sensor_events, hit_events and pre_solve.
+    bool sensor_events_enabled(ShapeId shape) const;
+    void enable_sensor_events(ShapeId shape, bool enable);
+    bool hit_events_enabled(ShapeId shape) const;
+    void enable_hit_events(ShapeId shape, bool enable);
+    bool pre_solve_enabled(ShapeId shape) const;
+    void enable_pre_solve(ShapeId shape, bool enable);
+    /// Adds the force of a wind on what of the shape's outline faces it, from the shape's own motion too; acts over the next step, as apply_force does:
+    /// rho u^2 / 2 times width times coefficient, u being the air's velocity past the shape's middle. Each face of a polygon is pushed at its middle; only
+    /// flat faces have lift. No effect on segments and on bodies that are not dynamic. Nothing shields anything.
+    void apply_wind(ShapeId shape, const WindDef& wind);
     Filter filter(ShapeId shape) const;
     /// Contacts that the new filter forbids end; new ones are found in the next step.
     void set_filter(ShapeId shape, const Filter& filter);
@@ -341,6 +411,14 @@ public:
     /// give numbers that overflow; lcp::solve then says not_finite. Returns 0 on an error: null_id, stale_id; no_dynamic_body; bad_time_step of h;
     /// out_of_range if there are more than lcp::max_rows rows or 2^32 - 1 entries.
     std::size_t export_island(BodyId body, float h, std::span<std::byte> memory, IslandProblem& out) const;
+
+    // -- drawing (debug_draw.hpp) ------------------------------------------------------------------------------------------------
+
+    /// Hands what `draw` asks for to its functions. Changes nothing and calls no function on an error: not_finite or out_of_range of its view, size or
+    /// scale. With BodyColors::island it uses the world's scratch memory, so then no other call to the world may run at the same time.
+    void draw(const DebugDraw& draw) const;
+    /// Draws a shape alone, as if its body were at `pose`, by draw's functions; nothing else of `draw` is looked at.
+    void draw_shape(const DebugDraw& draw, ShapeId shape, const Transform& pose, const DrawStyle& style) const;
 
 private:
     friend struct detail::Core;

@@ -1,8 +1,10 @@
 #include "broadphase/contacts.hpp"
 
+#include "broadphase/sensors.hpp"
 #include "memory/colors.hpp"
 #include "memory/joint_graph.hpp"
 #include "math/scalar.hpp"
+#include "memory/mixing.hpp"
 
 namespace islet::detail {
 
@@ -25,6 +27,14 @@ bool filters_agree(const Filter& a, const Filter& b) {
     return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 
+// One of them is a sensor. Geometry of every kind can be overlapped, and joints do not matter.
+bool may_sense(const Core& core, const Shape& s1, const Shape& s2) {
+    const bool both = (s1.flags & s2.flags & shape_sensor) != 0;
+    const bool unseen = (((s1.flags & shape_sensor) != 0 ? s2 : s1).flags & shape_unseen) != 0;
+    const bool moves = core.bodies[s1.body].type() != BodyType::static_body || core.bodies[s2.body].type() != BodyType::static_body;
+    return !both && !unseen && moves && filters_agree(s1.filter, s2.filter);
+}
+
 void link(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
     link_edge(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
 }
@@ -38,11 +48,19 @@ void unlink(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t
 bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     const Shape& s1 = core.shapes[shape_1];
     const Shape& s2 = core.shapes[shape_2];
-    if (s1.body == s2.body) return false;
+    if (s1.body == s2.body || ((core.bodies[s1.body].flags | core.bodies[s2.body].flags) & body_disabled) != 0) return false;
+    if (has_sensors && ((s1.flags | s2.flags) & shape_sensor) != 0) return may_sense(core, s1, s2);
     if (!core.is_dynamic(s1.body) && !core.is_dynamic(s2.body)) return false;
     if (!filters_agree(s1.filter, s2.filter)) return false;
     if (rank(core, shape_1) >= 3 && rank(core, shape_2) >= 3) return false;
     return !joint_forbids(core, s1.body, s2.body);
+}
+
+bool is_pair_wanted(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    if (!may_collide(core, shape_1, shape_2)) return false;
+    if (!has_hooks || core.hooks.filter == nullptr) return true;
+    const bool in_order = in_contact_order(core, shape_1, shape_2);
+    return core.hooks.filter(core.shape_id(in_order ? shape_1 : shape_2), core.shape_id(in_order ? shape_2 : shape_1), core.hooks.context);
 }
 
 bool in_contact_order(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
@@ -66,7 +84,11 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     m.body_a = core.shapes[c.shape_a].body;
     m.body_b = core.shapes[c.shape_b].body;
     m.set_color(no_color);
-    mix_materials(core, index);
+    if (is_sensor(core, shape_1) || is_sensor(core, shape_2)) {
+        m.flags |= contact_sensor;
+    } else {
+        mix_materials(core, index);
+    }
 
     link(core, index, 0, m.body_a);
     link(core, index, 1, m.body_b);
@@ -79,6 +101,7 @@ void destroy_contact(Core& core, std::uint32_t index) {
     Contact& c = core.contacts[index];
     ContactManifold& m = core.manifolds[index];
     if ((m.flags & contact_touching) != 0) record_end_event(core, index);
+    if (has_sensors && (m.flags & contact_overlap) != 0) end_overlap(core, index);
     release_color(core, index);
     unlink(core, index, 0, m.body_a);
     unlink(core, index, 1, m.body_b);
@@ -96,21 +119,27 @@ void mix_materials(Core& core, std::uint32_t contact) {
     const Shape& a = core.shapes[c.shape_a];
     const Shape& b = core.shapes[c.shape_b];
     ContactManifold& m = core.manifolds[contact];
-    m.friction = sqrt(a.friction * b.friction);
-    const bool bouncy = has_restitution && (a.restitution > 0 || b.restitution > 0);
+    if (has_sensors && (m.flags & contact_sensor) != 0) return;
+    m.friction = mixed_friction(core, a, b);
+    const bool bouncy = has_restitution && mixed_restitution(core, a, b) > 0;
     const bool special = has_surfaces && (a.rolling_resistance > 0 || b.rolling_resistance > 0 || a.tangent_speed != 0 || b.tangent_speed != 0);
-    m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy)) | (special ? std::uint32_t{contact_special} : 0u) |
-              (bouncy ? std::uint32_t{contact_bouncy} : 0u);
+    const std::uint32_t told = a.flags | b.flags;
+    m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy | contact_hits | contact_asks)) |
+              (special ? std::uint32_t{contact_special} : 0u) | (bouncy ? std::uint32_t{contact_bouncy} : 0u) |
+              (has_hits && (told & shape_hit_events) != 0 ? std::uint32_t{contact_hits} : 0u) |
+              (has_hooks && (told & shape_pre_solve) != 0 ? std::uint32_t{contact_asks} : 0u);
+}
+
+bool has_room_for_end(Core& core) {
+    if (core.end_count + core.sensor_ends.count < core.capacity.contacts) return true;
+    ++core.report.dropped_events;
+    core.fail(Error::events_full);
+    return false;
 }
 
 void record_end_event(Core& core, std::uint32_t contact) {
-    if (core.end_count == core.capacity.contacts) {
-        ++core.report.dropped_events;
-        core.fail(Error::events_full);
-        return;
-    }
     const Contact& c = core.contacts[contact];
-    core.end_events[core.end_count++] = {core.shape_id(c.shape_a), core.shape_id(c.shape_b)};
+    if (has_room_for_end(core)) push_touch(core, core.end_events, core.end_count, core.sensor_ends, {core.shape_id(c.shape_a), core.shape_id(c.shape_b)});
 }
 
 }  // namespace islet::detail

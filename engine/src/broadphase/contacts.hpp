@@ -18,8 +18,12 @@ inline std::uint32_t other_body(const Core& core, std::uint32_t contact, std::ui
     return side == 0 ? core.manifolds[contact].body_b : core.manifolds[contact].body_a;
 }
 
-/// True if the two shapes may have a contact: other bodies, one dynamic, geometry that collides, filters that agree, no joint that forbids it.
+/// True if the two shapes may have a contact: other bodies, both enabled, one dynamic, geometry that collides, filters that agree, no joint that forbids
+/// it. Of a sensor: one that is not static, a visitor that consents and is no sensor, filters that agree.
 bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+
+/// The same, and the filter hook does not forbid it.
+bool is_pair_wanted(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 
 /// True if the first of two shapes is the one that their contact calls A.
 bool in_contact_order(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
@@ -34,5 +38,15 @@ void destroy_contact(Core& core, std::uint32_t contact);
 void mix_materials(Core& core, std::uint32_t contact);
 
 void record_end_event(Core& core, std::uint32_t contact);
+/// False, with the error recorded and counted, if the array of end events is full.
+bool has_room_for_end(Core& core);
+
+/// Where B's body is in the frame of A's, worked out from the difference of their centres: exact far from the origin too.
+inline Transform pose_between(const Core& core, std::uint32_t body_a, std::uint32_t body_b) {
+    const Pose& a = core.poses[body_a];
+    const Pose& b = core.poses[body_b];
+    const Rot turn = inv_mul(a.q, b.q);
+    return {inv_rotate(a.q, b.center - a.center) + core.bodies[body_a].local_center - rotate(turn, core.bodies[body_b].local_center), turn};
+}
 
 }  // namespace islet::detail

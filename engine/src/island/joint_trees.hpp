@@ -15,6 +15,7 @@
 #include "island/union_find.hpp"
 #include "math/copies.hpp"
 #include "memory/core.hpp"
+#include "memory/joint_graph.hpp"
 
 namespace islet::detail {
 
@@ -38,8 +39,11 @@ struct Forest {
 
     ISLET_SHARED static bool moves(const Core& core, std::uint32_t body) { return core.poses[body].inv_mass > 0; }
 
-    /// Nothing acts on the hinge's angle, so that a tree can take it.
-    static bool is_plain(const Joint& j) { return (j.flags & (joint_spring | joint_limit | joint_motor)) == 0 && j.friction == 0; }
+    /// Nothing acts on the hinge's angle, and no lock on its bodies, so that a tree can take it.
+    static bool is_plain(const Core& core, const Joint& j) {
+        const auto locked = [&](std::uint32_t body) { return (core.bodies[body].flags & (body_lock_x | body_lock_y)) != 0; };
+        return (j.flags & (joint_spring | joint_limit | joint_motor)) == 0 && j.friction == 0 && !locked(j.body_a) && !locked(j.body_b);
+    }
 
     /// The tree of a hinge that has a body which moves.
     ISLET_SHARED Tree& tree_of(const Core& core, const Joint& j) const { return trees[sets.root_of(moves(core, j.body_a) ? j.body_a : j.body_b)]; }
@@ -47,11 +51,11 @@ struct Forest {
     /// Grows by a hinge, or returns false: a tree cannot take it, or it would close a loop, or has no body that moves.
     bool add(const Core& core, const Joint& j) const {
         const bool moves_a = moves(core, j.body_a), moves_b = moves(core, j.body_b);
-        if (!moves_a && !moves_b) return false;
+        if ((!moves_a && !moves_b) || is_joint_idle(core, j)) return false;
         const std::uint32_t a = sets.root_of(moves_a ? j.body_a : j.body_b), b = sets.root_of(moves_b ? j.body_b : j.body_a);
         const bool holds = !moves_a || !moves_b;
         const bool loops = holds ? trees[a].held : a == b || (trees[a].held && trees[b].held);
-        if (loops || !is_plain(j)) {
+        if (loops || !is_plain(core, j)) {
             trees[a].swept = trees[b].swept = true;
             return false;
         }

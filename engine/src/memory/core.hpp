@@ -11,6 +11,12 @@
 
 namespace islet::detail {
 
+/// What sensors told, in the room that touches leave in an array of events (broadphase/sensors.cpp).
+struct SensorEvents {
+    SensorEvent* events = nullptr;
+    std::uint32_t count = 0;
+};
+
 struct Core {
     Capacity capacity;
     std::uint32_t lanes = 1;
@@ -18,6 +24,9 @@ struct Core {
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     TaskSystem tasks;
+    Hooks hooks;
+    Clock clock = nullptr;
+    void* clock_context = nullptr;
 
     State* state = nullptr;
     Pose* poses = nullptr;
@@ -39,15 +48,20 @@ struct Core {
 
     TouchEvent* begin_events = nullptr;
     TouchEvent* end_events = nullptr;
+    SensorEvents sensor_begins, sensor_ends;
+    HitEvent* hit_events = nullptr;
     BodyId* moved_events = nullptr;
     BodyId* slept_events = nullptr;
     JointBreakEvent* break_events = nullptr;
     float* residuals = nullptr;       // m/s, by body: of its island in the last step, if measured
     std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0, break_count = 0;
+    std::uint32_t sensor_ends_reported = 0, hit_count = 0;
 
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;
     StepReport report;
+    StepProfile profile;
+    std::uint64_t last_tick = 0;
 
     Arena arena() const { return {scratch, scratch_end}; }
 
@@ -68,6 +82,7 @@ struct Core {
 
 static_assert(sizeof(Core) <= core_bytes);
 static_assert(sizeof(State) == state_bytes);
+static_assert(constraint_color_count == color_count);
 
 /// None is known from now on.
 inline void forget_residuals(Core& core) {

@@ -9,8 +9,11 @@
 /// world's state that someone did.
 #if defined(__ELF__)
 #define ISLET_OPTIONAL [[gnu::weak]]
+/// Whether someone did.
+#define ISLET_IS_LINKED(function) (&(function) != nullptr)
 #else
 #define ISLET_OPTIONAL
+#define ISLET_IS_LINKED(function) true
 #endif
 
 namespace islet::detail {
@@ -23,7 +26,11 @@ inline constexpr bool has_restitution = ISLET_RESTITUTION != 0;
 inline constexpr bool has_surfaces = ISLET_SURFACES != 0;
 inline constexpr bool has_sleep = ISLET_SLEEP != 0;
 inline constexpr bool has_continuous = ISLET_CONTINUOUS != 0;
+inline constexpr bool has_sensors = ISLET_SENSORS != 0;
+inline constexpr bool has_hits = ISLET_HITS != 0;
+inline constexpr bool has_hooks = ISLET_HOOKS != 0;
 inline constexpr bool has_tuning = ISLET_TUNING != 0;
+inline constexpr bool has_profile = ISLET_PROFILE != 0;
 
 constexpr bool has_shape(ShapeType type) {
     switch (type) {

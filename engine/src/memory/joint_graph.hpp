@@ -30,6 +30,21 @@ inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t 
     return false;
 }
 
+/// True if a body that the joint acts on is disabled: then it acts on none.
+inline bool is_joint_idle(const Core& core, const Joint& j) {
+    const auto off = [&](std::uint32_t body) { return body != null_index && (core.bodies[body].flags & body_disabled) != 0; };
+    if (off(j.body_a) || off(j.body_b)) return true;
+    if (j.joint_type() != JointType::gear) return false;
+    const Joint& j1 = core.joints[j.joint1];
+    const Joint& j2 = core.joints[j.joint2];
+    return off(j1.body_a) || off(j1.body_b) || off(j2.body_a) || off(j2.body_b);
+}
+
+/// Whether the joint belongs to the awake ones.
+inline bool is_joint_awake(const Core& core, const Joint& j) {
+    return ((j.body_a != null_index && core.is_awake(j.body_a)) || core.is_awake(j.body_b)) && !is_joint_idle(core, j);
+}
+
 /// A mouse joint's side A is in no list.
 inline void link_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
     core.state->trees_stale = 1;

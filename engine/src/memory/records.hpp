@@ -68,11 +68,12 @@ struct Body {
     float stretch = 0;               // kg m^2: h^2 times the geometric stiffness of the joints that pull at it (free_motion.hpp)
 
     BodyType type() const { return static_cast<BodyType>(flags & body_type_mask); }
+    bool has_locks() const { return (flags & (body_lock_x | body_lock_y)) != 0; }
 };
 
 enum ShapeFlags : std::uint32_t {
     shape_sensor = 1u,         // reports overlaps, collides with nothing
-    shape_sensor_events = 2u,  // sensors see it
+    shape_unseen = 2u,         // sensors do not see it
     shape_hit_events = 4u,
     shape_pre_solve = 8u,      // the pre-solve hook is asked about its contacts
     shape_all_flags = 15u,
@@ -118,7 +119,11 @@ enum ContactFlags : std::uint32_t {
     contact_special = 4u,      // has rolling resistance or a tangent speed
     contact_bouncy = 8u,       // has restitution
     contact_count_shift = 4,   // 2 bits: manifold points
+    contact_sensor = 64u,      // one of the shapes is a sensor: no points, never solved
+    contact_overlap = 128u,    // the sensor and the other shape overlap
     contact_color_shift = 8,   // 8 bits: colour, or no_color
+    contact_hits = 1u << 16,   // tells of hits
+    contact_asks = 1u << 17,   // the pre_solve hook is asked
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
@@ -127,7 +132,10 @@ struct Contact {
     std::uint32_t shape_a = null_index, shape_b = null_index;
     std::uint32_t next[2] = {0, 0}, prev[2] = {0, 0};  // contact keys, in the lists of the two bodies
     std::uint32_t generation = 0;
-    std::uint32_t next_free = null_index;
+    std::uint32_t next_free = null_index;  // of a live contact: the bits of a tangent speed (m/s) given by the pre_solve hook, null_index if there is none
+
+    bool has_own_speed() const { return next_free != null_index; }
+    float own_speed() const { return __builtin_bit_cast(float, next_free); }
 };
 
 /// What the narrow phase found and the solver keeps. Directions are the world's at the moment the manifold was made; the two rotations and the offset
@@ -278,7 +286,9 @@ struct State {
     std::uint32_t continuous = 1;                                  // 1: fast bodies are swept
     std::uint32_t bullet_count = 0;                                // bodies that are bullets
     float hit_threshold = 1;                                       // m/s
-    std::uint32_t pad[12] = {};
+    std::uint32_t locked_count = 0;                                // bodies with a lock
+    std::uint32_t asked = 0;                                       // ShapeFlags that any shape ever had
+    std::uint32_t pad[10] = {};
 };
 
 static_assert(sizeof(Pose) == pose_bytes && sizeof(Motion) == motion_bytes && sizeof(Body) == body_bytes);

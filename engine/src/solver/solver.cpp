@@ -7,6 +7,7 @@
 #include "memory/parallel.hpp"
 #include "constraint/contact.hpp"
 #include "solver/free_motion.hpp"
+#include "solver/hits.hpp"
 #include "solver/joint_solve.hpp"
 #include "solver/ordered_sweep.hpp"
 #include "solver/residual.hpp"
@@ -24,7 +25,7 @@ extern template struct ContactKernel<Lane4>;
 void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count);
 void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers);
 void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, float threshold);
-void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count);
+void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, float* hits);
 
 struct Kernel8 {
     static constexpr std::uint32_t W = 8;
@@ -32,7 +33,7 @@ struct Kernel8 {
     static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { prepare_8(in, rows, count); }
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& n) { solve_8(bodies, rows, count, n); }
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float t) { restitute_8(bodies, rows, count, t); }
-    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) { store_8(manifolds, rows, count); }
+    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count, float* hits) { store_8(manifolds, rows, count, hits); }
 };
 #endif
 
@@ -54,6 +55,7 @@ struct Solve {
     ContactRows<1>* overflow;
     float* residuals;                      // m/s, by island; null if not wanted
     float tolerance;                       // m/s; 0: as many sweeps as there are to be
+    float* hits = nullptr;                 // m/s, by contact: how fast the shapes came together, as ContactKernel::store has it; null if not wanted
 };
 
 SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, float h) {
@@ -179,6 +181,16 @@ void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_s
     }
 }
 
+// A lock is a row like another, v . axis = 0, solved last in each sweep. (Its impulse over the substeps before is part of what later warm starts hand on.)
+void hold_locked(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
+    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
+        const Body& body = s.core.bodies[s.plan.body_of[slot]];
+        if (body.type() != BodyType::dynamic) continue;
+        if ((body.flags & body_lock_x) != 0) s.bodies[slot].v.x = 0;
+        if ((body.flags & body_lock_y) != 0) s.bodies[slot].v.y = 0;
+    }
+}
+
 void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
     const float max_turn = 0.5f * pi;
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
@@ -207,7 +219,7 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
             r.contact[i] = c;
             if (c != null_index) any |= core.manifolds[c].flags;
         }
-        if ((any & (contact_special | contact_bouncy)) == 0) continue;
+        if ((any & (contact_special | contact_bouncy | contact_hits)) == 0) continue;
         for (std::uint32_t i = 0; i < W; ++i) {
             const Surface surface = r.contact[i] != null_index ? surface_of(core, r.contact[i]) : Surface{};
             r.restitution[i] = surface.restitution;
@@ -287,6 +299,9 @@ struct BatchSolve {
     void sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
     float measure(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
     void try_joints(const JointRun& r, const JointSweep& joints);
+    void hold() {
+        if (s.core.state->locked_count != 0) over_bodies([&](std::uint32_t first, std::uint32_t end) { hold_locked(s, first, end); });
+    }
     void store();
 };
 
@@ -338,6 +353,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
     }
     if (has_tuning && s.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
     if (tree_count() != 0) solve_trees(s.bodies, s.trees + batch.first_tree, tree_count(), joints);
+    hold();
 }
 
 // The largest residual of the batch's islands. (Trees of joints leave none: they are solved last and exactly.)
@@ -413,8 +429,8 @@ template <class K>
 void BatchSolve<K>::store() {
     const std::uint32_t begin = batch.first_block[0];
     over(batch.first_block[color_count] - begin, 4 * contact_grain / W,
-         [&](std::uint32_t first, std::uint32_t end) { K::store(s.core.manifolds, row(begin + first), end - first); });
-    ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count);
+         [&](std::uint32_t first, std::uint32_t end) { K::store(s.core.manifolds, row(begin + first), end - first, s.hits); });
+    ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
     const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.h};
     if (tree_count() != 0) store_trees(s.trees + batch.first_tree, tree_count(), out);
@@ -434,6 +450,7 @@ void BatchSolve<K>::run() {
     prepare();
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_velocities(s, first, end, substep == 0); });
+        hold();
         const bool relaxes = def.schedule == Schedule::soft && def.relax_iterations > 0;
         const bool measures = has_tuning && s.residuals != nullptr && substep + 1 == def.substeps;
         sweeps(def.iterations, s.biased, s.ground, s.biased_joints);
@@ -446,6 +463,7 @@ void BatchSolve<K>::run() {
     const float threshold = s.numbers.restitution_threshold;
     ContactKernel<Lane1>::restitute(s.bodies, overflow, overflow_count, threshold);
     over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) { K::restitute(s.bodies, row(first), end - first, threshold); });
+    hold();
     store();
 }
 
@@ -530,6 +548,7 @@ SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.bodies[0] = SolverBody{};
     s.motions[0] = SolverMotion{};
     if (has_tuning && measures_residual(core.state->solver)) s.residuals = arena.take<float>(plan.island_count);
+    if (has_hits && (core.state->asked & shape_hit_events) != 0) s.hits = arena.take<float>(core.state->contact_pool.high_water);
     Arena rows = arena;  // nobody asks for the rows afterwards
     s.blocks = rows.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
@@ -546,6 +565,7 @@ SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     }
     core.state->last_substep = s.numbers.h;
     if (s.residuals != nullptr) report_residuals(core, plan, s.residuals);
+    if (s.hits != nullptr) report_hits(core, s.hits);
     return s.bodies;
 }
 

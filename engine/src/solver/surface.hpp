@@ -1,7 +1,7 @@
 // What of a contact's material is rare, and so is not in its manifold: it comes from the shapes.
 #pragma once
 
-#include "memory/core.hpp"
+#include "memory/mixing.hpp"
 
 namespace islet::detail {
 
@@ -24,8 +24,8 @@ inline Surface surface_of(const Core& core, std::uint32_t contact) {
         default: return 0.0f;
         }
     };
-    return {max(a.restitution, b.restitution), max(a.rolling_resistance, b.rolling_resistance) * max(radius(a), radius(b)),
-            a.tangent_speed + b.tangent_speed};
+    return {mixed_restitution(core, a, b), max(a.rolling_resistance, b.rolling_resistance) * max(radius(a), radius(b)),
+            has_hooks && c.has_own_speed() ? c.own_speed() : a.tangent_speed + b.tangent_speed};
 }
 
 }  // namespace islet::detail

@@ -5,6 +5,7 @@
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/joints.hpp"
+#include "world/push.hpp"
 #include "world/shapes.hpp"
 #include "world/sleep.hpp"
 
@@ -33,22 +34,12 @@ bool check_def(const Core& core, const BodyDef& d) {
            check(core, has_sleep || d.awake, Error::feature_cut) && check(core, has_continuous || !d.bullet, Error::feature_cut);
 }
 
-void destroy_contacts(Core& core, std::uint32_t body) {
-    wake_neighbors(core, body, core.arena());
-    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) { destroy_contact(core, contact); });
-}
-
-// Takes the slot of a dynamic body and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.
+// Takes the slot of a body that can be pushed and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.
 std::uint32_t push(Core& core, BodyId id) {
     const std::uint32_t i = find_body(core, id);
-    if (i == null_index || !core.is_dynamic(i)) return null_index;
+    if (i == null_index || !is_pushable(core, i)) return null_index;
     wake_island(core, i, core.arena());
     return i;
-}
-
-void kick(Core& core, std::uint32_t i, Vec2 impulse, float angular_impulse) {
-    core.motions[i].v += core.poses[i].inv_mass * impulse;
-    core.motions[i].w += core.poses[i].inv_inertia * angular_impulse;
 }
 
 }  // namespace
@@ -72,7 +63,10 @@ BodyId World::create_body(const BodyDef& def) {
     b.gravity_scale = def.gravity_scale;
     b.sleep_threshold = def.sleep_threshold;
     b.flags = static_cast<std::uint32_t>(def.type) | (def.fixed_rotation ? std::uint32_t{body_fixed_rotation} : 0u) |
-              (def.enable_sleep ? std::uint32_t{body_may_sleep} : 0u) | (def.bullet ? std::uint32_t{body_bullet} : 0u);
+              (def.enable_sleep ? std::uint32_t{body_may_sleep} : 0u) | (def.bullet ? std::uint32_t{body_bullet} : 0u) |
+              (def.lock_x ? std::uint32_t{body_lock_x} : 0u) | (def.lock_y ? std::uint32_t{body_lock_y} : 0u) |
+              (def.enabled ? 0u : std::uint32_t{body_disabled});
+    if (b.has_locks()) ++c.state->locked_count;
     if (def.bullet) ++c.state->bullet_count;
     b.user_data = def.user_data;
     c.poses[i] = Pose{};
@@ -81,10 +75,10 @@ BodyId World::create_body(const BodyDef& def) {
     c.motions[i] = Motion{};
     const bool moves = def.type != BodyType::static_body;
     if (moves) {
-        c.motions[i].v = def.linear_velocity;
+        c.motions[i].v = def.type == BodyType::dynamic ? unlocked(b, def.linear_velocity) : def.linear_velocity;
         c.motions[i].w = def.fixed_rotation ? 0 : def.angular_velocity;
     }
-    c.awake_bodies.assign(i, moves && def.awake);
+    c.awake_bodies.assign(i, moves && def.awake && def.enabled);
     c.motions[i].slack = 3.0e38f;
     c.residuals[i] = 0;
     update_mass(c, i);
@@ -96,10 +90,11 @@ void World::destroy_body(BodyId id) {
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
     if (c.bodies[i].joint_head != 0) remove_joints(c, i);
-    destroy_contacts(c, i);
+    end_contacts(c, i);
     while (c.bodies[i].shape_head != null_index) remove_shape(c, c.bodies[i].shape_head);
     c.awake_bodies.clear(i);
     if ((c.bodies[i].flags & body_bullet) != 0) --c.state->bullet_count;
+    if (c.bodies[i].has_locks()) --c.state->locked_count;
     const std::uint32_t generation = c.bodies[i].generation;
     c.bodies[i] = Body{};
     c.bodies[i].generation = generation;
@@ -168,7 +163,7 @@ void World::set_transform(BodyId id, Vec2 position, float angle) {
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_position(c, position) || !check_finite(c, angle)) return;
-    destroy_contacts(c, i);
+    end_contacts(c, i);
     wake_island(c, i, c.arena());
     const bool at_rest = !c.is_awake(i);
     if (at_rest) unrest_shapes(c, i);
@@ -184,7 +179,7 @@ void World::set_linear_velocity(BodyId id, Vec2 velocity) {
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
     if (velocity != Vec2{}) wake_island(c, i, c.arena());
-    if (c.is_awake(i)) c.motions[i].v = velocity;
+    if (c.is_awake(i) || !detail::is_enabled(c, i)) c.motions[i].v = c.is_dynamic(i) ? unlocked(c.bodies[i], velocity) : velocity;
 }
 
 void World::set_angular_velocity(BodyId id, float velocity) {
@@ -193,7 +188,7 @@ void World::set_angular_velocity(BodyId id, float velocity) {
     if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
     if ((c.bodies[i].flags & body_fixed_rotation) != 0) return;
     if (velocity != 0) wake_island(c, i, c.arena());
-    if (c.is_awake(i)) c.motions[i].w = velocity;
+    if (c.is_awake(i) || !detail::is_enabled(c, i)) c.motions[i].w = velocity;
 }
 
 void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
@@ -248,7 +243,7 @@ void World::set_type(BodyId id, BodyType type) {
     Body& b = c.bodies[i];
     if (b.type() == type) return;
     // Colours depend on the types, so contacts go before the type changes, and joints get new ones after it.
-    destroy_contacts(c, i);
+    end_contacts(c, i);
     wake_island(c, i, c.arena());
     const bool joined = b.joint_head != 0;
     if (joined) release_joint_colors(c, i);
@@ -263,7 +258,7 @@ void World::set_type(BodyId id, BodyType type) {
         c.motions[i].w = 0;
         c.poses[i].flags = 0;
     } else {
-        c.awake_bodies.set(i);
+        c.awake_bodies.assign(i, detail::is_enabled(c, i));
     }
     if (joined) hang_gears(c, i);
     if (joined) assign_joint_colors(c, i);

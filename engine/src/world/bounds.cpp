@@ -2,6 +2,7 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
+#include "collide/corners.hpp"
 #include "math/copies.hpp"
 
 namespace islet::detail {
@@ -10,23 +11,6 @@ namespace {
 
 inline constexpr float max_box_margin = 0.05f;       // m, so that a body can move a little before its pairs are found anew
 inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: small things get small margins
-
-static_assert(sizeof(Segment) == 2 * sizeof(Vec2) && offsetof(Capsule, point2) == sizeof(Vec2));  // the points are an array
-
-}  // namespace
-
-Corners corners_of(const Geometry& g) {
-    const ShapeType type = g.shape_type();
-    if (type == ShapeType::polygon) return {g.polygon.vertices, g.polygon.count, g.polygon.radius};
-    switch (type) {
-        case ShapeType::circle: return {&g.circle.center, 1, g.circle.radius};
-        case ShapeType::capsule: return {reinterpret_cast<const Vec2*>(&g.capsule), 2, g.capsule.radius};
-        case ShapeType::segment: return {reinterpret_cast<const Vec2*>(&g.segment), 2, 0};
-        default: return {reinterpret_cast<const Vec2*>(&g.chain.segment), 2, 0};
-    }
-}
-
-namespace {
 
 ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
     if (g.shape_type() == ShapeType::polygon) {

@@ -1,6 +1,7 @@
 // Fat boxes, extents and mass of bodies, from their shapes.
 #pragma once
 
+#include "collide/corners.hpp"
 #include "collide/manifold.hpp"
 #include "memory/core.hpp"
 
@@ -11,13 +12,6 @@ inline constexpr float min_mass = 1.0e-12f;     // kg
 inline constexpr float min_inertia = 1.0e-15f;  // kg m^2
 inline constexpr float max_mass = 1.0e30f;      // kg; the largest inertia too, kg m^2
 
-/// The points whose hull, grown by a radius, is the shape; body frame.
-struct Corners {
-    const Vec2* points;
-    std::uint32_t count;
-    float radius;
-};
-Corners corners_of(const Geometry& g);
 /// A point well inside a shape, body frame.
 Vec2 middle_of(const Geometry& g);
 

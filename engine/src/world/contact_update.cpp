@@ -8,11 +8,14 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
+#include "broadphase/sensors.hpp"
 #include "collide/manifold.hpp"
 #include "math/copies.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
 #include "memory/parallel.hpp"
+#include "world/continuous.hpp"
+#include "world/hooks.hpp"
 #include "world/sleep.hpp"
 
 namespace islet::detail {
@@ -71,42 +74,42 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
     return {};
 }
 
+/// How two bodies stand when a manifold is made of them.
+struct Stand {
+    Vec2 offset;  // m, from A's centre to B's
+    Rot a, b;
+};
+
+// Of what a fast body is about to hit in this step the manifold is made as the two will stand when they meet, whatever way that is off: from there to
+// where they are now is but a slip. (A plane through what is nearest now would throw back what is about to pass.)
+Stand stand_of(const Core& core, const ContactManifold& m, std::uint32_t shape_a, std::uint32_t shape_b, float dt) {
+    const Pose& pa = core.poses[m.body_a];
+    const Pose& pb = core.poses[m.body_b];
+    if (has_continuous && looks_ahead(pa, pb)) {
+        const Sweep a = sweep_ahead(core, m.body_a, dt), b = sweep_ahead(core, m.body_b, dt);
+        const float t = time_to_touch(core, shape_a, a, shape_b, b);
+        if (t > 0 && t < 1) return {center_at(b, t) - center_at(a, t), rotation_at(a, t), rotation_at(b, t)};
+    }
+    return {pb.center - pa.center, pa.q, pb.q};
+}
+
 // A new manifold that keeps the impulses of points whose features it shares with the old one.
 ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
     const Contact& c = core.contacts[index];
     ContactManifold& m = core.manifolds[index];
-    const Pose& pa = core.poses[m.body_a];
-    const Pose& pb = core.poses[m.body_b];
+    const Stand stand = stand_of(core, m, c.shape_a, c.shape_b, dt);
     const Vec2 center_a = core.bodies[m.body_a].local_center;
     const Vec2 center_b = core.bodies[m.body_b].local_center;
-    const Rot turn = inv_mul(pa.q, pb.q);
-    const Transform b_in_a{inv_rotate(pa.q, pb.center - pa.center) + center_a - rotate(turn, center_b), turn};
-
-    // Of what a fast body sees ahead, only what it is about to hit counts.
-    const bool fast = looks_ahead(pa, pb);
-    const Motion& ma = core.motions[m.body_a];
-    const Motion& mb = core.motions[m.body_b];
-    const Vec2 relative_velocity = mb.v - ma.v;
-    float margin = speculative_distance;
-    if (fast) margin += dt * (length(relative_velocity) + abs(ma.w) * pa.max_extent + abs(mb.w) * pb.max_extent);
-    Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a, margin);
-    if (fast) {
-        const Vec2 normal = rotate(pa.q, fresh.normal);
-        std::uint32_t kept = 0;
-        for (std::uint32_t i = 0; i < fresh.count; ++i) {
-            const Vec2 ra = rotate(pa.q, fresh.points[i].point - center_a);
-            const Vec2 rb = ra + pa.center - pb.center;
-            const float vn = dot(normal, relative_velocity + cross(mb.w, rb) - cross(ma.w, ra));
-            if (fresh.points[i].separation + min(vn * dt, 0) <= speculative_distance) fresh.points[kept++] = fresh.points[i];
-        }
-        fresh.count = kept;
-    }
+    const Rot turn = inv_mul(stand.a, stand.b);
+    const Transform b_in_a{inv_rotate(stand.a, stand.offset) + center_a - rotate(turn, center_b), turn};
+    const Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
+                                    speculative_distance);
 
     const ContactManifold old = m;
-    m.normal = rotate(pa.q, fresh.normal);
-    m.offset = pb.center - pa.center;
-    m.rotation_a = pa.q;
-    m.rotation_b = pb.q;
+    m.normal = rotate(stand.a, fresh.normal);
+    m.offset = stand.offset;
+    m.rotation_a = stand.a;
+    m.rotation_b = stand.b;
     m.ids = 0;
     if (fresh.count == 0) m.rolling_impulse = 0;
     for (std::uint32_t i = 0; i < 2; ++i) {
@@ -114,7 +117,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
         m.separation[i] = m.normal_impulse[i] = m.tangent_impulse[i] = 0;
         if (i >= fresh.count) continue;
         const ManifoldPoint& point = fresh.points[i];
-        m.anchors[i] = rotate(pa.q, point.point - center_a);
+        m.anchors[i] = rotate(stand.a, point.point - center_a);
         m.separation[i] = point.separation;
         m.ids |= static_cast<std::uint32_t>(point.id) << (16 * i);
         for (std::uint32_t j = 0; j < old.count(); ++j) {
@@ -143,7 +146,10 @@ bool has_parted(const Core& core, std::uint32_t index, float dt) {
     return !overlaps(a, b);
 }
 
-enum class Change : std::uint8_t { none, begins, ends, parts };
+enum class Change : std::uint8_t { none, changes, parts };
+
+// The pre_solve hook is to be asked about the contact in every step in which it has points.
+bool asks(const Core& core, const ContactManifold& m) { return has_hooks && (m.flags & contact_asks) != 0 && core.hooks.pre_solve != nullptr; }
 
 // Works on one contact alone, so contacts may be updated in any order or in parallel; what changes shared state is only reported.
 Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled) {
@@ -153,15 +159,16 @@ Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled
     if (((a.flags | b.flags) & pose_moved) != 0) {
         if (has_parted(core, index, dt)) return Change::parts;
     }
+    if (has_sensors && (m.flags & contact_sensor) != 0)
+        return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
     if (can_recycle(m, a, b)) {
         ++recycled;
-        return Change::none;
+    } else {
+        remake(core, index, dt);
     }
-    remake(core, index, dt);
-    const bool was = (m.flags & contact_touching) != 0;
     const bool is = m.count() > 0;
-    if (was == is) return Change::none;
-    return is ? Change::begins : Change::ends;
+    if (asks(core, m) && is) return Change::changes;  // maybe: what the hook will say is not known yet
+    return is == ((m.flags & contact_touching) != 0) ? Change::none : Change::changes;
 }
 
 void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
@@ -169,7 +176,7 @@ void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
     const Contact& c = core.contacts[index];
     m.flags |= contact_touching;
     assign_color(core, index);
-    core.begin_events[core.begin_count++] = {core.shape_id(c.shape_a), core.shape_id(c.shape_b)};
+    push_touch(core, core.begin_events, core.begin_count, core.sensor_begins, {core.shape_id(c.shape_a), core.shape_id(c.shape_b)});
     if (core.is_dynamic(m.body_a) && !core.is_awake(m.body_a)) to_wake.set(m.body_a);
     if (core.is_dynamic(m.body_b) && !core.is_awake(m.body_b)) to_wake.set(m.body_b);
 }
@@ -178,6 +185,20 @@ void end_touch(Core& core, std::uint32_t index) {
     core.manifolds[index].flags &= ~static_cast<std::uint32_t>(contact_touching);
     release_color(core, index);
     record_end_event(core, index);
+}
+
+// What a contact has become changes shared state.
+void commit(Core& core, std::uint32_t index, BitSet to_wake) {
+    const ContactManifold& m = core.manifolds[index];
+    if (has_sensors && (m.flags & contact_sensor) != 0) return (m.flags & contact_overlap) != 0 ? end_overlap(core, index) : begin_overlap(core, index);
+    if (asks(core, m) && m.count() > 0) ask_pre_solve(core, index);
+    const bool was = (m.flags & contact_touching) != 0;
+    if (was == (m.count() > 0)) return;
+    if (was) {
+        end_touch(core, index);
+    } else {
+        begin_touch(core, index, to_wake);
+    }
 }
 
 }  // namespace
@@ -215,10 +236,8 @@ void update_contacts(Core& core, float dt) {
     changed.for_each([&](std::uint32_t i) {
         if (parted.test(i)) {
             destroy_contact(core, i);
-        } else if (core.manifolds[i].count() > 0) {
-            begin_touch(core, i, to_wake);
         } else {
-            end_touch(core, i);
+            commit(core, i, to_wake);
         }
     });
     for_ranges(core, core.awake_bodies.word_count, clear_grain, [&](std::uint32_t first, std::uint32_t end) {

@@ -81,7 +81,11 @@ bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep
 
 bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
     constexpr std::uint32_t undecided = shape_sensor | shape_pre_solve;  // passes through, or may
-    return ((core.shapes[shape].flags | core.shapes[other].flags) & undecided) == 0 && may_collide(core, shape, other);
+    if (((core.shapes[shape].flags | core.shapes[other].flags) & undecided) != 0) return false;
+    // Static shapes are looked at by many workers at once, who must not ask the filter hook; but it was asked when a contact was made.
+    if (has_hooks && core.hooks.filter != nullptr && core.bodies[core.shapes[other].body].type() == BodyType::static_body)
+        return core.pairs.contains(PairSet::key(shape, other)) && may_collide(core, shape, other);
+    return is_pair_wanted(core, shape, other);
 }
 
 /// The fraction of the way at which `shape` must stop for `other`, or no_impact.
@@ -161,6 +165,16 @@ Sweep carried(const Sweep& way, const Impact& impact) {
 }
 
 }  // namespace
+
+Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt) {
+    const Motion& motion = core.motions[body];
+    return {core.poses[body].center, core.poses[body].q, dt * motion.v, clamp(dt * motion.w, -0.5f * pi, 0.5f * pi)};
+}
+
+float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {
+    constexpr float gap = 0.25f * linear_slop;
+    return time_of_impact(swept(core, shape_a, a, Part::whole), swept(core, shape_b, b, Part::whole), gap, gap, 1);
+}
 
 void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     if (!core.is_dynamic(body)) return;

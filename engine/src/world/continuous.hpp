@@ -1,6 +1,7 @@
 // Continuous collision: bodies that moved far in a step are swept from where they were to where they are, and stopped at what they would have passed.
 #pragma once
 
+#include "collide/time_of_impact.hpp"
 #include "constraint/solver_body.hpp"
 #include "memory/core.hpp"
 
@@ -8,6 +9,12 @@ namespace islet::detail {
 
 /// True if the body may have passed through something: it made a way longer than this share of its smallest half-thickness.
 inline constexpr float swept_fraction = 0.5f;
+
+/// The way a body will make in dt seconds if nothing stops it.
+Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt);
+
+/// The fraction of their ways at which two shapes touch: time_of_impact of the whole shapes.
+float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b);
 
 /// Takes the body, whose pose is new already, back to where its core first met a static shape, if it did; `way` becomes what it went. Of the world it
 /// changes this body's pose alone, and reads what is at rest alone, so bodies may be stopped side by side.

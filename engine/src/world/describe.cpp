@@ -34,7 +34,9 @@ const char* describe(Error e) {
         case Error::unsound_image: return "The image has a right checksum but holds no sound world: whoever made it is not to be trusted.";
         case Error::image_too_large: return "The world is too small for the image: read_snapshot says which capacity it needs.";
         case Error::wrong_delta: return "The delta does not start from the image given: apply it to the one it was made from.";
-        case Error::feature_cut: return "This build of the engine leaves that out: build it without the switch that does (islet/config.hpp).";
+        case Error::feature_cut: return "This program's engine has no such part: build it without the switch that leaves it out (islet/config.hpp), or call the function that links it.";
+        case Error::not_a_sensor: return "The shape is no sensor: ShapeDef::sensor makes one.";
+        case Error::hits_full: return "More hits in one step than there is room to report: raise Capacity::hits or the hit threshold.";
     }
     return "Unknown error.";
 }

@@ -153,16 +153,16 @@ const char* fault_in_list(const PoolState& pool, const Edge* edges, std::uint32_
 
 const char* fault_in_shapes_of(const Core& c, std::uint32_t i) {
     const Body& b = c.bodies[i];
-    const bool awake = c.is_awake(i);
+    const bool rests = !c.is_awake(i) && (b.flags & body_disabled) == 0;
     std::uint32_t shapes = 0;
     std::uint32_t prev = null_index;
     for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next, ++shapes) {
         if (shapes == b.shape_count || !live_shape(c, s) || c.shapes[s].body != i || c.shapes[s].prev != prev) return "a body's list of shapes is broken";
         const std::uint32_t leaf = c.shapes[s].tree_node;
-        if ((leaf != null_index) == awake) return "a shape is in the wrong half of the broad phase";
-        if (!awake && (leaf >= c.state->tree.high_water || c.tree[leaf].child1 != null_index || c.tree[leaf].child2 != s))
+        if ((leaf != null_index) != rests) return "a shape is in the wrong half of the broad phase";
+        if (rests && (leaf >= c.state->tree.high_water || c.tree[leaf].child1 != null_index || c.tree[leaf].child2 != s))
             return "a tree leaf does not know its shape";
-        if (!awake && c.tree[leaf].box != c.boxes[s]) return "a tree leaf has another box than its shape";
+        if (rests && c.tree[leaf].box != c.boxes[s]) return "a tree leaf has another box than its shape";
         prev = s;
     }
     return shapes == b.shape_count ? nullptr : "a body miscounts its shapes";
@@ -172,6 +172,7 @@ const char* fault_in_body(const Core& c, std::uint32_t i) {
     const Body& b = c.bodies[i];
     const bool dynamic = b.type() == BodyType::dynamic;
     if (c.is_awake(i) && b.type() == BodyType::static_body) return "a static body is awake";
+    if (c.is_awake(i) && (b.flags & body_disabled) != 0) return "a disabled body is awake";
     const char* bad = fault_in_shapes_of(c, i);
     if (bad != nullptr) return bad;
     std::uint32_t colors = 0;
@@ -194,7 +195,7 @@ const char* fault_in_lists(const Core& c) {
     std::uint32_t shapes = 0, resting = 0, contacts = 0, joints = 0, ends = 0;
     const char* bad = first_fault(s.body_pool, c.bodies, [&](std::uint32_t i) {
         shapes += c.bodies[i].shape_count;
-        resting += c.is_awake(i) ? 0 : c.bodies[i].shape_count;
+        resting += c.is_awake(i) || (c.bodies[i].flags & body_disabled) != 0 ? 0 : c.bodies[i].shape_count;
         contacts += c.bodies[i].contact_count;
         joints += c.bodies[i].joint_count;
         return fault_in_body(c, i);
@@ -230,6 +231,23 @@ const char* fault_in_box(const Core& c, std::uint32_t s) {
 
 // -- what ties two bodies ------------------------------------------------------------------------------------------------------------
 
+// Whom a contact tells follows from its shapes.
+const char* fault_in_told(const Core& c, const Contact& contact, const ContactManifold& m) {
+    const Shape& a = c.shapes[contact.shape_a];
+    const Shape& b = c.shapes[contact.shape_b];
+    const std::uint32_t flags = a.flags | b.flags;
+    const bool sensor = (flags & shape_sensor) != 0;
+    if (((m.flags & contact_sensor) != 0) != sensor) return "a sensor's contact is not marked as one, or the reverse";
+    if (sensor && ((m.flags & (contact_touching | contact_special | contact_bouncy | contact_hits | contact_asks)) != 0 || m.count() != 0))
+        return "a sensor's contact is solved";
+    if (!sensor && (m.flags & contact_overlap) != 0) return "a contact that is no sensor's has an overlap";
+    if (!sensor && (m.flags & contact_hits) != 0 && (flags & shape_hit_events) == 0) return "a contact tells of hits unasked";
+    if (!sensor && (m.flags & contact_asks) != 0 && (flags & shape_pre_solve) == 0) return "a contact asks the hook unasked";
+    if (!contact.has_own_speed()) return nullptr;
+    const float speed = contact.own_speed();
+    return (m.flags & contact_asks) != 0 && abs(speed) <= max_speed_limit ? nullptr : "a contact's surface speed is out of range";
+}
+
 const char* fault_in_contact(const Core& c, std::uint32_t i) {
     const Contact& contact = c.contacts[i];
     const ContactManifold& m = c.manifolds[i];
@@ -238,6 +256,7 @@ const char* fault_in_contact(const Core& c, std::uint32_t i) {
     const bool awake_a = c.is_awake(m.body_a), awake_b = c.is_awake(m.body_b);
     if (c.awake_contacts.test(i) != (awake_a || awake_b)) return "a contact is awake though its bodies sleep, or the reverse";
     const bool touching = (m.flags & contact_touching) != 0;
+    if (const char* bad = fault_in_told(c, contact, m)) return bad;
     if (touching != (m.count() > 0)) return "a contact touches without points, or the reverse";
     if (!touching && m.color() != no_color) return "a contact that does not touch has a colour";
     const std::uint32_t asleep = awake_a ? m.body_b : m.body_a;
@@ -261,8 +280,8 @@ const char* fault_in_joint(const Core& c, std::uint32_t i) {
     const Joint& j = c.joints[i];
     const bool has_a = j.body_a != null_index;
     const bool awake_a = has_a && c.is_awake(j.body_a), awake_b = c.is_awake(j.body_b);
-    if (c.awake_joints.test(i) != (awake_a || awake_b)) return "a joint is awake though its bodies sleep, or the reverse";
-    if (has_a && awake_a != awake_b && c.is_dynamic(awake_a ? j.body_b : j.body_a)) return "an island is half asleep";
+    if (c.awake_joints.test(i) != is_joint_awake(c, j)) return "a joint is awake though its bodies sleep, or the reverse";
+    if (!is_joint_idle(c, j) && has_a && awake_a != awake_b && c.is_dynamic(awake_a ? j.body_b : j.body_a)) return "an island is half asleep";
     return j.joint_type() == JointType::gear ? fault_in_gear(c, j) : nullptr;
 }
 
@@ -291,11 +310,17 @@ const char* fault_in_trees(const Core& c, Arena scratch) {
     return marked == c.state->exact_joints ? nullptr : "the hinges of trees are miscounted";
 }
 
-const char* fault_in_bullets(const Core& c) {
-    std::uint32_t bullets = 0;
-    for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)
-        if (pool_live(c.state->body_pool, c.bodies, i) && (c.bodies[i].flags & body_bullet) != 0) ++bullets;
-    return bullets == c.state->bullet_count ? nullptr : "the bullets are miscounted";
+const char* fault_in_counts(const Core& c) {
+    const State& s = *c.state;
+    std::uint32_t bullets = 0, locked = 0;
+    for (std::uint32_t i = 0; i < s.body_pool.high_water; ++i) {
+        if (!live_body(c, i)) continue;
+        bullets += (c.bodies[i].flags & body_bullet) != 0 ? 1 : 0;
+        locked += c.bodies[i].has_locks() ? 1 : 0;
+    }
+    for (std::uint32_t i = 0; i < s.shape_pool.high_water; ++i)
+        if (live_shape(c, i) && (c.shapes[i].flags & ~s.asked) != 0) return "a shape has a flag that the world does not know of";
+    return bullets != s.bullet_count ? "the bullets are miscounted" : locked != s.locked_count ? "the bodies with locks are miscounted" : nullptr;
 }
 
 const char* fault_in_pairs(const Core& c, Arena scratch) {
@@ -323,7 +348,7 @@ const char* find_fault(const Core& c, Arena scratch) {
     if (bad == nullptr) bad = first_fault(s.joint_pool, c.joints, [&](std::uint32_t i) { return fault_in_joint(c, i); });
     if (bad == nullptr) bad = fault_in_gear_counts(c, scratch);
     if (bad == nullptr) bad = fault_in_trees(c, scratch);
-    if (bad == nullptr) bad = fault_in_bullets(c);
+    if (bad == nullptr) bad = fault_in_counts(c);
     if (bad == nullptr) bad = fault_in_pairs(c, scratch);
     if (bad == nullptr) bad = tree_validate({&c.state->tree, c.tree});
     return bad;

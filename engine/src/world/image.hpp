@@ -26,6 +26,7 @@ struct ImageHeader {
     // Records in use.
     std::uint32_t bodies = 0, shapes = 0, contacts = 0, joints = 0, geometries = 0, tree_nodes = 0;
     std::uint32_t ended = 0;     // touches that ended since the last step, not yet reported
+    std::uint32_t ended_overlaps = 0;  // of sensors
 };
 
 static_assert(sizeof(ImageHeader) == image_header_bytes && sizeof(ImageHeader) % 8 == 0);
@@ -52,6 +53,7 @@ void for_each_part(AnyCore& core, const ImageHeader& h, Visit&& visit) {
     bits(core.awake_joints, h.joints);
     bits(core.moved_shapes, h.shapes);
     part(core.end_events, h.ended);
+    part(core.sensor_ends.events, h.ended_overlaps);
 }
 
 /// Bytes of an image with this header.

@@ -42,6 +42,7 @@ IslandMembers find_island(const Core& core, std::uint32_t body, Arena& arena) {
         });
         // A gear stands in the lists of the bodies it hangs on, and its two joints hold together what else its row reads.
         for_each_joint(core, m.bodies[at], [&](std::uint32_t joint, std::uint32_t side) {
+            if (is_joint_idle(core, core.joints[joint])) return;
             m.joints.set(joint);
             reach(other_joined(core, joint, side));
         });

@@ -130,7 +130,7 @@ JointId tie(Core& core, const Joint& made) {
     link_joint(core, i, 1, j.body_b);
     if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
     wake_island(core, j.body_b, core.arena());
-    core.awake_joints.assign(i, (j.body_a != null_index && core.is_awake(j.body_a)) || core.is_awake(j.body_b));
+    core.awake_joints.assign(i, is_joint_awake(core, j));
     end_forbidden_contacts(core, j);
     return core.joint_id(i);
 }

@@ -88,7 +88,7 @@ void hang_gears(Core& core, std::uint32_t body) {
         link_joint(core, i, 1, gear.body_b);
         wake_island(core, gear.body_a, core.arena());
         wake_island(core, gear.body_b, core.arena());
-        core.awake_joints.assign(i, core.is_awake(gear.body_a) || core.is_awake(gear.body_b));
+        core.awake_joints.assign(i, is_joint_awake(core, gear));
     }
 }
 
@@ -104,7 +104,7 @@ void assign_joint_colors(Core& core, std::uint32_t body) {
     for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) {
         Joint& j = core.joints[joint];
         if (j.joint_type() != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
-        core.awake_joints.assign(joint, (j.body_a != null_index && core.is_awake(j.body_a)) || core.is_awake(j.body_b));
+        core.awake_joints.assign(joint, is_joint_awake(core, j));
     });
 }
 

@@ -3,8 +3,10 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
+#include "broadphase/sensors.hpp"
 #include "broadphase/tree.hpp"
 #include "math/float_mode.hpp"
+#include "solver/hits.hpp"
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/geometry_pool.hpp"
@@ -13,6 +15,16 @@
 namespace islet {
 
 using namespace detail;
+
+namespace {
+
+// Of a body's contact: wakes who was touched at the other side.
+void end_contact(Core& core, std::uint32_t contact, std::uint32_t side) {
+    if ((core.manifolds[contact].flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), core.arena());
+    destroy_contact(core, contact);
+}
+
+}  // namespace
 
 namespace detail {
 
@@ -27,12 +39,7 @@ void remove_shape(Core& core, std::uint32_t index) {
     Shape& s = core.shapes[index];
     const std::uint32_t body = s.body;
     Body& b = core.bodies[body];
-    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
-        const Contact& c = core.contacts[contact];
-        if (c.shape_a != index && c.shape_b != index) return;
-        if ((core.manifolds[contact].flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), core.arena());
-        destroy_contact(core, contact);
-    });
+    end_contacts_of_shape(core, index);
     if (s.tree_node != null_index) tree_remove({&core.state->tree, core.tree}, s.tree_node);
     if (core.moved_shapes.test(index)) {
         core.moved_shapes.clear(index);
@@ -47,6 +54,25 @@ void remove_shape(Core& core, std::uint32_t index) {
     s.generation = generation;
     core.boxes[index] = Aabb{};
     pool_give(core.state->shape_pool, core.shapes, index);
+}
+
+void end_contacts_of_shape(Core& core, std::uint32_t shape) {
+    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t side) {
+        const Contact& c = core.contacts[contact];
+        if (c.shape_a == shape || c.shape_b == shape) end_contact(core, contact, side);
+    });
+}
+
+void end_unwanted_contacts(Core& core, std::uint32_t shape) {
+    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t side) {
+        const Contact& c = core.contacts[contact];
+        if ((c.shape_a == shape || c.shape_b == shape) && !may_collide(core, c.shape_a, c.shape_b)) end_contact(core, contact, side);
+    });
+}
+
+void remix(Core& core, std::uint32_t shape) {
+    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t) { mix_materials(core, contact); });
+    wake_island(core, core.shapes[shape].body, core.arena());
 }
 
 }  // namespace detail
@@ -66,6 +92,10 @@ void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32
     s.rolling_resistance = def.rolling_resistance;
     s.tangent_speed = def.tangent_speed;
     s.density = def.density;
+    s.flags = (def.sensor ? std::uint32_t{shape_sensor} : 0u) | (def.sensor_events ? 0u : std::uint32_t{shape_unseen}) |
+              (def.hit_events ? std::uint32_t{shape_hit_events} : 0u) | (def.pre_solve ? std::uint32_t{shape_pre_solve} : 0u);
+    core.state->asked |= s.flags;
+    s.material = def.material;
     s.filter = def.filter;
     s.user_data = def.user_data;
     s.next = b.shape_head;
@@ -86,7 +116,9 @@ bool check_shape_def(const Core& core, const ShapeDef& d) {
            check_range(core, d.rolling_resistance, 0, max_coefficient) &&
            check_range(core, d.tangent_speed, -max_speed_limit, max_speed_limit) && check_range(core, d.density, 0, no_limit) &&
            check(core, has_restitution || d.restitution == 0, Error::feature_cut) &&
-           check(core, has_surfaces || (d.rolling_resistance == 0 && d.tangent_speed == 0), Error::feature_cut);
+           check(core, has_surfaces || (d.rolling_resistance == 0 && d.tangent_speed == 0), Error::feature_cut) &&
+           check(core, !d.sensor || (has_sensors && sensors_are_linked()), Error::feature_cut) &&
+           check(core, !d.hit_events || (has_hits && hits_are_linked()), Error::feature_cut) && check(core, !d.pre_solve || has_hooks, Error::feature_cut);
 }
 
 void shapes_changed(Core& core, std::uint32_t body) {
@@ -120,6 +152,19 @@ Geometry blank_geometry(ShapeType type) {
     return g;
 }
 
+// Only what counts: equal polygons must be equal bit by bit.
+Geometry geometry_of(const Polygon& polygon) {
+    Geometry g = blank_geometry(ShapeType::polygon);
+    g.polygon.count = polygon.count;
+    g.polygon.radius = polygon.radius;
+    g.polygon.centroid = polygon.centroid;
+    for (std::uint32_t i = 0; i < polygon.count; ++i) {
+        g.polygon.vertices[i] = polygon.vertices[i];
+        g.polygon.normals[i] = polygon.normals[i];
+    }
+    return g;
+}
+
 }  // namespace detail
 
 ShapeId World::create_shape(BodyId body, const Circle& circle, const ShapeDef& def) {
@@ -144,19 +189,8 @@ ShapeId World::create_shape(BodyId body, const Segment& segment, const ShapeDef&
 
 ShapeId World::create_shape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
     if (!check(core(), has_polygons, Error::feature_cut)) return {};
-    Geometry g = blank_geometry(ShapeType::polygon);
     const bool valid = islet::is_valid(polygon);
-    if (valid) {
-        // Only what counts: equal polygons must be equal bit by bit.
-        g.polygon.count = polygon.count;
-        g.polygon.radius = polygon.radius;
-        g.polygon.centroid = polygon.centroid;
-        for (std::uint32_t i = 0; i < polygon.count; ++i) {
-            g.polygon.vertices[i] = polygon.vertices[i];
-            g.polygon.normals[i] = polygon.normals[i];
-        }
-    }
-    return attach_shape(core(), body, g, valid, def);
+    return attach_shape(core(), body, valid ? geometry_of(polygon) : blank_geometry(ShapeType::polygon), valid, def);
 }
 
 void World::destroy_shape(ShapeId id) {
@@ -202,12 +236,6 @@ const Geometry* geometry_if(const Core& c, ShapeId id, ShapeType type) {
     if (i == null_index) return nullptr;
     const Geometry& g = c.geometries[c.shapes[i].geometry];
     return g.shape_type() == type ? &g : nullptr;
-}
-
-// Materials are mixed when a contact is made, so a change goes through the shape's contacts.
-void remix(Core& core, std::uint32_t shape) {
-    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t) { mix_materials(core, contact); });
-    wake_island(core, core.shapes[shape].body, core.arena());
 }
 
 }  // namespace
@@ -271,14 +299,8 @@ void World::set_filter(ShapeId id, const Filter& filter) {
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index) return;
     c.shapes[i].filter = filter;
-    const std::uint32_t body = c.shapes[i].body;
-    wake_island(c, body, c.arena());
-    for_each_contact(c, body, [&](std::uint32_t contact, std::uint32_t side) {
-        const Contact& link = c.contacts[contact];
-        if ((link.shape_a != i && link.shape_b != i) || may_collide(c, link.shape_a, link.shape_b)) return;
-        if ((c.manifolds[contact].flags & contact_touching) != 0) wake_island(c, other_body(c, contact, side), c.arena());
-        destroy_contact(c, contact);
-    });
+    wake_island(c, c.shapes[i].body, c.arena());
+    end_unwanted_contacts(c, i);
     mark_moved(c, i);
 }
 

@@ -7,12 +7,20 @@ namespace islet::detail {
 /// Takes a shape off its body and frees it, contacts first. The body's mass is left to the caller.
 void remove_shape(Core& core, std::uint32_t shape);
 
+/// Destroys the shape's contacts, or those that may no longer be, and wakes who was touched.
+void end_contacts_of_shape(Core& core, std::uint32_t shape);
+void end_unwanted_contacts(Core& core, std::uint32_t shape);
+/// After its material changed: materials are mixed when a contact is made, so this goes through the shape's contacts. Wakes the body.
+void remix(Core& core, std::uint32_t shape);
+
 // The parts of making a shape:
 
 /// True if the definition keeps its rules; else records the error.
 bool check_shape_def(const Core& core, const ShapeDef& def);
 /// A geometry whose every byte is decided by its type and what is then filled in: equal ones are shared.
 Geometry blank_geometry(ShapeType type);
+/// Of a valid polygon.
+Geometry geometry_of(const Polygon& polygon);
 /// Takes a slot, and links it to its body and its geometry; null_index if there is no room, with the error recorded.
 std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& geometry, const ShapeDef& def);
 /// After shapes were added to a body or taken from it: mass, boxes, the tree.

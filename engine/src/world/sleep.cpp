@@ -13,12 +13,15 @@ void wake_one(Core& core, std::uint32_t body) {
     core.motions[body].sleep_time = 0;
     unrest_shapes(core, body);
     for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) { core.awake_contacts.set(contact); });
-    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { core.awake_joints.set(joint); });
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) {
+        if (!is_joint_idle(core, core.joints[joint])) core.awake_joints.set(joint);
+    });
 }
 
 }  // namespace
 
 void rest_shapes(Core& core, std::uint32_t body) {
+    if ((core.bodies[body].flags & body_disabled) != 0) return;
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
         if (core.shapes[s].tree_node == null_index) core.shapes[s].tree_node = tree_insert(tree, core.boxes[s], s);
@@ -34,7 +37,7 @@ void unrest_shapes(Core& core, std::uint32_t body) {
 }
 
 void wake_island(Core& core, std::uint32_t body, Arena arena) {
-    if (core.bodies[body].type() == BodyType::static_body) return;
+    if (core.bodies[body].type() == BodyType::static_body || (core.bodies[body].flags & body_disabled) != 0) return;
     if (!has_sleep || core.is_awake(body)) {
         core.motions[body].sleep_time = 0;
         return;
@@ -43,7 +46,7 @@ void wake_island(Core& core, std::uint32_t body, Arena arena) {
     std::uint32_t* queue = arena.take<std::uint32_t>(core.capacity.bodies);
     std::uint32_t end = 0;
     const auto reach = [&](std::uint32_t other) {
-        if (other == null_index || !core.is_dynamic(other) || core.is_awake(other)) return;
+        if (other == null_index || !core.is_dynamic(other) || core.is_awake(other) || (core.bodies[other].flags & body_disabled) != 0) return;
         wake_one(core, other);
         queue[end++] = other;
     };
@@ -65,6 +68,11 @@ void wake_neighbors(Core& core, std::uint32_t body, Arena arena) {
         const std::uint32_t other = other_joined(core, joint, side);
         if (other != null_index) wake_island(core, other, arena);
     });
+}
+
+void end_contacts(Core& core, std::uint32_t body) {
+    wake_neighbors(core, body, core.arena());
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) { destroy_contact(core, contact); });
 }
 
 void put_to_sleep(Core& core, std::uint32_t body) {

@@ -12,6 +12,8 @@ inline constexpr float time_to_sleep = 0.5f;  // s at rest before an island may 
 void wake_island(Core& core, std::uint32_t body, Arena arena);
 /// Wakes what touches the body or is joined to it; the body itself stays as it is.
 void wake_neighbors(Core& core, std::uint32_t body, Arena arena);
+/// The same, and destroys the body's contacts.
+void end_contacts(Core& core, std::uint32_t body);
 /// Puts one body to sleep with zero velocity.
 void put_to_sleep(Core& core, std::uint32_t body);
 

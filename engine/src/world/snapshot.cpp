@@ -2,12 +2,15 @@
 #include "islet/snapshot.hpp"
 
 #include "broadphase/contacts.hpp"
+#include "broadphase/sensors.hpp"
 #include "collide/manifold.hpp"
 #include "math/checksum.hpp"
+#include "solver/hits.hpp"
 #include "solver/joint_solve.hpp"
 #include "world/checks.hpp"
 #include "world/faults.hpp"
 #include "world/geometry_pool.hpp"
+#include "world/hooks.hpp"
 #include "world/image.hpp"
 #include "world/joints.hpp"
 
@@ -28,6 +31,7 @@ ImageHeader header_of(const Core& core) {
     h.geometries = s.geometry_pool.high_water;
     h.tree_nodes = s.tree.high_water;
     h.ended = core.end_count - core.end_reported;
+    h.ended_overlaps = core.sensor_ends.count - core.sensor_ends_reported;
     h.head.length = image_length(h);
     return h;
 }
@@ -48,7 +52,7 @@ Error read_header(std::span<const std::byte> image, ImageHeader& h) {
     const Error error = read_head(image, image_magic, sizeof h, h.head);
     if (error != Error::none) return error;
     std::memcpy(&h, image.data(), sizeof h);
-    for (const std::uint32_t count : {h.bodies, h.shapes, h.contacts, h.joints, h.geometries, h.tree_nodes / 2, h.ended})
+    for (const std::uint32_t count : {h.bodies, h.shapes, h.contacts, h.joints, h.geometries, h.tree_nodes / 2, h.ended, h.ended_overlaps})
         if (count > max_capacity) return Error::corrupt_image;
     return h.head.length == image_length(h) ? Error::none : Error::corrupt_image;
 }
@@ -93,7 +97,7 @@ private:
 // What the image uses must fit. Room for contacts is room for as many ended touches.
 bool fits(const Capacity& c, const ImageHeader& h) {
     return h.bodies <= c.bodies && h.shapes <= c.shapes && h.contacts <= c.contacts && h.joints <= c.joints && h.geometries <= geometry_capacity(c) &&
-           h.tree_nodes <= 2 * c.shapes && h.ended <= c.contacts;
+           h.tree_nodes <= 2 * c.shapes && h.ended + h.ended_overlaps <= c.contacts;
 }
 
 // The header's counts are those of the state, so that what is an index there is one in the image.
@@ -109,13 +113,16 @@ bool needs_what_is_cut(const Core& c) {
         if (pool_live(s.joint_pool, c.joints, i) && !has_joint(static_cast<JointType>(c.joints[i].type))) return true;
     for (std::uint32_t i = 0; !has_all_shapes && i < s.geometry_pool.high_water; ++i)
         if (c.geometries[i].references != 0 && !has_shape(static_cast<ShapeType>(c.geometries[i].type))) return true;
-    for (std::uint32_t i = 0; !(has_restitution && has_surfaces) && i < s.shape_pool.high_water; ++i) {
+    for (std::uint32_t i = 0; !(has_restitution && has_surfaces && has_sensors && has_hits && has_hooks) && i < s.shape_pool.high_water; ++i) {
         const Shape& shape = c.shapes[i];
         if (!has_restitution && shape.restitution != 0) return true;
         if (!has_surfaces && (shape.rolling_resistance != 0 || shape.tangent_speed != 0)) return true;
+        if (!has_sensors && (shape.flags & shape_sensor) != 0) return true;
+        if (!has_hits && (shape.flags & shape_hit_events) != 0) return true;
+        if (!has_hooks && (shape.flags & shape_pre_solve) != 0) return true;
     }
     for (std::uint32_t i = 0; !has_sleep && i < s.body_pool.high_water; ++i)
-        if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i)) return true;
+        if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (c.bodies[i].flags & body_disabled) == 0) return true;
     return (!has_sleep && s.enable_sleep != 0) || (!has_continuous && s.continuous != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
 }
 
@@ -133,9 +140,25 @@ void rebuild_pairs(Core& core, const ImageHeader& h) {
     }
 }
 
+// This build and this program have what shapes of the image need in every step.
+bool can_tell(const std::byte* image) {
+    std::uint32_t asked = 0;
+    std::memcpy(&asked, image + sizeof(ImageHeader) + offsetof(State, asked), sizeof asked);  // the state comes first
+    return ((asked & shape_sensor) == 0 || (has_sensors && sensors_are_linked())) && ((asked & shape_hit_events) == 0 || (has_hits && hits_are_linked()));
+}
+
+// What waits in the arrays of end events, behind what was reported.
+template <class Record>
+const Record* waiting(const Core&, const Record* records) {
+    return records;
+}
+const TouchEvent* waiting(const Core& c, const TouchEvent* events) { return events + c.end_reported; }
+const SensorEvent* waiting(const Core& c, const SensorEvent* events) { return events + c.sensor_ends_reported; }
+
 // Takes over an image that is known to be sound and to fit.
 void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     const std::byte* at = image + sizeof h;
+    core.sensor_ends = {reinterpret_cast<SensorEvent*>(core.end_events + (core.capacity.contacts - h.ended_overlaps)), h.ended_overlaps};
     for_each_part(core, h, [&](auto* to, std::uint64_t bytes) {
         std::memcpy(static_cast<void*>(to), at, static_cast<std::size_t>(bytes));
         at += bytes;
@@ -148,6 +171,7 @@ void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     rebuild_buckets(core);
 
     core.end_count = h.ended;
+    core.sensor_ends_reported = core.sensor_begins.count = core.hit_count = 0;
     core.end_reported = core.begin_count = core.moved_count = core.slept_count = core.break_count = 0;
     const State& s = *core.state;
     core.report = {};
@@ -184,8 +208,9 @@ Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out) {
     const auto at_least_one = [](std::uint32_t n) { return n > 0 ? n : 1u; };
     out.bytes = h.head.length;
     out.capacity = h.capacity;
+    const std::uint32_t ends = h.ended + h.ended_overlaps;
     const std::uint32_t shapes = at_least_one(h.shapes > (h.tree_nodes + 1) / 2 ? h.shapes : (h.tree_nodes + 1) / 2);
-    out.used = {at_least_one(h.bodies), shapes, at_least_one(h.contacts > h.ended ? h.contacts : h.ended), h.joints, h.geometries};
+    out.used = {at_least_one(h.bodies), shapes, at_least_one(h.contacts > ends ? h.contacts : ends), h.joints, h.geometries, 0};
     return Error::none;
 }
 
@@ -198,8 +223,7 @@ std::size_t World::save(std::span<std::byte> out) const {
     Writer writer(out.data());
     writer.write(reinterpret_cast<const std::byte*>(&h) + sizeof h.head, sizeof h - sizeof h.head);
     for_each_part(c, h, [&](const auto* from, std::uint64_t bytes) {
-        if (static_cast<const void*>(from) == c.end_events) from += c.end_reported;  // what was reported is no longer waiting
-        writer.write(from, bytes);
+        writer.write(waiting(c, from), bytes);
     });
     h.head.checksum = writer.checksum();
     std::memcpy(out.data(), &h.head, sizeof h.head);
@@ -212,6 +236,7 @@ bool World::restore(std::span<const std::byte> image) {
     const Error error = read_header(image, h);
     if (!check(c, error == Error::none, error) || !check(c, fits(c.capacity, h), Error::image_too_large)) return false;
     if (!check(c, h.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
+    if (!check(c, can_tell(image.data()), Error::feature_cut)) return false;
     take_over(c, h, image.data());
     return true;
 }
@@ -230,6 +255,9 @@ bool World::load(std::span<const std::byte> image) {
     link_joint_solve();  // an image may bring what the program itself never makes
     link_joint_changes();
     link_chains();
+    link_sensors();
+    link_hits();
+    link_hooks();
     take_over(c, h, image.data());
     return true;
 }

@@ -6,6 +6,7 @@
 #include "world/contact_update.hpp"
 #include "world/finish.hpp"
 #include "world/joints.hpp"
+#include "world/profile.hpp"
 
 namespace islet {
 
@@ -18,8 +19,13 @@ void clear_events(Core& core) {
     const std::uint32_t pending = core.end_count - core.end_reported;
     std::memmove(core.end_events, core.end_events + core.end_reported, std::size_t{pending} * sizeof(TouchEvent));
     core.end_count = pending;
-    core.begin_count = core.moved_count = core.slept_count = core.break_count = 0;
-    core.report.dropped_events = 0;
+    if (has_sensors) {
+        core.sensor_ends.events += core.sensor_ends_reported;
+        core.sensor_ends.count -= core.sensor_ends_reported;
+        core.sensor_ends_reported = core.sensor_begins.count = 0;
+    }
+    core.begin_count = core.moved_count = core.slept_count = core.break_count = core.hit_count = 0;
+    core.report.dropped_events = core.report.dropped_hits = 0;
 }
 
 void fill_report(Core& core, const Plan& plan) {
@@ -40,6 +46,7 @@ void fill_report(Core& core, const Plan& plan) {
     r.overflow_joints = plan.overflow_joints;
     r.joints = core.state->joint_pool.count;
     core.end_reported = core.end_count;
+    core.sensor_ends_reported = core.sensor_ends.count;
     ++core.state->steps;
 }
 
@@ -49,18 +56,24 @@ void World::step(float dt) {
     Core& c = core();
     if (!(dt > 0) || !(dt <= 1.0f)) return c.fail(Error::bad_time_step);
     const DefaultFloatMode mode;
+    note(c, Stage::begin);
     clear_events(c);
 
     find_pairs(c, dt);
+    note(c, Stage::pairs);
     update_contacts(c, dt);
+    note(c, Stage::collide);
 
     Arena arena = c.arena();
     if (c.state->joint_pool.count != 0) choose_trees(c, arena);
     const Plan plan = make_plan(c, arena);
+    note(c, Stage::islands);
     SolverBody* bodies = detail::solve(c, plan, arena, dt);
+    note(c, Stage::solve);
     finish_bodies(c, plan, bodies, arena, dt);
     if (c.state->joint_pool.count != 0) break_joints(c);
     fill_report(c, plan);
+    note(c, Stage::finish);
 }
 
 }  // namespace islet

@@ -2,9 +2,10 @@
 #include "islet/world.hpp"
 
 #include "world/checks.hpp"
-#include "world/contact_update.hpp"
 #include "world/cpu.hpp"
 #include "world/geometry_pool.hpp"
+#include "world/hooks.hpp"
+#include "world/profile.hpp"
 #include "world/sleep.hpp"
 
 // A placement new without <new>: the engine needs no C++ runtime.
@@ -20,7 +21,7 @@ namespace {
 Error check_capacity(const Capacity& c) {
     const bool some = c.bodies > 0 && c.shapes > 0 && c.contacts > 0;
     const bool sane = c.bodies <= max_capacity && c.shapes <= max_capacity && c.contacts <= max_capacity && c.joints <= max_capacity &&
-                      c.geometries <= max_capacity;
+                      c.geometries <= max_capacity && c.hits <= max_capacity;
     return some && sane ? Error::none : Error::bad_capacity;
 }
 
@@ -32,10 +33,12 @@ Error check_block(std::span<std::byte> block, std::size_t wanted) {
 bool is_usable(const TaskSystem& tasks) { return tasks.workers >= 1 && tasks.workers <= max_workers; }
 
 Error check_def(const WorldDef& def) {
-    if (!all_finite(def.gravity.x, def.gravity.y, def.restitution_threshold, def.max_speed)) return Error::not_finite;
-    if (def.restitution_threshold < 0 || def.max_speed <= 0 || def.max_speed > max_speed_limit) return Error::out_of_range;
+    if (!all_finite(def.gravity.x, def.gravity.y, def.restitution_threshold, def.max_speed, def.hit_threshold)) return Error::not_finite;
+    if (!are_there(def.hooks)) return Error::feature_cut;
+    if (def.restitution_threshold < 0 || def.hit_threshold < 0 || def.max_speed <= 0 || def.max_speed > max_speed_limit) return Error::out_of_range;
     if (def.lanes != 0 && def.lanes != 1 && def.lanes != 4 && def.lanes != 8) return Error::out_of_range;
     if (!is_usable(def.tasks)) return Error::out_of_range;
+    if (!has_profile && def.clock != nullptr) return Error::feature_cut;
     Error error = Error::none;
     check_solver(def.solver, error);
     return error;
@@ -76,6 +79,7 @@ void point_into(Core& core, std::byte* block, const Layout& l) {
     core.moved_shapes = bits(l.moved_shapes, c.shapes);
     core.begin_events = place<TouchEvent>(block, l.begin_events);
     core.end_events = place<TouchEvent>(block, l.end_events);
+    core.hit_events = place<HitEvent>(block, l.hit_events);
     core.moved_events = place<BodyId>(block, l.moved_events);
     core.residuals = place<float>(block, l.residuals);
     core.slept_events = place<BodyId>(block, l.slept_events);
@@ -107,6 +111,9 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     core.error_hook = def.error_hook;
     core.error_context = def.error_context;
     core.tasks = def.tasks;
+    core.hooks = def.hooks;
+    if (has_profile && ISLET_IS_LINKED(note_stage)) core.clock = def.clock;
+    core.clock_context = def.clock_context;
     point_into(core, block.data(), l);
 
     // Persistent memory starts as zeros, so that no byte of a world depends on what the block held before.
@@ -116,6 +123,7 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     state.gravity = def.gravity;
     state.restitution_threshold = def.restitution_threshold;
     state.max_speed = def.max_speed;
+    state.hit_threshold = def.hit_threshold;
     state.solver = pack(def.solver);
     forget_residuals(core);
     state.enable_sleep = has_sleep && def.enable_sleep ? 1 : 0;
@@ -206,31 +214,5 @@ std::span<const BodyId> World::slept_bodies() const { return {core().slept_event
 std::span<const JointBreakEvent> World::broken_joints() const { return {core().break_events, core().break_count}; }
 
 std::uint32_t World::contact_count() const { return core().state->contact_pool.count; }
-
-bool World::contact_at(std::uint32_t slot, ContactInfo& out) const {
-    const Core& c = core();
-    if (!pool_live(c.state->contact_pool, c.contacts, slot)) return false;
-    const ContactManifold& m = c.manifolds[slot];
-    if ((m.flags & contact_touching) == 0) return false;
-    const Contact& contact = c.contacts[slot];
-    const Pose& a = c.poses[m.body_a];
-    const Pose& b = c.poses[m.body_b];
-    out.shape_a = c.shape_id(contact.shape_a);
-    out.shape_b = c.shape_id(contact.shape_b);
-    out.normal = m.normal;
-    out.point_count = m.count();
-    out.friction = m.friction;
-    out.restitution = max(c.shapes[contact.shape_a].restitution, c.shapes[contact.shape_b].restitution);
-    for (std::uint32_t i = 0; i < 2; ++i) {
-        ContactPoint& p = out.points[i];
-        const Vec2 slip = slip_of(m, i, a, b);
-        p.point = a.center + rotate(a.q * inverse(m.rotation_a), m.anchors[i]) + 0.5f * slip;
-        p.separation = m.separation[i] + dot(m.normal, slip);
-        p.normal_impulse = m.normal_impulse[i];
-        p.tangent_impulse = m.tangent_impulse[i];
-        p.feature = m.ids >> (16 * i) & 0xffffu;
-    }
-    return true;
-}
 
 }  // namespace islet

@@ -1,0 +1,55 @@
+#include "world/hooks.hpp"
+
+#include "broadphase/contacts.hpp"
+#include "math/scalar.hpp"
+#include "solver/surface.hpp"
+#include "world/checks.hpp"
+#include "world/contact_info.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace detail {
+
+void link_hooks() {}
+
+void ask_pre_solve(Core& core, std::uint32_t index) {
+    ContactManifold& m = core.manifolds[index];
+    Contact& c = core.contacts[index];
+    c.next_free = null_index;
+    mix_materials(core, index);  // what the hook made of it in the last step is over
+    PreSolve asked;
+    read_contact(core, index, asked.contact);
+    asked.friction = m.friction;
+    asked.tangent_speed = surface_of(core, index).tangent_speed;
+    const PreSolve before = asked;
+    core.hooks.pre_solve(asked, core.hooks.context);
+
+    if (!asked.enabled) {
+        // Made anew in the next step, so that the hook can be asked again.
+        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
+        m.rolling_impulse = 0;
+        for (std::uint32_t i = 0; i < 2; ++i) m.normal_impulse[i] = m.tangent_impulse[i] = 0;
+        return;
+    }
+    if (asked.friction != before.friction && check_range(core, asked.friction, 0, max_coefficient)) m.friction = asked.friction;
+    if (asked.tangent_speed == before.tangent_speed || !check_range(core, asked.tangent_speed, -max_speed_limit, max_speed_limit)) return;
+    if (!check(core, has_surfaces, Error::feature_cut)) return;
+    c.next_free = bits_of(asked.tangent_speed);
+    m.flags |= contact_special;
+}
+
+}  // namespace detail
+
+Hooks World::hooks() const {
+    link_hooks();
+    return core().hooks;
+}
+
+void World::set_hooks(const Hooks& hooks) {
+    link_hooks();
+    if (check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
+}
+
+}  // namespace islet

@@ -1,0 +1,36 @@
+// What sensors saw. Whoever asks links what sensors need (broadphase/sensors.hpp).
+#include "broadphase/sensors.hpp"
+
+#include "broadphase/contacts.hpp"
+#include "world/checks.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+std::span<const SensorEvent> World::sensor_begin_events() const {
+    link_sensors();
+    return {core().sensor_begins.events, core().sensor_begins.count};
+}
+
+std::span<const SensorEvent> World::sensor_end_events() const {
+    link_sensors();
+    return {core().sensor_ends.events, core().sensor_ends.count};
+}
+
+std::uint32_t World::sensor_overlaps(ShapeId id, std::span<ShapeId> out) const {
+    const Core& c = core();
+    link_sensors();
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index || !check(c, detail::is_sensor(c, i), Error::not_a_sensor)) return 0;
+    std::uint32_t n = 0;
+    for_each_contact(c, c.shapes[i].body, [&](std::uint32_t contact, std::uint32_t) {
+        const Contact& link = c.contacts[contact];
+        if ((link.shape_a != i && link.shape_b != i) || (c.manifolds[contact].flags & contact_overlap) == 0) return;
+        if (n < out.size()) out[n] = c.shape_id(link.shape_a == i ? link.shape_b : link.shape_a);
+        ++n;
+    });
+    return n;
+}
+
+}  // namespace islet

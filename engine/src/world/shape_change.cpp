@@ -1,0 +1,150 @@
+// Changing what a shape is made of: its geometry, density, surface, and who is told of it.
+#include "broadphase/contacts.hpp"
+#include "broadphase/pairs.hpp"
+#include "broadphase/tree.hpp"
+#include "math/float_mode.hpp"
+#include "world/bounds.hpp"
+#include "world/checks.hpp"
+#include "world/geometry_pool.hpp"
+#include "world/shapes.hpp"
+#include "world/sleep.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace {
+
+// Contacts go, for the narrow phase's order of the two shapes follows from what they are; those that are still due are found in the next step.
+void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) {
+    const DefaultFloatMode mode;
+    if (!check(core, there, Error::feature_cut)) return;
+    const std::uint32_t i = find_shape(core, id);
+    if (i == null_index || !check(core, valid, Error::bad_geometry)) return;
+    Shape& s = core.shapes[i];
+    const bool fits = core.state->geometry_pool.count < geometry_capacity(core.capacity) || core.geometries[s.geometry].references == 1 ||
+                      find_geometry(core, g) != null_index;
+    if (!check(core, fits, Error::geometries_full)) return;
+    const std::uint32_t body = s.body;
+    wake_island(core, body, core.arena());
+    end_contacts_of_shape(core, i);
+    if (s.tree_node != null_index) tree_remove({&core.state->tree, core.tree}, s.tree_node);
+    s.tree_node = null_index;
+    const std::uint32_t old = s.geometry;
+    if (core.geometries[old].references > 1) {
+        s.geometry = share_geometry(core, g);
+        release_geometry(core, old);
+    } else {
+        release_geometry(core, old);
+        s.geometry = share_geometry(core, g);
+    }
+    core.boxes[i] = {{1, 1}, {-1, -1}};  // holds nothing, so that it is made anew
+    shapes_changed(core, body);
+}
+
+void set_flag(Core& core, ShapeId id, std::uint32_t flag, bool on) {
+    const std::uint32_t i = find_shape(core, id);
+    if (i == null_index) return;
+    Shape& s = core.shapes[i];
+    s.flags = on ? s.flags | flag : s.flags & ~flag;
+    core.state->asked |= s.flags;
+    for_each_contact(core, s.body, [&](std::uint32_t contact, std::uint32_t) { mix_materials(core, contact); });
+}
+
+bool flag_of(const Core& core, ShapeId id, std::uint32_t flag) {
+    const std::uint32_t i = find_shape(core, id);
+    return i != null_index && (core.shapes[i].flags & flag) != 0;
+}
+
+}  // namespace
+
+void World::set_circle(ShapeId id, const Circle& circle) {
+    Geometry g = blank_geometry(ShapeType::circle);
+    g.circle = circle;
+    replace(core(), id, g, islet::is_valid(circle), true);
+}
+
+void World::set_capsule(ShapeId id, const Capsule& capsule) {
+    Geometry g = blank_geometry(ShapeType::capsule);
+    g.capsule = capsule;
+    replace(core(), id, g, islet::is_valid(capsule), has_capsules);
+}
+
+void World::set_segment(ShapeId id, const Segment& segment) {
+    Geometry g = blank_geometry(ShapeType::segment);
+    g.segment = segment;
+    replace(core(), id, g, islet::is_valid(segment), has_segments);
+}
+
+void World::set_polygon(ShapeId id, const Polygon& polygon) {
+    const bool valid = islet::is_valid(polygon);
+    replace(core(), id, valid ? geometry_of(polygon) : blank_geometry(ShapeType::polygon), valid, has_polygons);
+}
+
+float World::density(ShapeId id) const {
+    const std::uint32_t i = find_shape(core(), id);
+    return i != null_index ? core().shapes[i].density : 0;
+}
+
+void World::set_density(ShapeId id, float density) {
+    Core& c = core();
+    const DefaultFloatMode mode;
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index || !check_range(c, density, 0, no_limit)) return;
+    c.shapes[i].density = density;
+    wake_island(c, c.shapes[i].body, c.arena());
+    update_mass(c, c.shapes[i].body);
+}
+
+SurfaceMaterial World::material(ShapeId id) const {
+    const std::uint32_t i = find_shape(core(), id);
+    if (i == null_index) return {};
+    const Shape& s = core().shapes[i];
+    return {s.friction, s.restitution, s.rolling_resistance, s.tangent_speed, s.material};
+}
+
+void World::set_material(ShapeId id, const SurfaceMaterial& m) {
+    Core& c = core();
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index) return;
+    ShapeDef def;
+    def.friction = m.friction;
+    def.restitution = m.restitution;
+    def.rolling_resistance = m.rolling_resistance;
+    def.tangent_speed = m.tangent_speed;
+    if (!check_shape_def(c, def)) return;
+    Shape& s = c.shapes[i];
+    s.friction = m.friction;
+    s.restitution = m.restitution;
+    s.rolling_resistance = m.rolling_resistance;
+    s.tangent_speed = m.tangent_speed;
+    s.material = m.id;
+    remix(c, i);
+}
+
+bool World::is_sensor(ShapeId id) const { return flag_of(core(), id, shape_sensor); }
+bool World::hit_events_enabled(ShapeId id) const { return flag_of(core(), id, shape_hit_events); }
+bool World::pre_solve_enabled(ShapeId id) const { return flag_of(core(), id, shape_pre_solve); }
+bool World::sensor_events_enabled(ShapeId id) const {
+    const std::uint32_t i = find_shape(core(), id);
+    return i != null_index && (core().shapes[i].flags & shape_unseen) == 0;
+}
+
+void World::enable_hit_events(ShapeId id, bool enable) {
+    if (check(core(), has_hits || !enable, Error::feature_cut)) set_flag(core(), id, shape_hit_events, enable);
+}
+
+void World::enable_pre_solve(ShapeId id, bool enable) {
+    if (check(core(), has_hooks || !enable, Error::feature_cut)) set_flag(core(), id, shape_pre_solve, enable);
+}
+
+void World::enable_sensor_events(ShapeId id, bool enable) {
+    Core& c = core();
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index || ((c.shapes[i].flags & shape_unseen) == 0) == enable) return;
+    c.shapes[i].flags ^= shape_unseen;
+    end_unwanted_contacts(c, i);
+    mark_moved(c, i);
+}
+
+}  // namespace islet

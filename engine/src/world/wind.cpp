@@ -1,0 +1,68 @@
+// Wind on a shape: the drag and lift of what of its outline faces the stream.
+//
+// With u the air's velocity past the shape, an edge of length L and outward normal n faces it if n . u < 0. It offers the stream the width
+// A = L |n . u| / |u| and is pushed, at its middle, by q A (drag u^ + lift (n x u^) x u^), q = rho |u|^2 / 2 being the stagnation pressure and u^ the unit
+// vector along u: the lift of a flat plate, which grows with the sine of twice its angle. What is round has no lift and width 2 r.
+#include "collide/corners.hpp"
+#include "math/float_mode.hpp"
+#include "world/bounds.hpp"
+#include "world/checks.hpp"
+#include "world/push.hpp"
+#include "world/sleep.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace {
+
+struct Stream {
+    Vec2 along;           // unit
+    float pressure = 0;   // N/m
+    float drag = 0, lift = 0;
+};
+
+// Adds the push on what offers the stream `width` at `arm` from the centre of mass and has the outward normal n (zero: round).
+void push(Motion& motion, const Stream& s, float width, Vec2 arm, Vec2 n) {
+    const Vec2 force = (s.pressure * width) * (s.drag * s.along + s.lift * cross(cross(n, s.along), s.along));
+    motion.force += force;
+    motion.torque += cross(arm, force);
+}
+
+}  // namespace
+
+void World::apply_wind(ShapeId id, const WindDef& wind) {
+    Core& c = core();
+    const DefaultFloatMode mode;
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index || !check(c, all_finite(wind.velocity.x, wind.velocity.y, wind.drag, wind.lift, wind.density), Error::not_finite)) return;
+    if (!check(c, wind.density >= 0 && wind.drag >= 0 && length_squared(wind.velocity) <= max_speed_limit * max_speed_limit, Error::out_of_range)) return;
+    const std::uint32_t body = c.shapes[i].body;
+    const Geometry& g = c.geometries[c.shapes[i].geometry];
+    const ShapeType type = g.shape_type();
+    if (!is_pushable(c, body) || type == ShapeType::segment || type == ShapeType::chain_segment) return;
+    if (!c.is_awake(body) && !wind.wake) return;
+    wake_island(c, body, c.arena());
+
+    const Corners shape = corners_of(g);
+    const Pose& pose = c.poses[body];
+    Motion& motion = c.motions[body];
+    const auto arm_of = [&](Vec2 local) { return rotate(pose.q, local - c.bodies[body].local_center); };
+    const Vec2 middle = arm_of(middle_of(g));
+    const Vec2 past = wind.velocity - motion.v - cross(motion.w, middle);
+    const Stream stream{normalize(past), 0.5f * wind.density * length_squared(past), wind.drag, wind.lift};
+    if (stream.along == Vec2{}) return;
+
+    if (shape.radius > 0) push(motion, stream, 2.0f * shape.radius, middle, {});
+    // A capsule's core is a segment with two sides; of a polygon's edges those that face the stream count.
+    for (std::uint32_t k = 0; shape.count > 1 && k < shape.count; ++k) {
+        const Vec2 p1 = shape.points[k], p2 = shape.points[k + 1 < shape.count ? k + 1 : 0];
+        const Vec2 edge = rotate(pose.q, p2 - p1);
+        const float width = cross(edge, stream.along);
+        if (width <= 0) continue;
+        const Vec2 n = normalize(right_perp(edge));
+        push(motion, stream, width, arm_of(lerp(p1, p2, 0.5f)) + shape.radius * n, n);
+    }
+}
+
+}  // namespace islet

@@ -1,0 +1,500 @@
+// The whole public API, called by a fuzzer. Each input is a list of calls, good and bad, on a world so small that every one of its pools fills up: ids
+// of living, dead and never born objects; numbers that are ordinary, extreme or no numbers at all.
+//
+// After each call the world must be as it was if the call was refused, and after each step it must be sound, with every body at a finite place. A world
+// that is loaded from a snapshot must have the same future. Prints how many calls were made and how many refused when it ends.
+#include <bit>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "islet/island.hpp"
+#include "islet/islet.hpp"
+
+namespace {
+
+using namespace islet;
+
+[[noreturn]] void fail(const char* what) {
+    std::fprintf(stderr, "islet_fuzz_api: %s\n", what);
+    std::abort();
+}
+
+constexpr Capacity capacity{.bodies = 12, .shapes = 20, .contacts = 24, .joints = 8, .geometries = 10};
+
+/// What every input starts from anew.
+struct Fixture {
+    StaticWorld<capacity> storage, twin_storage;
+    World* world = nullptr;
+    World* twin = nullptr;
+    std::vector<std::byte> image, island;
+    unsigned long inputs = 0, calls = 0, refused = 0, steps = 0;
+
+    Fixture() : image(max_snapshot_bytes(capacity)), island(1 << 16) {}
+    ~Fixture() { std::fprintf(stderr, "%lu inputs: %lu calls, %lu of them refused, %lu steps\n", inputs, calls, refused, steps); }
+};
+
+Fixture& fixture() {
+    static Fixture f;
+    return f;
+}
+
+/// Makes arguments of the fuzzer's bytes; zeros when they are used up.
+class Reader {
+public:
+    Reader(const std::uint8_t* data, std::size_t size) : at_(data), end_(data + size) {}
+    bool done() const { return at_ == end_; }
+    std::uint32_t byte() { return at_ < end_ ? *at_++ : 0; }
+    bool flag() { return (byte() & 1) != 0; }
+    std::uint32_t below(std::uint32_t n) { return byte() % n; }
+
+    /// Mostly -16 to 16 in steps of an eighth.
+    float number() {
+        constexpr float special[] = {__builtin_nanf(""), __builtin_inff(), -__builtin_inff(), 3.4e38f, -3.4e38f, 1e-38f, 1.4e-45f, -0.0f,
+                                     1e7f, -1e7f, 1e30f, 1e-12f, 1e6f, 0.005f, 1e-4f, 400};
+        const std::uint32_t first = byte();
+        if (first < 240) return 0.125f * static_cast<float>(static_cast<int>(first) - 120);
+        if (first < 252) return special[below(std::size(special))];
+        return std::bit_cast<float>(byte() | byte() << 8 | byte() << 16 | byte() << 24);
+    }
+    /// Mostly 0 to 4.
+    float size() {
+        const std::uint32_t first = byte();
+        return first < 240 ? static_cast<float>(first) / 60.0f : number();
+    }
+    Vec2 point() {
+        const float x = number();
+        return {x, number()};
+    }
+
+private:
+    const std::uint8_t* at_;
+    const std::uint8_t* end_;
+};
+
+/// One input's play with a world.
+struct Player {
+    World& w;
+    Reader in;
+    Fixture& f;
+    BodyId dead_body = {};
+    ShapeId dead_shape = {};
+    JointId dead_joint = {};
+
+    /// Mostly one that lives.
+    BodyId body() {
+        const std::uint32_t which = in.byte();
+        if (which >= 248) return which % 2 == 0 ? dead_body : BodyId{which - 247, in.byte()};
+        return w.body_at(which % capacity.bodies);
+    }
+    ShapeId shape() {
+        const BodyId owner = body();
+        const std::uint32_t which = in.byte();
+        if (which >= 248) return which % 2 == 0 ? dead_shape : ShapeId{which - 247, in.byte()};
+        ShapeId all[capacity.shapes];
+        const std::uint32_t n = w.shapes(owner, all);
+        return n > 0 ? all[which % n] : ShapeId{};
+    }
+    JointId joint() {
+        const std::uint32_t which = in.byte();
+        if (which >= 248) return which % 2 == 0 ? dead_joint : JointId{which - 247, in.byte()};
+        return w.joint_at(which % capacity.joints);
+    }
+
+    BodyDef body_def() {
+        BodyDef d;
+        d.type = static_cast<BodyType>(in.below(8) < 5 ? 2 : in.below(3));
+        d.position = in.point();
+        d.angle = in.number();
+        const std::uint32_t more = in.byte();
+        if ((more & 1) != 0) d.linear_velocity = in.point();
+        if ((more & 2) != 0) d.angular_velocity = in.number();
+        if ((more & 4) != 0) d.linear_damping = in.size();
+        if ((more & 8) != 0) d.gravity_scale = in.number();
+        d.awake = (more & 16) == 0;
+        d.fixed_rotation = (more & 32) != 0;
+        d.bullet = (more & 64) != 0;
+        if ((more & 128) != 0) d.sleep_threshold = in.size();
+        return d;
+    }
+    ShapeDef shape_def() {
+        ShapeDef d;
+        const std::uint32_t more = in.byte();
+        if ((more & 1) != 0) d.friction = in.size();
+        if ((more & 2) != 0) d.restitution = 0.25f * in.size();
+        if ((more & 4) != 0) d.rolling_resistance = in.size();
+        if ((more & 8) != 0) d.tangent_speed = in.number();
+        if ((more & 16) != 0) d.density = in.size();
+        if ((more & 32) != 0) d.filter = filter();
+        return d;
+    }
+    Filter filter() {
+        const std::uint32_t category = in.byte(), mask = in.byte();
+        return {category, mask, static_cast<std::int32_t>(in.below(4)) - 2};
+    }
+    Polygon polygon() {
+        switch (in.below(4)) {
+        case 0: return make_box(in.size(), in.size());
+        case 1: return make_rounded_box(in.size(), in.size(), in.size());
+        case 2: {
+            Vec2 points[max_polygon_vertices];
+            for (Vec2& p : points) p = in.point();
+            return make_polygon(compute_hull({points, in.below(max_polygon_vertices + 1)}), in.flag() ? in.size() : 0);
+        }
+        default: {  // made by hand, and badly
+            Polygon p = make_box(in.size(), in.size());
+            p.vertices[in.below(max_polygon_vertices)] = in.point();
+            p.count = in.below(12);
+            return p;
+        }
+        }
+    }
+    void create_shape(BodyId owner) {
+        const ShapeDef def = shape_def();
+        switch (in.below(6)) {
+        case 0: w.create_shape(owner, Circle{in.point(), in.size()}, def); break;
+        case 1: {
+            const Vec2 from = in.point(), to = in.point();
+            w.create_shape(owner, Capsule{from, to, in.size()}, def);
+            break;
+        }
+        case 2: {
+            const Vec2 from = in.point(), to = in.point();
+            w.create_shape(owner, Segment{from, to}, def);
+            break;
+        }
+        case 3: {
+            Vec2 points[6];
+            for (Vec2& p : points) p = in.point();
+            const std::uint32_t count = in.below(7);
+            w.create_chain(owner, {points, count}, in.flag(), def);
+            break;
+        }
+        default: w.create_shape(owner, polygon(), def);
+        }
+    }
+
+    JointSpring spring() {
+        const bool on = in.flag();
+        const float hertz = in.size(), ratio = in.size();
+        return {on, hertz, ratio, in.number()};
+    }
+    JointLimit limit() {
+        const bool on = in.flag();
+        const float a = in.number(), b = in.number();
+        return in.below(8) == 0 || a <= b ? JointLimit{on, a, b} : JointLimit{on, b, a};
+    }
+    JointMotor motor() {
+        const bool on = in.flag();
+        const float speed = in.number();
+        return {on, speed, in.size()};
+    }
+    JointFrame frame() {
+        const Vec2 at = in.point();
+        return {at, in.number()};
+    }
+    void create_joint() {
+        JointBase base;
+        base.body_a = body();
+        base.body_b = body();
+        const std::uint32_t more = in.byte();
+        if ((more & 1) != 0) base.frame_a = frame();
+        if ((more & 2) != 0) base.frame_b = frame();
+        base.collide_connected = (more & 4) != 0;
+        if ((more & 8) != 0) base.break_force = in.size();
+        if ((more & 16) != 0) base.break_torque = in.size();
+        const JointSpring s = (more & 32) != 0 ? spring() : JointSpring{};
+        const JointLimit l = (more & 64) != 0 ? limit() : JointLimit{};
+        const JointMotor m = (more & 128) != 0 ? motor() : JointMotor{};
+        switch (in.below(joint_type_count)) {
+        case 0: w.create_joint(RevoluteJointDef{base, s, l, m, in.size()}); break;
+        case 1: w.create_joint(PrismaticJointDef{base, s, l, m, in.size()}); break;
+        case 2: w.create_joint(DistanceJointDef{base, in.size(), s, l, m}); break;
+        case 3: {
+            WeldJointDef d{base};
+            d.linear_hertz = in.size();
+            d.angular_hertz = in.size();
+            w.create_joint(d);
+            break;
+        }
+        case 4: w.create_joint(WheelJointDef{base, s, l, m, in.size()}); break;
+        case 5: {
+            MotorJointDef d{base};
+            d.linear_velocity = in.point();
+            d.max_force = in.size();
+            d.max_torque = in.size();
+            d.linear_hertz = in.size();
+            w.create_joint(d);
+            break;
+        }
+        case 6: {
+            MouseJointDef d;
+            d.body = base.body_a;
+            d.target = in.point();
+            d.hertz = in.size();
+            d.max_force = 100 * in.size();
+            w.create_joint(d);
+            break;
+        }
+        case 7: {
+            PulleyJointDef d{base};
+            d.ground_a = in.point();
+            d.ground_b = in.point();
+            d.ratio = in.size();
+            w.create_joint(d);
+            break;
+        }
+        default: {
+            const JointId first = joint(), second = joint();
+            w.create_joint(GearJointDef{first, second, in.number()});
+        }
+        }
+    }
+
+    void change_body() {
+        const BodyId b = body();
+        switch (in.below(20)) {
+        case 0: {
+            const Vec2 at = in.point();
+            w.set_transform(b, at, in.number());
+            break;
+        }
+        case 1: w.set_linear_velocity(b, in.point()); break;
+        case 2: w.set_angular_velocity(b, in.number()); break;
+        case 3: {
+            const Vec2 force = in.point();
+            w.apply_force(b, force, in.point());
+            break;
+        }
+        case 4: w.apply_force_to_center(b, in.point()); break;
+        case 5: w.apply_torque(b, in.number()); break;
+        case 6: {
+            const Vec2 impulse = in.point();
+            w.apply_linear_impulse(b, impulse, in.point());
+            break;
+        }
+        case 7: w.apply_linear_impulse_to_center(b, in.point()); break;
+        case 8: w.apply_angular_impulse(b, in.number()); break;
+        case 9: w.set_type(b, static_cast<BodyType>(in.below(3))); break;
+        case 10: {
+            const float mass = in.size();
+            const Vec2 center = in.point();
+            w.set_mass(b, {mass, center, in.size()});
+            break;
+        }
+        case 11: w.reset_mass(b); break;
+        case 12: w.set_linear_damping(b, in.size()); break;
+        case 13: w.set_angular_damping(b, in.size()); break;
+        case 14: w.set_gravity_scale(b, in.number()); break;
+        case 15: w.set_fixed_rotation(b, in.flag()); break;
+        case 16: w.enable_sleep(b, in.flag()); break;
+        case 17: w.wake(b); break;
+        case 18: w.set_user_data(b, in.byte()); break;
+        default: dead_body = b; w.destroy_body(b);
+        }
+    }
+    void change_shape() {
+        const ShapeId s = shape();
+        switch (in.below(7)) {
+        case 0: w.set_friction(s, in.size()); break;
+        case 1: w.set_restitution(s, 0.25f * in.size()); break;
+        case 2: w.set_rolling_resistance(s, in.size()); break;
+        case 3: w.set_tangent_speed(s, in.number()); break;
+        case 4: w.set_filter(s, filter()); break;
+        case 5: w.set_user_data(s, in.byte()); break;
+        default: dead_shape = s; w.destroy_shape(s);
+        }
+    }
+    void change_joint() {
+        const JointId j = joint();
+        switch (in.below(13)) {
+        case 0: {
+            const JointFrame a = frame();
+            w.set_frames(j, a, frame());
+            break;
+        }
+        case 1: w.set_collide_connected(j, in.flag()); break;
+        case 2: {
+            const float force = in.size();
+            w.set_break(j, force, in.size());
+            break;
+        }
+        case 3: w.set_user_data(j, in.byte()); break;
+        case 4: w.set_spring(j, spring()); break;
+        case 5: w.set_limit(j, limit()); break;
+        case 6: w.set_motor(j, motor()); break;
+        case 7: w.set_joint_friction(j, in.size()); break;
+        case 8: w.set_joint_length(j, in.size()); break;
+        case 9: {
+            const Vec2 v = in.point();
+            w.set_joint_velocity(j, v, in.number());
+            break;
+        }
+        case 10: {
+            const float force = in.size();
+            w.set_joint_strength(j, force, in.size());
+            break;
+        }
+        case 11: w.set_target(j, in.point()); break;
+        default: dead_joint = j; w.destroy_joint(j);
+        }
+    }
+    void change_world() {
+        switch (in.below(4)) {
+        case 0: w.set_gravity(in.point()); break;
+        case 1: w.enable_sleep(in.flag()); break;
+        default: {
+            SolverDef d = w.solver();
+            // Few sweeps: an input should not take seconds.
+            switch (in.below(12)) {
+            case 0: d.schedule = static_cast<Schedule>(in.below(3)); break;
+            case 1: d.substeps = in.below(7); break;
+            case 2: d.iterations = in.below(6); break;
+            case 3: d.relax_iterations = in.below(6); break;
+            case 4: d.contact_hertz = in.size() * 20; break;
+            case 5: d.joint_hertz = in.size() * 20; break;
+            case 6: d.omega = in.size(); break;
+            case 7: d.warm_start = in.flag(); break;
+            case 8: d.joint_trees = static_cast<JointTrees>(in.below(4)); break;
+            case 9: d.sweep_order = static_cast<SweepOrder>(in.below(5)); break;
+            case 10: d.block_contacts = in.flag(); d.measure_residual = in.flag(); break;
+            default: d.shock = 0.25f * in.size(); d.tolerance = in.size();
+            }
+            w.set_solver(d);
+        }
+        }
+    }
+
+    // Reading must not change anything, whatever is read.
+    void read() {
+        const std::uint64_t hash = w.hash();
+        const BodyId b = body();
+        float sum = w.transform(b).p.x + w.angle(b) + w.center_of_mass(b).x + w.linear_velocity(b).y + w.velocity_at(b, in.point()).x + w.mass(b);
+        sum += w.rotational_inertia(b) + w.residual(b);
+        const ShapeId s = shape();
+        sum += w.aabb(s).lower.x + w.friction(s) + (w.circle(s) != nullptr ? 1.0f : 0.0f) + (w.polygon(s) != nullptr ? 1.0f : 0.0f);
+        const JointId j = joint();
+        sum += w.anchor_a(j).x + w.anchor_b(j).x + w.joint_position(j) + w.joint_speed(j) + w.joint_force(j).x + w.joint_torque(j);
+        sum += w.joint_error(j).linear + w.motor_force(j) + w.joint_length(j) + w.spring(j).hertz + w.target(j).x + w.ground_a(j).x;
+        ContactInfo contact;
+        if (w.contact_at(in.byte(), contact)) sum += contact.points[0].separation;
+        sum += static_cast<float>(w.counters().tree_height);
+        draw();
+        IslandProblem problem;
+        const float h = in.size();
+        w.export_island(b, h, {f.island.data(), in.flag() ? f.island.size() : in.byte()}, problem);
+        volatile float sink = sum;
+        static_cast<void>(sink);
+        if (w.hash() != hash) fail("reading changed the world");
+    }
+    void draw() {
+        DebugDraw d;
+        static unsigned long drawn;
+        d.polygon = [](std::span<const Vec2> corners, float, const DrawStyle&, void*) { drawn += corners.size(); };
+        d.circle = [](Vec2, float, Vec2, const DrawStyle&, void*) { ++drawn; };
+        d.capsule = [](Vec2, Vec2, float, const DrawStyle&, void*) { ++drawn; };
+        d.segment = [](Vec2, Vec2, const DrawStyle&, void*) { ++drawn; };
+        d.point = [](Vec2, const DrawStyle&, void*) { ++drawn; };
+        d.text = [](Vec2, const char* words, const DrawStyle&, void*) { drawn += std::strlen(words); };
+        const std::uint32_t more = in.byte();
+        d.contacts = d.normals = d.impulses = (more & 1) != 0;
+        d.boxes = d.fat_boxes = d.tree = (more & 2) != 0;
+        d.centers = d.names = (more & 4) != 0;
+        d.body_colors = (more & 8) != 0 ? BodyColors::island : BodyColors::state;
+        d.constraint_colors = (more & 16) != 0;
+        if ((more & 32) != 0) d.view = {in.point(), in.point()};
+        if ((more & 64) != 0) d.size = in.number();
+        w.draw(d);
+    }
+
+    void step() {
+        const std::uint32_t how = in.byte();
+        if (how >= 250) return w.step(in.number());
+        for (std::uint32_t i = 0; i <= how % 8; ++i) {
+            w.step(how % 16 < 12 ? 1.0f / 60 : 1.0f / (1 + static_cast<float>(how / 16)));
+            ++f.steps;
+            check();
+        }
+    }
+    void check() {
+        if (const char* broken = w.validate()) fail(broken);
+        for (std::uint32_t slot = 0; slot < capacity.bodies; ++slot) {
+            const BodyId b = w.body_at(slot);
+            if (!b) continue;
+            const Transform pose = w.transform(b);
+            const bool finite = is_finite(pose.p) && is_finite(pose.q.c) && is_finite(pose.q.s) && is_finite(w.linear_velocity(b)) &&
+                                is_finite(w.angular_velocity(b));
+            if (!finite) fail("a body is at no place, or moves at no speed");
+            if (abs(pose.q.c * pose.q.c + pose.q.s * pose.q.s - 1) > 1e-3f) fail("a rotation is none");
+        }
+    }
+    // To another world and back, and a step ahead in both.
+    void round_trip() {
+        const std::size_t n = w.save(f.image);
+        if (n == 0 || n != w.snapshot_bytes()) fail("the world does not fit the image it asks for");
+        const std::span<const std::byte> bytes(f.image.data(), n);
+        if (!f.twin->load(bytes)) fail(describe(f.twin->last_error()));
+        if (f.twin->hash() != w.hash()) fail("a loaded world is another");
+        f.twin->step(1.0f / 60);
+        if (in.flag()) {
+            if (!w.restore(bytes)) fail("a world does not take its own image back");
+        }
+        w.step(1.0f / 60);
+        if (f.twin->hash() != w.hash()) fail("a loaded world has another future");
+        check();
+    }
+
+    void play() {
+        for (int i = 0; i < 300 && !in.done(); ++i) {
+            ++f.calls;
+            const std::uint32_t what = in.below(32);
+            if (what < 8) {
+                step();
+                continue;
+            }
+            if (what == 8) {
+                round_trip();
+                continue;
+            }
+            w.clear_error();
+            const std::uint64_t before = w.hash();
+            if (what < 13) {
+                const BodyId made = w.create_body(body_def());
+                if (made) continue;
+            } else if (what < 18) {
+                create_shape(body());
+            } else if (what < 21) {
+                create_joint();
+            } else if (what < 25) {
+                change_body();
+            } else if (what < 27) {
+                change_shape();
+            } else if (what < 30) {
+                change_joint();
+            } else if (what == 30) {
+                change_world();
+            } else {
+                read();
+            }
+            const Error error = w.last_error();
+            if (error == Error::none) continue;
+            ++f.refused;
+            // What ends a contact may find no room to report it, and goes on.
+            if (error != Error::events_full && w.hash() != before) fail("a refused call changed the world");
+        }
+        check();
+    }
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Fixture& f = fixture();
+    ++f.inputs;
+    f.world = &f.storage.create();
+    f.twin = &f.twin_storage.create();
+    Player player{*f.world, Reader(data, size), f};
+    player.play();
+    return 0;
+}
