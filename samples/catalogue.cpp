@@ -81,6 +81,7 @@ const std::vector<SceneInfo>& catalogue() {
         {"silo", "granular", "a silo empties at a steady rate, however full it is", make_silo},
         {"avalanche", "granular", "smooth and rough pebbles slide off a ledge and leave two slopes", make_avalanche},
         {"mixer", "granular", "a stirrer mixes discs with hexagons", make_mixer},
+        {"platformer", "play", "a character walks, climbs, rides, pushes and jumps through a course", make_platformer},
         {"large_pyramid", "benchmark", "one pyramid with 100 boxes at its base", make_large_pyramid},
         {"many_pyramids", "benchmark", "400 pyramids of 55 boxes, in 20 rows", make_many_pyramids},
         {"joint_grid", "benchmark", "a net of 10000 discs, hinged to their neighbours, hangs from seven of them", make_joint_grid},

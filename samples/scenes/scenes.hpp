@@ -60,6 +60,9 @@ Scene make_silo();
 Scene make_avalanche();
 Scene make_mixer();
 
+// play
+Scene make_platformer();
+
 // benchmark
 Scene make_large_pyramid();
 Scene make_many_pyramids();
