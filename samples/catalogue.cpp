@@ -85,6 +85,7 @@ const std::vector<SceneInfo>& catalogue() {
         {"explosion", "play", "a charge among sixteen crates goes off", make_explosion},
         {"wind", "play", "discs fall until the air bears them, and a wind holds one up", make_wind},
         {"conveyor", "play", "boxes set down on four belts take on their speeds", make_conveyor},
+        {"platformer", "play", "a character walks, climbs, rides, pushes and jumps through a course", make_platformer},
         {"large_pyramid", "benchmark", "one pyramid with 100 boxes at its base", make_large_pyramid},
         {"many_pyramids", "benchmark", "400 pyramids of 55 boxes, in 20 rows", make_many_pyramids},
         {"joint_grid", "benchmark", "a net of 10000 discs, hinged to their neighbours, hangs from seven of them", make_joint_grid},

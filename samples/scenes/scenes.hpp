@@ -65,6 +65,7 @@ Scene make_sensors();
 Scene make_explosion();
 Scene make_wind();
 Scene make_conveyor();
+Scene make_platformer();
 
 // benchmark
 Scene make_large_pyramid();

@@ -80,6 +80,9 @@ enum class Error : std::uint8_t {
     feature_cut,         ///< this build of the engine was made without what the call needs (islet/config.hpp), or nothing links it
     not_a_sensor,        ///< the shape is no sensor
     hits_full,           ///< raise Capacity::hits
+    recording_full,      ///< the memory given for a recording is too small, or was used up: it ends before this call
+    not_a_recording,     ///< the bytes are no recording, or the world is not being recorded
+    corrupt_recording,   ///< the recording is not as it was made
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.

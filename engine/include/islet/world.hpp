@@ -104,6 +104,21 @@ public:
     /// Further errors: image_misaligned (see snapshot_alignment); corrupt_image if the checksum is not the content's; unsound_image.
     bool load(std::span<const std::byte> image);
 
+    // -- recordings (recording.hpp) ----------------------------------------------------------------------------------------------
+
+    /// Writes every call that changes the world from now on to `buffer`, which must be aligned to recording_alignment and is the world's until the
+    /// recording stops; first of all a snapshot. With `bodies`, each step tells body from body, in four bytes for each that is awake. Returns false, and
+    /// records nothing, if there is no room for the snapshot (recording_full) or the buffer is misaligned (image_misaligned). Where later there is no
+    /// more room the recording stops by itself (recording_full), and holds all that was done before. A recording that is going on is dropped.
+    bool start_recording(std::span<std::byte> buffer, bool bodies = true);
+    bool is_recording() const;
+    /// Bytes used so far; 0 if nothing is being recorded.
+    std::size_t recorded_bytes() const;
+    /// Goes on in a larger buffer. False (and nothing changes) if it is smaller than recorded_bytes() or misaligned, or nothing is being recorded.
+    bool move_recording(std::span<std::byte> buffer);
+    /// Ends the recording; returns its bytes, or 0 if nothing is being recorded (not_a_recording).
+    std::size_t stop_recording();
+
     // -- events of the last step -----------------------------------------------------------------------------------------------
 
     std::span<const TouchEvent> begin_touch_events() const;

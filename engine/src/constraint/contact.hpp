@@ -115,6 +115,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             L::template gather8<motion_words>(motions, r.body_b, gb);
             gain = (nx * (gb[4] - ga[4]) + ny * (gb[5] - ga[5])) * L::splat(in.numbers.inv_h);
         }
+        const F fastest = L::splat(-2.0f * in.numbers.max_speed);  // m/s, that two bodies can meet at, whatever pulls at them
 
         F sum_n = zero, sum_t = zero, wa = zero, wb = zero;
         const std::uint32_t points = r.two_points ? 2 : 1;
@@ -147,7 +148,8 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
                 const F now = dvn + b[2] * bt - a[2] * at;
                 const F gap = max(m3[1 + i] + moved + turned, zero);
                 const F time = select(now < zero, min(gap / max(zero - now, tiny), dt_step), zero);
-                L::store(r.approach[i], now + time * gain);
+                const F meeting = now + time * gain;
+                L::store(r.approach[i], select(meeting < fastest, fastest, meeting));
                 L::store(r.peak[i], zero);
             }
         }

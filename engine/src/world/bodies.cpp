@@ -196,23 +196,21 @@ void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
     Core& c = core();
     if (!check_finite(c, force) || !check_finite(c, point)) return;
     const std::uint32_t i = push(c, id);
-    if (i == null_index) return;
-    c.motions[i].force += force;
-    c.motions[i].torque += cross(point - c.poses[i].center, force);
+    if (i != null_index) pull(c, i, force, cross(point - c.poses[i].center, force));
 }
 
 void World::apply_force_to_center(BodyId id, Vec2 force) {
     Core& c = core();
     if (!check_finite(c, force)) return;
     const std::uint32_t i = push(c, id);
-    if (i != null_index) c.motions[i].force += force;
+    if (i != null_index) pull(c, i, force, 0);
 }
 
 void World::apply_torque(BodyId id, float torque) {
     Core& c = core();
     if (!check_finite(c, torque)) return;
     const std::uint32_t i = push(c, id);
-    if (i != null_index) c.motions[i].torque += torque;
+    if (i != null_index) pull(c, i, {0, 0}, torque);
 }
 
 void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {

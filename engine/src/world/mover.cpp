@@ -105,6 +105,13 @@ float walk_along(Mover& m, float side, float whole) {
     return whole - max(left, 0.0f);
 }
 
+/// True if there is ground to stand on right under the middle, within reach of the feet.
+bool has_ground_below(const Mover& m) {
+    const float reach = m.def.capsule.radius + mover_gap + m.def.snap_distance;
+    const QueryHit hit = m.world.cast_ray(m.support(), -reach * m.up, m.def.filter);
+    return hit && hit.separation == 0 && dot(hit.normal, m.up) >= m.least_up;
+}
+
 /// Between surfaces that are all too steep there is no way down either: that holds the mover as ground does.
 bool hold_in_wedge(Mover& m) {
     const Touched t = touched_by(m);
@@ -127,10 +134,10 @@ void walk(Mover& m, float wanted) {
     const Met below = lower(m, m.def.snap_distance);
     Vec2 face;
     if (below.hit && can_stand_on(m, below.surface, face)) {
-        // An edge that lies behind does not hold those who walk off it, nor turn them downwards.
+        // An edge that lies behind does not hold those who walk off it, unless it is that of a step down; nor does it turn them downwards.
         const bool too_steep = dot(below.surface.normal, m.up) < m.least_up;
         const bool behind = kept * dot(below.surface.normal, m.right) > 0;
-        if (!too_steep || !behind) {
+        if (!too_steep || !behind || has_ground_below(m)) {
             if (!behind || !is_edge(m, below.surface, face)) face = below.surface.normal;
             stand_on(m, below.surface, face);
             m.state.velocity = kept * right_perp(m.state.ground_normal);
