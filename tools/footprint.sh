@@ -66,7 +66,7 @@ deepest_stack() {
 }
 
 if [ "$mode" = options ]; then
-    parts=(capsules segments chains restitution surfaces sleep continuous sensors hits hooks tuning profile joints)
+    parts=(capsules segments chains restitution surfaces sleep continuous sensors hits hooks recorder tuning profile joints)
     for joint in revolute prismatic distance weld wheel motor mouse pulley gear; do parts+=("${joint}_joints"); done
     parts+=(polygons)
     build_firmware cortex-m4f cortex-m4f

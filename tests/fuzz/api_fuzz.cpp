@@ -29,6 +29,7 @@ struct Fixture {
     World* world = nullptr;
     World* twin = nullptr;
     std::vector<std::byte> image, island;
+    bool trace = std::getenv("ISLET_FUZZ_TRACE") != nullptr;
     unsigned long inputs = 0, calls = 0, refused = 0, steps = 0;
 
     Fixture() : image(max_snapshot_bytes(capacity)), island(1 << 16) {}
@@ -38,6 +39,49 @@ struct Fixture {
 Fixture& fixture() {
     static Fixture f;
     return f;
+}
+
+/// What the world holds, for who looks into a finding.
+void print(const World& w) {
+    const SolverDef d = w.solver();
+    std::fprintf(stderr, "  gravity %g %g; schedule %d, %u substeps, %u + %u sweeps, order %d, trees %d, block %d, contacts %g Hz, joints %g Hz, omega %g, "
+                         "shock %g, tolerance %g\n",
+                 double(w.gravity().x), double(w.gravity().y), int(d.schedule), d.substeps, d.iterations, d.relax_iterations, int(d.sweep_order),
+                 int(d.joint_trees), int(d.block_contacts), double(d.contact_hertz), double(d.joint_hertz), double(d.omega), double(d.shock), double(d.tolerance));
+    for (std::uint32_t slot = 0; slot < capacity.bodies; ++slot) {
+        const BodyId b = w.body_at(slot);
+        if (!b) continue;
+        const Vec2 p = w.center_of_mass(b), v = w.linear_velocity(b);
+        std::fprintf(stderr, "  body %u: type %d, mass %g, inertia %g, at %.9g %.9g turned %g, v %g %g, w %g%s\n", slot, int(w.type(b)), double(w.mass(b)),
+                     double(w.rotational_inertia(b)), double(p.x), double(p.y), double(w.angle(b)), double(v.x), double(v.y),
+                     double(w.angular_velocity(b)), w.is_awake(b) ? "" : ", asleep");
+        ShapeId all[capacity.shapes];
+        const std::uint32_t n = w.shapes(b, all);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const Aabb box = w.aabb(all[i]);
+            std::fprintf(stderr, "    shape %u: type %d, %g %g to %g %g, friction %g, restitution %g, rolling %g, surface %g\n", all[i].index1 - 1,
+                         int(w.shape_type(all[i])), double(box.lower.x), double(box.lower.y), double(box.upper.x), double(box.upper.y),
+                         double(w.friction(all[i])), double(w.restitution(all[i])), double(w.rolling_resistance(all[i])), double(w.tangent_speed(all[i])));
+        }
+    }
+    for (std::uint32_t slot = 0; slot < capacity.joints; ++slot) {
+        const JointId j = w.joint_at(slot);
+        if (!j) continue;
+        const Vec2 force = w.joint_force(j);
+        std::fprintf(stderr, "  joint %u: type %d, bodies %u %u, force %g %g, torque %g\n", slot, int(w.joint_type(j)), w.body_a(j).index1 - 1,
+                     w.body_b(j).index1 - 1, double(force.x), double(force.y), double(w.joint_torque(j)));
+    }
+    ContactInfo c;
+    for (std::uint32_t slot = 0; slot < capacity.contacts; ++slot) {
+        if (!w.contact_at(slot, c)) continue;
+        std::fprintf(stderr, "  contact %u: shapes %u %u, normal %g %g, friction %g\n", slot, c.shape_a.index1 - 1, c.shape_b.index1 - 1,
+                     double(c.normal.x), double(c.normal.y), double(c.friction));
+        for (std::uint32_t i = 0; i < c.point_count; ++i) {
+            const ContactPoint& p = c.points[i];
+            std::fprintf(stderr, "    %g %g, separation %g, impulses %g %g\n", double(p.point.x), double(p.point.y), double(p.separation),
+                         double(p.normal_impulse), double(p.tangent_impulse));
+        }
+    }
 }
 
 /// Makes arguments of the fuzzer's bytes; zeros when they are used up.
@@ -410,6 +454,7 @@ struct Player {
 
     void step() {
         const std::uint32_t how = in.byte();
+        if (f.trace) print(w);
         if (how >= 250) return w.step(in.number());
         for (std::uint32_t i = 0; i <= how % 8; ++i) {
             w.step(how % 16 < 12 ? 1.0f / 60 : 1.0f / (1 + static_cast<float>(how / 16)));
@@ -418,7 +463,9 @@ struct Player {
         }
     }
     void check() {
-        if (const char* broken = w.validate()) fail(broken);
+        const char* broken = w.validate();
+        if (broken != nullptr && f.trace) print(w);
+        if (broken != nullptr) fail(broken);
         for (std::uint32_t slot = 0; slot < capacity.bodies; ++slot) {
             const BodyId b = w.body_at(slot);
             if (!b) continue;
@@ -449,6 +496,7 @@ struct Player {
         for (int i = 0; i < 300 && !in.done(); ++i) {
             ++f.calls;
             const std::uint32_t what = in.below(32);
+            if (f.trace) std::fprintf(stderr, "call %d of kind %u; before it: %s\n", i, what, describe(w.last_error()));
             if (what < 8) {
                 step();
                 continue;

@@ -69,6 +69,20 @@ const Call calls[] = {
      [](TestWorld& w, BodyId b, float x) {
          w->set_mass(b, {1, {x, x}, 1});
      }},
+    {"set_mass_center_of_what_turns",
+     [](TestWorld& w, BodyId b, float x) {
+         w->set_angular_velocity(b, x);
+         w->set_mass(b, {1, {3, 2}, 1});
+         w->set_mass(b, {1, {-3, 2}, 1});
+     }},
+    {"apply_impulses_twice",
+     [](TestWorld& w, BodyId b, float x) {
+         for (int i = 0; i < 2; ++i) {
+             w->apply_linear_impulse(b, {x, -x}, {100, x});
+             w->apply_angular_impulse(b, x);
+             w->apply_torque(b, x);
+         }
+     }},
     {"set_mass_inertia",
      [](TestWorld& w, BodyId b, float x) {
          w->set_mass(b, {1, {}, x});
@@ -102,6 +116,7 @@ TEST_P(ExtremeNumber, IsRefusedOrSurvived) {
             w.add_circle({0.2f, 1.4f});
             w.step(5);
             GetParam().with(w, box, x);
+            EXPECT_EQ(w->validate(), nullptr) << GetParam().name << '(' << x << "), before any step";
             w.step(5);
             GetParam().with(w, box, x);
             w.step(20);
@@ -128,6 +143,30 @@ TEST(ExtremeSpeedLimit, IsRefusedOrSurvived) {
         w.step(5, 1);
         const char* broken = w->validate();
         EXPECT_TRUE(broken == nullptr && w.is_finite()) << limit << ": " << (broken != nullptr ? broken : "not finite");
+    }
+}
+
+// How fast surfaces meet is worked out from what pulls at the bodies until then; no body is ever as fast as the strongest pull would make it.
+TEST(ExtremeNumbers, WhatBouncesUnderAnyPullHasFiniteImpulses) {
+    for (const float pull : {1e10f, 1e20f, 1e30f, 1e36f, 1e37f, 1e38f, 3.4e38f}) {
+        for (const bool is_gravity : {false, true}) {
+            for (const float dt : {1.0f / 240, 1.0f / 60, 1.0f}) {
+                TestWorld w;
+                w.add_ground(0, 100, {.restitution = 0.3f});
+                const BodyId ball = w.add_circle({0, 3}, 0.5f, {.restitution = 1, .density = 6000});
+                w->set_linear_velocity(ball, {0, -300});
+                if (is_gravity) {
+                    w->set_gravity({0, -pull});
+                } else {
+                    w->apply_force_to_center(ball, {0, -pull});
+                }
+                for (int i = 0; i < 6; ++i) {
+                    w.step(1, dt);
+                    const char* broken = w->validate();
+                    ASSERT_TRUE(broken == nullptr && w.is_finite()) << "pull " << pull << ", dt " << dt << ": " << (broken != nullptr ? broken : "not finite");
+                }
+            }
+        }
     }
 }
 

@@ -142,11 +142,18 @@ TEST(DebugDraw, ColoursSayWhatABodyIs) {
     asleep.awake = false;
     w.add(Circle{}, asleep);
     w.add(Circle{}, BodyDef{.type = BodyType::dynamic, .position = {9, 4}, .bullet = true});
+    w.add(Circle{}, BodyDef{.type = BodyType::dynamic, .position = {12, 4}, .enabled = false});
+    w.add(make_box(1, 1), Vec2{15, 4}, {.sensor = true}, BodyType::static_body);
     Sketch sketch;
     const std::vector<Call>& calls = sketch.of(*w);
-    ASSERT_EQ(calls.size(), 5u);
-    const DrawColor wanted[] = {draw_color::static_body, draw_color::kinematic, draw_color::awake, draw_color::asleep, draw_color::bullet};
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(calls[i].style.color, wanted[i]) << i;
+    ASSERT_EQ(calls.size(), 7u);
+    const DrawColor wanted[] = {draw_color::static_body, draw_color::kinematic, draw_color::awake, draw_color::asleep,
+                                draw_color::bullet,      draw_color::disabled,  draw_color::sensor};
+    for (std::size_t i = 0; i < 7; ++i) {
+        EXPECT_EQ(calls[i].style.color, wanted[i]) << i;
+        EXPECT_EQ(calls[i].style.solid, wanted[i] != draw_color::sensor) << i;
+    }
+    EXPECT_EQ(w->sensor_overlaps(w.shape_of(w.bodies()[6]), {}), 0u);  // whoever calls this has sensors linked
 }
 
 // The islands are worked out here by going from body to body over what World tells of contacts and joints until no label changes.
@@ -216,6 +223,25 @@ TEST(DebugDraw, AGearHoldsItsFourBodiesTogether) {
     EXPECT_EQ(colors(), (std::vector<DrawColor>{of_a, of_a, of_c, of_c, of_other}));
     ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = first, .joint2 = second}));
     EXPECT_EQ(colors(), (std::vector<DrawColor>{of_a, of_a, of_a, of_a, of_other}));
+}
+
+TEST(DebugDraw, WhatIsDisabledHoldsNothingTogether) {
+    TestWorld w;
+    const BodyId a = w.add_box({0, 0}), b = w.add_box({4, 0}), c = w.add_box({8, 0});
+    join(*w, JointType::distance, a, b);
+    join(*w, JointType::distance, b, c);
+    Sketch sketch;
+    sketch.draw.body_colors = BodyColors::island;
+    const auto color_of = [&](BodyId body) {
+        for (const Call& call : sketch.part(*w, DrawPart::shape))
+            if (call.style.slot == body.index1 - 1) return call.style.color;
+        return DrawColor{0};
+    };
+    EXPECT_EQ(color_of(c), color_of(a));
+    w->set_enabled(b, false);
+    EXPECT_NE(color_of(c), color_of(a));
+    EXPECT_EQ(color_of(b), draw_color::disabled);
+    for (const Call& call : sketch.part(*w, DrawPart::joint)) EXPECT_EQ(call.style.color, draw_color::idle_joint);
 }
 
 TEST(DebugDraw, DistinctColoursAre) {

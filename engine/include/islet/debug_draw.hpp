@@ -34,6 +34,7 @@ inline constexpr DrawColor disabled = 0xeceae4;     // nearly white: of a body t
 inline constexpr DrawColor sensor = 0x7fc8a9;       // mint: the shape is a sensor
 // Joints.
 inline constexpr DrawColor joint = 0x2f7d6b;        // green
+inline constexpr DrawColor idle_joint = 0xb9c2cc;   // grey: acts on no body, as one of its bodies is disabled
 inline constexpr DrawColor limit = 0xb5651d;        // brown: the marks of limits
 // Contact points.
 inline constexpr DrawColor pressing = 0xc4314b;     // red: with a normal impulse

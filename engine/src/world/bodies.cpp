@@ -2,6 +2,7 @@
 #include "broadphase/contacts.hpp"
 #include "broadphase/pairs.hpp"
 #include "math/float_mode.hpp"
+#include "memory/joint_graph.hpp"
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/joints.hpp"
@@ -31,7 +32,7 @@ bool check_def(const Core& core, const BodyDef& d) {
                                    d.angular_damping, d.gravity_scale, d.sleep_threshold);
     return check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
-           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, has_continuous || !d.bullet, Error::feature_cut);
+           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, (has_continuous || !d.bullet) && (d.enabled || disabling_is_linked()), Error::feature_cut);
 }
 
 // Takes the slot of a body that can be pushed and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.
@@ -195,23 +196,21 @@ void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
     Core& c = core();
     if (!check_finite(c, force) || !check_finite(c, point)) return;
     const std::uint32_t i = push(c, id);
-    if (i == null_index) return;
-    c.motions[i].force += force;
-    c.motions[i].torque += cross(point - c.poses[i].center, force);
+    if (i != null_index) pull(c, i, force, cross(point - c.poses[i].center, force));
 }
 
 void World::apply_force_to_center(BodyId id, Vec2 force) {
     Core& c = core();
     if (!check_finite(c, force)) return;
     const std::uint32_t i = push(c, id);
-    if (i != null_index) c.motions[i].force += force;
+    if (i != null_index) pull(c, i, force, 0);
 }
 
 void World::apply_torque(BodyId id, float torque) {
     Core& c = core();
     if (!check_finite(c, torque)) return;
     const std::uint32_t i = push(c, id);
-    if (i != null_index) c.motions[i].torque += torque;
+    if (i != null_index) pull(c, i, {0, 0}, torque);
 }
 
 void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {

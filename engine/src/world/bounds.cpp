@@ -4,6 +4,7 @@
 #include "broadphase/pairs.hpp"
 #include "collide/corners.hpp"
 #include "math/copies.hpp"
+#include "world/push.hpp"
 
 namespace islet::detail {
 
@@ -151,7 +152,7 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     const Vec2 old_center = pose.center;
     b.local_center = mass.center;
     pose.center = transform_point(body_transform(core, body), mass.center);
-    motion.v += cross(motion.w, pose.center - old_center);
+    motion.v = capped(motion.v + cross(motion.w, pose.center - old_center));
     const Extent extent = body_extent(core, body);
     pose.max_extent = extent.max;
     b.min_extent = extent.min;

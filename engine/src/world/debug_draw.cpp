@@ -55,7 +55,7 @@ void draw_shapes(const Core& core, const DebugDraw& draw) {
         if (!sees_shape(core, draw, i)) return;
         const Shape& shape = core.shapes[i];
         const bool sensor = (shape.flags & shape_sensor) != 0;
-        const bool in_island = islands != nullptr && islands[shape.body] != null_index && (core.bodies[shape.body].flags & body_disabled) == 0;
+        const bool in_island = islands != nullptr && islands[shape.body] != null_index;
         const DrawColor color = sensor ? draw_color::sensor : in_island ? distinct_color(islands[shape.body]) : state_color(core, shape.body);
         draw_geometry(draw, core.geometries[shape.geometry], body_transform(core, shape.body), {color, DrawPart::shape, !sensor, shape.body});
     });

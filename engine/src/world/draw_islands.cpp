@@ -1,6 +1,7 @@
 // Islands, for drawing: the sets of dynamic bodies that contacts and joints hold together, awake or not. A step finds those of awake bodies only
 // (island/batches.cpp), and does not keep them.
 #include "island/union_find.hpp"
+#include "memory/joint_graph.hpp"
 #include "world/draw_pen.hpp"
 
 namespace islet::detail {
@@ -10,7 +11,7 @@ const std::uint32_t* find_all_islands(const Core& core) {
     Arena arena = core.arena();
     const UnionFind sets{arena.take<std::uint32_t>(state.body_pool.high_water)};
     for (std::uint32_t i = 0; i < state.body_pool.high_water; ++i) {
-        const bool links = pool_live(state.body_pool, core.bodies, i) && core.poses[i].inv_mass > 0;
+        const bool links = pool_live(state.body_pool, core.bodies, i) && core.poses[i].inv_mass > 0 && (core.bodies[i].flags & body_disabled) == 0;
         sets.parent[i] = links ? i : null_index;
     }
     const auto moves = [&](std::uint32_t i) { return i != null_index && sets.parent[i] != null_index; };
@@ -26,6 +27,7 @@ const std::uint32_t* find_all_islands(const Core& core) {
     if constexpr (has_joints) {
         for_each_live(state.joint_pool, core.joints, [&](std::uint32_t i) {
             const Joint& j = core.joints[i];
+            if (is_joint_idle(core, j)) return;
             link(j.body_a, j.body_b);
             if (j.joint_type() != JointType::gear) return;
             // A gear couples up to four bodies, of which it names two.

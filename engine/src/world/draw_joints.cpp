@@ -15,6 +15,7 @@
 #include "constraint/coordinate.hpp"
 #include "constraint/distance.hpp"
 #include "constraint/joint_rows.hpp"
+#include "memory/joint_graph.hpp"
 #include "world/draw_pen.hpp"
 
 namespace islet::detail {
@@ -206,7 +207,8 @@ Aabb bounds_of(const Core& core, const Joint& j, float size) {
 void draw_joint(const Core& core, const DebugDraw& draw, std::uint32_t i) {
     const Joint& j = core.joints[i];
     if (!overlaps(bounds_of(core, j, draw.size), draw.view)) return;
-    const Pen pen{draw, {constraint_color(draw, j.color(), draw_color::joint), DrawPart::joint, false, i}};
+    const DrawColor color = is_joint_idle(core, j) ? draw_color::idle_joint : constraint_color(draw, j.color(), draw_color::joint);
+    const Pen pen{draw, {color, DrawPart::joint, false, i}};
     if (j.joint_type() == JointType::gear) return draw_gear(core, pen, j, draw.size);
 
     const JointPlace at = place_of(core, j);

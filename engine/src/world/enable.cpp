@@ -11,6 +11,21 @@ namespace islet {
 
 using namespace detail;
 
+namespace detail {
+
+void link_disabling() {}
+
+bool has_disabled_body(const Core& core, const Joint& j) {
+    const auto off = [&](std::uint32_t body) { return body != null_index && !is_enabled(core, body); };
+    if (off(j.body_a) || off(j.body_b)) return true;
+    if (j.joint_type() != JointType::gear) return false;
+    const Joint& j1 = core.joints[j.joint1];
+    const Joint& j2 = core.joints[j.joint2];
+    return off(j1.body_a) || off(j1.body_b) || off(j2.body_a) || off(j2.body_b);
+}
+
+}  // namespace detail
+
 namespace {
 
 // A gear may use joints of bodies that it does not hang on, so all joints are looked at.

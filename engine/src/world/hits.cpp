@@ -10,7 +10,34 @@ using namespace detail;
 
 namespace detail {
 
+namespace {
+
+template <std::uint32_t W>
+void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uint32_t count, float* speeds) {
+    for (std::uint32_t block = 0; block < count; ++block) {
+        const ContactRows<W>& r = rows[block];
+        for (std::uint32_t i = 0; i < W; ++i) {
+            if (r.contact[i] == null_index) continue;
+            const ContactManifold& m = manifolds[r.contact[i]];
+            if ((m.flags & contact_hits) == 0) continue;
+            const float first = r.peak[0][i] > 0 ? max(-r.approach[0][i], 0.0f) : 0.0f;
+            const float second = m.count() == 2 && r.peak[1][i] > 0 ? max(-r.approach[1][i], 0.0f) : 0.0f;
+            speeds[r.contact[i]] = second > first ? -second : first;
+        }
+    }
+}
+
+}  // namespace
+
 void link_hits() {}
+
+void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+#if ISLET_MAX_LANES >= 4
+void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+#endif
+#if ISLET_MAX_LANES >= 8
+void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+#endif
 
 void report_hits(Core& core, const float* speeds) {
     const float threshold = core.state->hit_threshold;

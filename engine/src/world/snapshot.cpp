@@ -5,6 +5,7 @@
 #include "broadphase/sensors.hpp"
 #include "collide/manifold.hpp"
 #include "math/checksum.hpp"
+#include "memory/joint_graph.hpp"
 #include "solver/hits.hpp"
 #include "solver/joint_solve.hpp"
 #include "world/checks.hpp"
@@ -258,6 +259,7 @@ bool World::load(std::span<const std::byte> image) {
     link_sensors();
     link_hits();
     link_hooks();
+    link_disabling();
     take_over(c, h, image.data());
     return true;
 }

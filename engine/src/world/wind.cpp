@@ -23,10 +23,9 @@ struct Stream {
 };
 
 // Adds the push on what offers the stream `width` at `arm` from the centre of mass and has the outward normal n (zero: round).
-void push(Motion& motion, const Stream& s, float width, Vec2 arm, Vec2 n) {
+void push(Core& core, std::uint32_t body, const Stream& s, float width, Vec2 arm, Vec2 n) {
     const Vec2 force = (s.pressure * width) * (s.drag * s.along + s.lift * cross(cross(n, s.along), s.along));
-    motion.force += force;
-    motion.torque += cross(arm, force);
+    pull(core, body, force, cross(arm, force));
 }
 
 }  // namespace
@@ -46,14 +45,14 @@ void World::apply_wind(ShapeId id, const WindDef& wind) {
 
     const Corners shape = corners_of(g);
     const Pose& pose = c.poses[body];
-    Motion& motion = c.motions[body];
+    const Motion& motion = c.motions[body];
     const auto arm_of = [&](Vec2 local) { return rotate(pose.q, local - c.bodies[body].local_center); };
     const Vec2 middle = arm_of(middle_of(g));
     const Vec2 past = wind.velocity - motion.v - cross(motion.w, middle);
     const Stream stream{normalize(past), 0.5f * wind.density * length_squared(past), wind.drag, wind.lift};
     if (stream.along == Vec2{}) return;
 
-    if (shape.radius > 0) push(motion, stream, 2.0f * shape.radius, middle, {});
+    if (shape.radius > 0) push(c, body, stream, 2.0f * shape.radius, middle, {});
     // A capsule's core is a segment with two sides; of a polygon's edges those that face the stream count.
     for (std::uint32_t k = 0; shape.count > 1 && k < shape.count; ++k) {
         const Vec2 p1 = shape.points[k], p2 = shape.points[k + 1 < shape.count ? k + 1 : 0];
@@ -61,7 +60,7 @@ void World::apply_wind(ShapeId id, const WindDef& wind) {
         const float width = cross(edge, stream.along);
         if (width <= 0) continue;
         const Vec2 n = normalize(right_perp(edge));
-        push(motion, stream, width, arm_of(lerp(p1, p2, 0.5f)) + shape.radius * n, n);
+        push(c, body, stream, width, arm_of(lerp(p1, p2, 0.5f)) + shape.radius * n, n);
     }
 }
 
