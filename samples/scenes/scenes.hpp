@@ -60,6 +60,13 @@ Scene make_silo();
 Scene make_avalanche();
 Scene make_mixer();
 
+// play
+Scene make_sensors();
+Scene make_explosion();
+Scene make_wind();
+Scene make_conveyor();
+Scene make_platformer();
+
 // benchmark
 Scene make_large_pyramid();
 Scene make_many_pyramids();

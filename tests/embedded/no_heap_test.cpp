@@ -365,29 +365,6 @@ TEST(NoHeap, ExportingIslandsAllocatesNothing) {
     EXPECT_GT(rows, 100u);
 }
 
-TEST(NoHeap, DrawingAllocatesNothing) {
-    World& w = build();
-    test::add_machine(w, {40, 0});
-    for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
-    long drawn = 0;
-    DebugDraw draw;
-    draw.context = &drawn;
-    draw.polygon = [](std::span<const Vec2>, float, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
-    draw.circle = [](Vec2, float, Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
-    draw.capsule = [](Vec2, Vec2, float, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
-    draw.segment = [](Vec2, Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
-    draw.point = [](Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
-    draw.text = [](Vec2, const char*, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
-    draw.contacts = draw.normals = draw.impulses = draw.boxes = draw.fat_boxes = draw.tree = draw.centers = draw.names = true;
-    draw.body_colors = BodyColors::island;
-    draw.constraint_colors = true;
-    const Watch watch;
-    w.draw(draw);
-    const long n = watch.stop();
-    EXPECT_EQ(n, 0);
-    EXPECT_GT(drawn, 300);
-}
-
 TEST(NoHeap, NoQueryAllocates) {
     World& w = build();
     for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
@@ -425,6 +402,29 @@ TEST(NoHeap, AMoverAllocatesNothing) {
     EXPECT_EQ(n, 0);
     EXPECT_TRUE(good);
     EXPECT_GT(on_ground, 10);
+}
+
+TEST(NoHeap, DrawingAllocatesNothing) {
+    World& w = build();
+    test::add_machine(w, {40, 0});
+    for (int i = 0; i < 60; ++i) w.step(1.0f / 60);
+    long drawn = 0;
+    DebugDraw draw;
+    draw.context = &drawn;
+    draw.polygon = [](std::span<const Vec2>, float, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.circle = [](Vec2, float, Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.capsule = [](Vec2, Vec2, float, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.segment = [](Vec2, Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.point = [](Vec2, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.text = [](Vec2, const char*, const DrawStyle&, void* n) { ++*static_cast<long*>(n); };
+    draw.contacts = draw.normals = draw.impulses = draw.boxes = draw.fat_boxes = draw.tree = draw.centers = draw.names = true;
+    draw.body_colors = BodyColors::island;
+    draw.constraint_colors = true;
+    const Watch watch;
+    w.draw(draw);
+    const long n = watch.stop();
+    EXPECT_EQ(n, 0);
+    EXPECT_GT(drawn, 300);
 }
 
 TEST(NoHeap, NoMatrixSolverAllocates) {

@@ -10,6 +10,8 @@ struct Known {
     ShapeId id;
     oracle::Solid solid;
     Filter filter;
+    bool sensor = false;
+    bool enabled = true;
     exact::Point center;
     double reach = 0;  // of the solid around its centre
 };
@@ -36,6 +38,8 @@ inline std::vector<Known> known_shapes(const TestWorld& w) {
             k.id = id;
             k.solid = oracle::solid_of(proxy_of(*w, id), w->transform(body));
             k.filter = w->filter(id);
+            k.sensor = w->is_sensor(id);
+            k.enabled = w->is_enabled(body);
             for (const exact::Point p : k.solid.core) k.center = k.center + (1.0 / double(k.solid.core.size())) * p;
             for (const exact::Point p : k.solid.core) k.reach = std::max(k.reach, exact::length(p - k.center) + k.solid.radius);
             all.push_back(k);

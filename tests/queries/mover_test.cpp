@@ -175,8 +175,8 @@ TEST(Mover, ClimbsStairsAndComesDownThem) {
         hero.step({.walk = 3}, 240);
         EXPECT_GT(hero.state.position.x, 6.5f);
         EXPECT_NEAR(hero.state.position.y, 8 * rise + gap, 1e-3f) << "on top of the eighth step";
-        EXPECT_EQ(hero.steps_in_air, 0);
         hero.step({.walk = -3}, 300);
+        EXPECT_EQ(hero.steps_in_air, 0) << "neither up nor down";
         EXPECT_LT(hero.state.position.x, 1.5f);
         EXPECT_NEAR(hero.state.position.y, gap, 1e-3f) << "down again";
         EXPECT_LE(hero.worst_overlap, 0);
@@ -542,6 +542,56 @@ TEST(Mover, GoesBackWithASnapshotOfTheWorldAndComesToTheSameBits) {
     EXPECT_LE(one.hero.worst_overlap, 0.003f);
 }
 
+// Anything may happen in these worlds: heaps of bodies of all shapes, resting, falling, turning, a mover that does what chance says.
+TEST(Mover, SinksIntoNothingInRandomWorldsUnlessItSaysThatItHasNoRoom) {
+    exact::Random r;
+    int squeezed = 0, grounded = 0, steps = 0;
+    float worst = 0;
+    for (int world = 0; world < 40; ++world) {
+        TestWorld w;
+        w.add_ground(0, 20);
+        for (const float side : {-1.0f, 1.0f}) w.add_box({side * 13, 5}, 1, 10, {}, BodyType::static_body);
+        for (int i = 0; i < 30; ++i) {
+            BodyDef def;
+            def.type = i % 3 == 0 ? BodyType::static_body : i % 3 == 1 ? BodyType::kinematic : BodyType::dynamic;
+            def.position = {r.in(-11, 11), r.in(0.5, 9)};
+            def.angle = r.in(-3, 3);
+            if (def.type == BodyType::kinematic) {
+                def.linear_velocity = {r.in(-0.5, 0.5), r.in(-0.3, 0.3)};
+                def.angular_velocity = r.in(-1, 1);
+            }
+            const BodyId body = w->create_body(def);
+            switch (r.below(4)) {
+            case 0: w->create_shape(body, Circle{{0, 0}, r.in(0.2, 1)}); break;
+            case 1: w->create_shape(body, exact::random_polygon(r, 1.2)); break;
+            case 2: w->create_shape(body, Capsule{{-0.7f, 0}, {0.7f, 0}, 0.3f}); break;
+            default: w->create_shape(body, make_rounded_box(0.7f, 0.3f, 0.1f));
+            }
+        }
+        Hero hero(w, {r.in(-10, 10), 11});
+        hero.def = {};
+        MoverInput input;
+        for (int i = 0; i < 600; ++i, ++steps) {
+            if (r.below(30) == 0) input.walk = r.in(-6, 6);
+            input.jump = r.below(40) == 0 ? r.in(2, 9) : 0;
+            hero.worst_overlap = 0;
+            hero.step(input);
+            ASSERT_TRUE(is_finite(hero.state.position) && is_finite(hero.state.velocity));
+            ASSERT_LT(length(hero.state.velocity), 200);
+            grounded += hero.state.ground ? 1 : 0;
+            squeezed += hero.state.squeezed != 0 ? 1 : 0;
+            if (hero.state.squeezed == 0) {
+                ASSERT_LE(hero.worst_overlap, 0.005f) << "world " << world << ", step " << i;
+                worst = std::max(worst, hero.worst_overlap);
+            }
+        }
+        EXPECT_TRUE(w.errors.empty());
+    }
+    std::printf("%d steps, %d on the ground, %d squeezed, deepest overlap %.2g m\n", steps, grounded, squeezed, static_cast<double>(worst));
+    EXPECT_GT(grounded, steps / 4);
+    EXPECT_LT(squeezed, steps / 20);
+}
+
 TEST(Mover, BadInputIsRefusedAndChangesNothing) {
     TestWorld w;
     w.add_ground(0);
@@ -576,6 +626,41 @@ TEST(Mover, BadInputIsRefusedAndChangesNothing) {
     refused(Error::not_finite, [&](D&, S& s, I&, float&) { s.ground_point.y = nan; });
     refused(Error::not_finite, [&](D&, S&, I& i, float&) { i.walk = nan; });
     refused(Error::out_of_range, [](D&, S&, I& i, float&) { i.jump = -1; });
+}
+
+TEST(Mover, NoFiniteInputGivesANaN) {
+    exact::Random r;
+    const float sizes[] = {0, 1e-30f, 1e-6f, 0.3f, 1, 50, 1e3f, 1e6f, 1e7f, 1e30f};
+    const auto number = [&] { return sizes[r.below(10)] * (r.below(2) == 0 ? 1.0f : -1.0f); };
+    int steps = 0;
+    for (int i = 0; i < 20000; ++i) {
+        static TestWorld w;
+        if (i == 0) {
+            w.add_ground(0);
+            w.add_box({1, 1}, 0.5f, 0.5f);
+            w->set_linear_velocity(w.add_box({3, 0.2f}, 1, 0.1f, {}, BodyType::kinematic), {1, 0});
+        }
+        w->set_gravity({0, r.below(10) == 0 ? number() : -10});
+        MoverDef def;
+        MoverState state{.position = {r.in(-2, 4), r.in(-1, 2)}};
+        if (r.below(3) == 0) state.position = {number(), number()};
+        if (r.below(3) == 0) state.velocity = {number(), number()};
+        if (r.below(2) == 0) state.ground = w->body_at(r.below(3));
+        if (r.below(2) == 0) state.ground_normal = {number(), number()};
+        if (r.below(2) == 0) state.ground_point = {number(), number()};
+        if (r.below(4) == 0) def.capsule = {{number(), number()}, {number(), number()}, std::fabs(number())};
+        if (r.below(4) == 0) def.ground_acceleration = std::fabs(number());
+        if (r.below(4) == 0) def.gravity_scale = number();
+        if (r.below(4) == 0) def.step_height = std::fabs(number());
+        if (r.below(4) == 0) def.snap_distance = std::fabs(number());
+        if (r.below(4) == 0) def.mass = std::fabs(number());
+        if (r.below(4) == 0) def.max_push_force = std::fabs(number());
+        steps += step_mover(*w, def, state, {.walk = number(), .jump = std::fabs(number())}, r.below(2) == 0 ? dt : 1) ? 1 : 0;
+        ASSERT_TRUE(is_finite(state.position) && is_finite(state.velocity) && is_finite(state.ground_normal) && is_finite(state.ground_point)) << i;
+        if (i % 50 == 0) w.step();
+        ASSERT_TRUE(w.is_finite()) << i;
+    }
+    EXPECT_GT(steps, 2000);
 }
 
 TEST(Mover, WhatItStoodOnMayGo) {

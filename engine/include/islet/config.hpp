@@ -59,6 +59,9 @@
 #if !defined(ISLET_HOOKS)
 #define ISLET_HOOKS 1  // the user's filter, pre-solve and mixing
 #endif
+#if !defined(ISLET_RECORDER)
+#define ISLET_RECORDER 1  // World::start_recording
+#endif
 #if !defined(ISLET_TUNING)
 #define ISLET_TUNING 1  // of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance
 #endif

@@ -7,6 +7,7 @@
 #include "islet/layout.hpp"
 #include "islet/math.hpp"
 #include "islet/query.hpp"
+#include "islet/recording.hpp"
 #include "islet/snapshot.hpp"
 #include "islet/tasks.hpp"
 #include "islet/types.hpp"

@@ -81,10 +81,11 @@ bool contains(const ShapeProxy& shape, Vec2 point);
 // -- queries of a World ------------------------------------------------------------------------------------------------------------
 
 /// Which shapes a query finds: those whose filter's category is in `mask` and whose filter's mask holds `category`. The default finds every shape but
-/// those whose mask is 0.
+/// sensors and those whose mask is 0. Shapes of disabled bodies are never found.
 struct QueryFilter {
     std::uint32_t category = 0xffffffffu;
     std::uint32_t mask = 0xffffffffu;
+    bool sensors = false;  ///< Find sensors too.
 };
 
 /// A shape that a ray or a cast meets; as CastHit. Null if there is none.

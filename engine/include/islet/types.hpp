@@ -80,6 +80,9 @@ enum class Error : std::uint8_t {
     feature_cut,         ///< this build of the engine was made without what the call needs (islet/config.hpp), or nothing links it
     not_a_sensor,        ///< the shape is no sensor
     hits_full,           ///< raise Capacity::hits
+    recording_full,      ///< the memory given for a recording is too small, or was used up: it ends before this call
+    not_a_recording,     ///< the bytes are no recording, or the world is not being recorded
+    corrupt_recording,   ///< the recording is not as it was made
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.
@@ -87,9 +90,6 @@ const char* describe(Error e);
 
 /// Receives each error as it happens. Must not call the world.
 using ErrorHook = void (*)(Error error, void* context);
-
-/// Reads a clock of yours, which counts on in whatever unit you like. Must not call the world.
-using Clock = std::uint64_t (*)(void* context);
 
 struct PreSolve;  // below
 
@@ -100,7 +100,7 @@ struct PreSolve;  // below
 /// world's bodies and shapes, and must not change it. mix_friction and mix_restitution are called on any worker, as often as the engine likes: they must be
 /// functions of their arguments alone.
 struct Hooks {
-    /// May these two shapes meet, or may this sensor see that shape? Asked when their fat boxes begin to overlap and whenever that pair is found again, of
+    /// May these two shapes meet, or may this sensor see that shape? (The one in the lower slot comes first.) Asked when their fat boxes begin to overlap and whenever that pair is found again, of
     /// pairs that their filters allow. A pair once made is not asked about again before it parts.
     bool (*filter)(ShapeId shape_a, ShapeId shape_b, void* context) = nullptr;
     /// May look at a contact before it is solved, and change it for this step: see PreSolve. Called in every step for every awake contact that has points
@@ -114,6 +114,9 @@ struct Hooks {
     void* context = nullptr;
     friend bool operator==(const Hooks&, const Hooks&) = default;
 };
+
+/// Reads a clock of yours, which counts on in whatever unit you like. Must not call the world.
+using Clock = std::uint64_t (*)(void* context);
 
 /// The order of the numbers in a step. `soft` is the default; `classic` is one position-corrected velocity solve per step.
 enum class Schedule : std::uint8_t {

@@ -65,8 +65,8 @@ public:
     void enable_continuous(bool enable);
 
     Hooks hooks() const;
-    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. A pre_solve hook is linked by programs that
-    /// call this function or hooks(); in others World::create refuses it (feature_cut).
+    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. Only programs that call this
+    /// function or hooks() have hooks linked; in others World::create refuses them (feature_cut).
     void set_hooks(const Hooks& hooks);
     float hit_threshold() const;
     void set_hit_threshold(float speed);
@@ -103,6 +103,21 @@ public:
     /// As restore, for an image from outside, which may be truncated, corrupt or hostile: nothing of it is used before all of it is found sound.
     /// Further errors: image_misaligned (see snapshot_alignment); corrupt_image if the checksum is not the content's; unsound_image.
     bool load(std::span<const std::byte> image);
+
+    // -- recordings (recording.hpp) ----------------------------------------------------------------------------------------------
+
+    /// Writes every call that changes the world from now on to `buffer`, which must be aligned to recording_alignment and is the world's until the
+    /// recording stops; first of all a snapshot. With `bodies`, each step tells body from body, in four bytes for each that is awake. Returns false, and
+    /// records nothing, if there is no room for the snapshot (recording_full) or the buffer is misaligned (image_misaligned). Where later there is no
+    /// more room the recording stops by itself (recording_full), and holds all that was done before. A recording that is going on is dropped.
+    bool start_recording(std::span<std::byte> buffer, bool bodies = true);
+    bool is_recording() const;
+    /// Bytes used so far; 0 if nothing is being recorded.
+    std::size_t recorded_bytes() const;
+    /// Goes on in a larger buffer. False (and nothing changes) if it is smaller than recorded_bytes() or misaligned, or nothing is being recorded.
+    bool move_recording(std::span<std::byte> buffer);
+    /// Ends the recording; returns its bytes, or 0 if nothing is being recorded (not_a_recording).
+    std::size_t stop_recording();
 
     // -- events of the last step -----------------------------------------------------------------------------------------------
 
@@ -192,7 +207,8 @@ public:
     void lock_y(BodyId body, bool lock);
     bool is_enabled(BodyId body) const;
     /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold nobody, it does not
-    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways.
+    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways. Only programs that call this function have disabled bodies; in others
+    /// create_body refuses them (feature_cut).
     void set_enabled(BodyId body, bool enabled);
     /// BodyDef::bullet. No effect unless the body is dynamic.
     bool is_bullet(BodyId body) const;
@@ -398,8 +414,8 @@ public:
     /// The shape closest to `point` and no farther than max_distance, 0 to max_translation, m; of equally close ones that with the lowest slot.
     ClosestHit closest(Vec2 point, float max_distance, const QueryFilter& filter = {}) const;
     /// The surfaces no farther than `within`, 0 to max_translation, m, from a shape in the world, as far as they fit: the closest ones, the deepest overlap
-    /// first; equally close ones in the order of their slots. Returns how many there are. Chain segments whose back the shape is at (by the mean of its
-    /// corners) are left out, and push to their outer side only.
+    /// first; equally close ones in the order of their slots. Returns how many there are. Chain segments that the shape is behind (by the mean
+    /// of its corners, or by its side that is closest to an end) are left out; they push to their outer side only.
     std::uint32_t surfaces_near(const ShapeProxy& shape, float within, std::span<Surface> out, const QueryFilter& filter = {}) const;
 
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------

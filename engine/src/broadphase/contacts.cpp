@@ -27,14 +27,6 @@ bool filters_agree(const Filter& a, const Filter& b) {
     return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 
-// One of them is a sensor. Geometry of every kind can be overlapped, and joints do not matter.
-bool may_sense(const Core& core, const Shape& s1, const Shape& s2) {
-    const bool both = (s1.flags & s2.flags & shape_sensor) != 0;
-    const bool unseen = (((s1.flags & shape_sensor) != 0 ? s2 : s1).flags & shape_unseen) != 0;
-    const bool moves = core.bodies[s1.body].type() != BodyType::static_body || core.bodies[s2.body].type() != BodyType::static_body;
-    return !both && !unseen && moves && filters_agree(s1.filter, s2.filter);
-}
-
 void link(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
     link_edge(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
 }
@@ -49,18 +41,11 @@ bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2)
     const Shape& s1 = core.shapes[shape_1];
     const Shape& s2 = core.shapes[shape_2];
     if (s1.body == s2.body || ((core.bodies[s1.body].flags | core.bodies[s2.body].flags) & body_disabled) != 0) return false;
-    if (has_sensors && ((s1.flags | s2.flags) & shape_sensor) != 0) return may_sense(core, s1, s2);
+    if (has_sensors && ((s1.flags | s2.flags) & shape_sensor) != 0) return may_sense(core, s1, s2) && filters_agree(s1.filter, s2.filter);
     if (!core.is_dynamic(s1.body) && !core.is_dynamic(s2.body)) return false;
     if (!filters_agree(s1.filter, s2.filter)) return false;
     if (rank(core, shape_1) >= 3 && rank(core, shape_2) >= 3) return false;
     return !joint_forbids(core, s1.body, s2.body);
-}
-
-bool is_pair_wanted(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
-    if (!may_collide(core, shape_1, shape_2)) return false;
-    if (!has_hooks || core.hooks.filter == nullptr) return true;
-    const bool in_order = in_contact_order(core, shape_1, shape_2);
-    return core.hooks.filter(core.shape_id(in_order ? shape_1 : shape_2), core.shape_id(in_order ? shape_2 : shape_1), core.hooks.context);
 }
 
 bool in_contact_order(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {

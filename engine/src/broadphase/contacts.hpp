@@ -22,8 +22,11 @@ inline std::uint32_t other_body(const Core& core, std::uint32_t contact, std::ui
 /// it. Of a sensor: one that is not static, a visitor that consents and is no sensor, filters that agree.
 bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 
-/// The same, and the filter hook does not forbid it.
-bool is_pair_wanted(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+/// What the filter hook says, which is not null. Weakly referenced, as world/hooks.hpp.
+ISLET_OPTIONAL bool is_allowed_by_hook(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+inline bool is_allowed(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    return !has_hooks || core.hooks.filter == nullptr || is_allowed_by_hook(core, shape_1, shape_2);
+}
 
 /// True if the first of two shapes is the one that their contact calls A.
 bool in_contact_order(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);

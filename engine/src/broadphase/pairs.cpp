@@ -26,7 +26,8 @@ struct Columns {
 };
 
 void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
-    if (core.pairs.contains(PairSet::key(shape_1, shape_2)) || !is_pair_wanted(core, shape_1, shape_2)) return;
+    if (core.pairs.contains(PairSet::key(shape_1, shape_2)) || !may_collide(core, shape_1, shape_2)) return;
+    if (!is_allowed(core, shape_1, shape_2)) return;
     if (!create_contact(core, shape_1, shape_2)) ++core.report.dropped_contacts;
 }
 

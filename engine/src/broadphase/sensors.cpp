@@ -33,6 +33,13 @@ void push(const Core& core, TouchEvent* array, std::uint32_t touches, SensorEven
 
 void link_sensors() {}
 
+bool may_sense(const Core& core, const Shape& s1, const Shape& s2) {
+    const bool both = (s1.flags & s2.flags & shape_sensor) != 0;
+    const bool unseen = (((s1.flags & shape_sensor) != 0 ? s2 : s1).flags & shape_unseen) != 0;
+    const bool moves = core.bodies[s1.body].type() != BodyType::static_body || core.bodies[s2.body].type() != BodyType::static_body;
+    return !both && !unseen && moves;
+}
+
 void make_room(const Core& core, TouchEvent* array, std::uint32_t touches, SensorEvents& list) {
     SensorEvent* const room = room_of(array, touches);
     if (list.events == room) move(list, room + (free_room(core, touches, list) + 1) / 2);

@@ -11,6 +11,9 @@
 
 namespace islet::detail {
 
+/// True if of two shapes, one of them a sensor, that one may see the other, whatever their filters say. (Geometry of every kind can be overlapped, and
+/// joints do not matter.)
+ISLET_OPTIONAL bool may_sense(const Core& core, const Shape& s1, const Shape& s2);
 /// True if the two shapes of a sensor's contact overlap now.
 ISLET_OPTIONAL bool overlaps_sensor(const Core& core, std::uint32_t contact);
 /// Notes that they began to, or ceased to, and records the event.

@@ -45,9 +45,8 @@ struct ContactKernel {
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
     /// Gives bouncing contacts their rebound speed.
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
-    /// Writes the impulses back for the next step; and to `hits`, if given, for each contact that is to tell of hits (contact_hits) how fast its shapes came
-    /// together where they needed an impulse, m/s, below 0 if at the second point; 0 if nowhere.
-    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count, float* hits = nullptr);
+    /// Writes the impulses back for the next step.
+    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count);
 };
 
 template <class L>
@@ -314,7 +313,7 @@ void ContactKernel<L>::restitute(SolverBody* bodies_in, Rows* rows, std::uint32_
 }
 
 template <class L>
-void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count, float* hits) {
+void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) {
     for (std::uint32_t block = 0; block < count; ++block) {
         const Rows& r = rows[block];
         for (std::uint32_t i = 0; i < W; ++i) {
@@ -327,10 +326,6 @@ void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::
                 m.tangent_impulse[1] = r.points[1].tangent_impulse[i];
             }
             if ((m.flags & contact_special) != 0) m.rolling_impulse = r.rolling_impulse[i];
-            if (!has_hits || hits == nullptr || (m.flags & contact_hits) == 0) continue;
-            const float first = r.peak[0][i] > 0 ? max(-r.approach[0][i], 0.0f) : 0.0f;
-            const float second = m.count() == 2 && r.peak[1][i] > 0 ? max(-r.approach[1][i], 0.0f) : 0.0f;
-            hits[r.contact[i]] = second > first ? -second : first;
         }
     }
 }

@@ -17,6 +17,8 @@ struct SensorEvents {
     std::uint32_t count = 0;
 };
 
+struct RecordingHead;  // world/calls.hpp
+
 struct Core {
     Capacity capacity;
     std::uint32_t lanes = 1;
@@ -24,9 +26,10 @@ struct Core {
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     TaskSystem tasks;
+    RecordingHead* recording = nullptr;  // what calls are written down in, or null
+    Hooks hooks;
     Clock clock = nullptr;
     void* clock_context = nullptr;
-    Hooks hooks;
 
     State* state = nullptr;
     Pose* poses = nullptr;

@@ -29,6 +29,7 @@ inline constexpr bool has_continuous = ISLET_CONTINUOUS != 0;
 inline constexpr bool has_sensors = ISLET_SENSORS != 0;
 inline constexpr bool has_hits = ISLET_HITS != 0;
 inline constexpr bool has_hooks = ISLET_HOOKS != 0;
+inline constexpr bool has_recorder = ISLET_RECORDER != 0;
 inline constexpr bool has_tuning = ISLET_TUNING != 0;
 inline constexpr bool has_profile = ISLET_PROFILE != 0;
 

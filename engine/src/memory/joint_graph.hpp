@@ -30,15 +30,17 @@ inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t 
     return false;
 }
 
-/// True if a body that the joint acts on is disabled: then it acts on none.
-inline bool is_joint_idle(const Core& core, const Joint& j) {
-    const auto off = [&](std::uint32_t body) { return body != null_index && (core.bodies[body].flags & body_disabled) != 0; };
-    if (off(j.body_a) || off(j.body_b)) return true;
-    if (j.joint_type() != JointType::gear) return false;
-    const Joint& j1 = core.joints[j.joint1];
-    const Joint& j2 = core.joints[j.joint2];
-    return off(j1.body_a) || off(j1.body_b) || off(j2.body_a) || off(j2.body_b);
+/// True if a body that the joint acts on is disabled: then it acts on none. Only programs that call World::set_enabled link it, and have such bodies.
+ISLET_OPTIONAL bool has_disabled_body(const Core& core, const Joint& j);
+void link_disabling();
+inline bool disabling_is_linked() {
+#if defined(__ELF__)
+    return has_disabled_body != nullptr;
+#else
+    return true;
+#endif
 }
+inline bool is_joint_idle(const Core& core, const Joint& j) { return disabling_is_linked() && has_disabled_body(core, j); }
 
 /// Whether the joint belongs to the awake ones.
 inline bool is_joint_awake(const Core& core, const Joint& j) {

@@ -7,18 +7,16 @@
 
 namespace islet::detail {
 
+/// By the user's hook, which is not null; what it says is brought into the range. Weakly referenced, as world/hooks.hpp.
+ISLET_OPTIONAL float friction_by_hook(const Core& core, const Shape& a, const Shape& b);
+ISLET_OPTIONAL float restitution_by_hook(const Core& core, const Shape& a, const Shape& b);
+
 inline float mixed_friction(const Core& core, const Shape& a, const Shape& b) {
-    const Hooks& hooks = core.hooks;
-    if (!has_hooks || hooks.mix_friction == nullptr) return sqrt(a.friction * b.friction);
-    const float mixed = hooks.mix_friction(a.friction, a.material, b.friction, b.material, hooks.context);
-    return mixed >= 0 ? min(mixed, max_coefficient) : 0.0f;  // 0 for NaN too
+    return !has_hooks || core.hooks.mix_friction == nullptr ? sqrt(a.friction * b.friction) : friction_by_hook(core, a, b);
 }
 
-ISLET_SHARED float mixed_restitution(const Core& core, const Shape& a, const Shape& b) {
-    const Hooks& hooks = core.hooks;
-    if (!has_hooks || hooks.mix_restitution == nullptr) return max(a.restitution, b.restitution);
-    const float mixed = hooks.mix_restitution(a.restitution, a.material, b.restitution, b.material, hooks.context);
-    return has_restitution && mixed >= 0 ? min(mixed, 1.0f) : 0.0f;
+inline float mixed_restitution(const Core& core, const Shape& a, const Shape& b) {
+    return !has_hooks || core.hooks.mix_restitution == nullptr ? max(a.restitution, b.restitution) : restitution_by_hook(core, a, b);
 }
 
 }  // namespace islet::detail

@@ -25,7 +25,7 @@ extern template struct ContactKernel<Lane4>;
 void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count);
 void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers);
 void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, float threshold);
-void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, float* hits);
+void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count);
 
 struct Kernel8 {
     static constexpr std::uint32_t W = 8;
@@ -33,7 +33,7 @@ struct Kernel8 {
     static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { prepare_8(in, rows, count); }
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& n) { solve_8(bodies, rows, count, n); }
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float t) { restitute_8(bodies, rows, count, t); }
-    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count, float* hits) { store_8(manifolds, rows, count, hits); }
+    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) { store_8(manifolds, rows, count); }
 };
 #endif
 
@@ -55,7 +55,7 @@ struct Solve {
     ContactRows<1>* overflow;
     float* residuals;                      // m/s, by island; null if not wanted
     float tolerance;                       // m/s; 0: as many sweeps as there are to be
-    float* hits = nullptr;                 // m/s, by contact: how fast the shapes came together, as ContactKernel::store has it; null if not wanted
+    float* hits = nullptr;                 // m/s, by contact: how fast the shapes came together (hits.hpp); null if not wanted
 };
 
 SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, float h) {
@@ -429,8 +429,12 @@ template <class K>
 void BatchSolve<K>::store() {
     const std::uint32_t begin = batch.first_block[0];
     over(batch.first_block[color_count] - begin, 4 * contact_grain / W,
-         [&](std::uint32_t first, std::uint32_t end) { K::store(s.core.manifolds, row(begin + first), end - first, s.hits); });
-    ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count, s.hits);
+         [&](std::uint32_t first, std::uint32_t end) {
+             K::store(s.core.manifolds, row(begin + first), end - first);
+             if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, row(begin + first), end - first, s.hits);
+         });
+    ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count);
+    if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
     const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.h};
     if (tree_count() != 0) store_trees(s.trees + batch.first_tree, tree_count(), out);
@@ -565,7 +569,7 @@ SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     }
     core.state->last_substep = s.numbers.h;
     if (s.residuals != nullptr) report_residuals(core, plan, s.residuals);
-    if (s.hits != nullptr) report_hits(core, s.hits);
+    if (has_hits && s.hits != nullptr) report_hits(core, s.hits);
     return s.bodies;
 }
 

@@ -16,6 +16,7 @@
 #include "memory/parallel.hpp"
 #include "world/continuous.hpp"
 #include "world/hooks.hpp"
+#include "world/seams.hpp"
 #include "world/sleep.hpp"
 
 namespace islet::detail {
@@ -102,8 +103,9 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
     const Vec2 center_b = core.bodies[m.body_b].local_center;
     const Rot turn = inv_mul(stand.a, stand.b);
     const Transform b_in_a{inv_rotate(stand.a, stand.offset) + center_a - rotate(turn, center_b), turn};
-    const Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
-                                    speculative_distance);
+    Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
+                              speculative_distance);
+    if (fresh.count > 0) drop_inner_edges(core, c, b_in_a, fresh);
 
     const ContactManifold old = m;
     m.normal = rotate(stand.a, fresh.normal);
@@ -148,9 +150,6 @@ bool has_parted(const Core& core, std::uint32_t index, float dt) {
 
 enum class Change : std::uint8_t { none, changes, parts };
 
-// The pre_solve hook is to be asked about the contact in every step in which it has points.
-bool asks(const Core& core, const ContactManifold& m) { return has_hooks && (m.flags & contact_asks) != 0 && core.hooks.pre_solve != nullptr; }
-
 // Works on one contact alone, so contacts may be updated in any order or in parallel; what changes shared state is only reported.
 Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled) {
     ContactManifold& m = core.manifolds[index];
@@ -167,7 +166,7 @@ Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled
         remake(core, index, dt);
     }
     const bool is = m.count() > 0;
-    if (asks(core, m) && is) return Change::changes;  // maybe: what the hook will say is not known yet
+    if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // maybe: what the hook will say is not known yet
     return is == ((m.flags & contact_touching) != 0) ? Change::none : Change::changes;
 }
 
@@ -191,7 +190,7 @@ void end_touch(Core& core, std::uint32_t index) {
 void commit(Core& core, std::uint32_t index, BitSet to_wake) {
     const ContactManifold& m = core.manifolds[index];
     if (has_sensors && (m.flags & contact_sensor) != 0) return (m.flags & contact_overlap) != 0 ? end_overlap(core, index) : begin_overlap(core, index);
-    if (asks(core, m) && m.count() > 0) ask_pre_solve(core, index);
+    if (has_hooks && (m.flags & contact_asks) != 0 && m.count() > 0 && core.hooks.pre_solve != nullptr) ask_pre_solve(core, index);
     const bool was = (m.flags & contact_touching) != 0;
     if (was == (m.count() > 0)) return;
     if (was) {

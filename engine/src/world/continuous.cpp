@@ -11,6 +11,7 @@
 #include "collide/time_of_impact.hpp"
 #include "math/scalar.hpp"
 #include "world/bounds.hpp"
+#include "world/hooks.hpp"
 
 namespace islet::detail {
 
@@ -82,10 +83,7 @@ bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep
 bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
     constexpr std::uint32_t undecided = shape_sensor | shape_pre_solve;  // passes through, or may
     if (((core.shapes[shape].flags | core.shapes[other].flags) & undecided) != 0) return false;
-    // Static shapes are looked at by many workers at once, who must not ask the filter hook; but it was asked when a contact was made.
-    if (has_hooks && core.hooks.filter != nullptr && core.bodies[core.shapes[other].body].type() == BodyType::static_body)
-        return core.pairs.contains(PairSet::key(shape, other)) && may_collide(core, shape, other);
-    return is_pair_wanted(core, shape, other);
+    return may_collide(core, shape, other) && (!has_hooks || core.hooks.filter == nullptr || stops_by_hook(core, shape, other));
 }
 
 /// The fraction of the way at which `shape` must stop for `other`, or no_impact.

@@ -36,6 +36,9 @@ const char* describe(Error e) {
         case Error::wrong_delta: return "The delta does not start from the image given: apply it to the one it was made from.";
         case Error::feature_cut: return "This program's engine has no such part: build it without the switch that leaves it out (islet/config.hpp), or call the function that links it.";
         case Error::not_a_sensor: return "The shape is no sensor: ShapeDef::sensor makes one.";
+        case Error::recording_full: return "The memory for the recording is used up: it holds everything before this call. Give more, or move it in time.";
+        case Error::not_a_recording: return "These bytes are no recording, or nothing is being recorded: start_recording begins one.";
+        case Error::corrupt_recording: return "The recording is not as it was made: its sums are wrong. Get it again.";
         case Error::hits_full: return "More hits in one step than there is room to report: raise Capacity::hits or the hit threshold.";
     }
     return "Unknown error.";

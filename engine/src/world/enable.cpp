@@ -5,11 +5,27 @@
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/push.hpp"
+#include "world/recorder.hpp"
 #include "world/sleep.hpp"
 
 namespace islet {
 
 using namespace detail;
+
+namespace detail {
+
+void link_disabling() {}
+
+bool has_disabled_body(const Core& core, const Joint& j) {
+    const auto off = [&](std::uint32_t body) { return body != null_index && !is_enabled(core, body); };
+    if (off(j.body_a) || off(j.body_b)) return true;
+    if (j.joint_type() != JointType::gear) return false;
+    const Joint& j1 = core.joints[j.joint1];
+    const Joint& j2 = core.joints[j.joint2];
+    return off(j1.body_a) || off(j1.body_b) || off(j2.body_a) || off(j2.body_b);
+}
+
+}  // namespace detail
 
 namespace {
 
@@ -54,6 +70,7 @@ bool World::is_enabled(BodyId id) const {
 
 void World::set_enabled(BodyId id, bool enabled) {
     Core& c = core();
+    note_call(c, Call::set_enabled, id, enabled);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || detail::is_enabled(c, i) == enabled) return;
     if (enabled) {

@@ -3,6 +3,7 @@
 
 #include "world/checks.hpp"
 #include "world/contact_info.hpp"
+#include "world/recorder.hpp"
 
 namespace islet {
 
@@ -10,7 +11,34 @@ using namespace detail;
 
 namespace detail {
 
+namespace {
+
+template <std::uint32_t W>
+void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uint32_t count, float* speeds) {
+    for (std::uint32_t block = 0; block < count; ++block) {
+        const ContactRows<W>& r = rows[block];
+        for (std::uint32_t i = 0; i < W; ++i) {
+            if (r.contact[i] == null_index) continue;
+            const ContactManifold& m = manifolds[r.contact[i]];
+            if ((m.flags & contact_hits) == 0) continue;
+            const float first = r.peak[0][i] > 0 ? max(-r.approach[0][i], 0.0f) : 0.0f;
+            const float second = m.count() == 2 && r.peak[1][i] > 0 ? max(-r.approach[1][i], 0.0f) : 0.0f;
+            speeds[r.contact[i]] = second > first ? -second : first;
+        }
+    }
+}
+
+}  // namespace
+
 void link_hits() {}
+
+void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+#if ISLET_MAX_LANES >= 4
+void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+#endif
+#if ISLET_MAX_LANES >= 8
+void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+#endif
 
 void report_hits(Core& core, const float* speeds) {
     const float threshold = core.state->hit_threshold;
@@ -40,6 +68,7 @@ std::span<const HitEvent> World::hit_events() const {
 float World::hit_threshold() const { return core().state->hit_threshold; }
 
 void World::set_hit_threshold(float speed) {
+    note_call(core(), Call::set_hit_threshold, speed);
     if (check_range(core(), speed, 0, no_limit)) core().state->hit_threshold = speed;
 }
 

@@ -2,6 +2,7 @@
 
 #include "broadphase/contacts.hpp"
 #include "math/scalar.hpp"
+#include "memory/mixing.hpp"
 #include "solver/surface.hpp"
 #include "world/checks.hpp"
 #include "world/contact_info.hpp"
@@ -13,6 +14,26 @@ using namespace detail;
 namespace detail {
 
 void link_hooks() {}
+
+bool is_allowed_by_hook(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    const std::uint32_t first = shape_1 < shape_2 ? shape_1 : shape_2;
+    return core.hooks.filter(core.shape_id(first), core.shape_id(shape_1 + shape_2 - first), core.hooks.context);
+}
+
+bool stops_by_hook(const Core& core, std::uint32_t shape, std::uint32_t other) {
+    const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
+    return is_static ? core.pairs.contains(PairSet::key(shape, other)) : is_allowed_by_hook(core, shape, other);
+}
+
+float friction_by_hook(const Core& core, const Shape& a, const Shape& b) {
+    const float mixed = core.hooks.mix_friction(a.friction, a.material, b.friction, b.material, core.hooks.context);
+    return mixed >= 0 ? min(mixed, max_coefficient) : 0.0f;  // 0 for NaN too
+}
+
+float restitution_by_hook(const Core& core, const Shape& a, const Shape& b) {
+    const float mixed = core.hooks.mix_restitution(a.restitution, a.material, b.restitution, b.material, core.hooks.context);
+    return has_restitution && mixed >= 0 ? min(mixed, 1.0f) : 0.0f;
+}
 
 void ask_pre_solve(Core& core, std::uint32_t index) {
     ContactManifold& m = core.manifolds[index];

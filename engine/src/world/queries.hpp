@@ -9,8 +9,10 @@ namespace islet::detail {
 
 /// Whether queries with this filter find the shape at all.
 inline bool is_queried(const Core& core, std::uint32_t shape, const QueryFilter& filter) {
-    const Filter& f = core.shapes[shape].filter;
-    return (filter.mask & f.category) != 0 && (f.mask & filter.category) != 0;
+    const Shape& s = core.shapes[shape];
+    const Filter& f = s.filter;
+    const bool hidden = ((s.flags & shape_sensor) != 0 && !filter.sensors) || (core.bodies[s.body].flags & body_disabled) != 0;
+    return !hidden && (filter.mask & f.category) != 0 && (f.mask & filter.category) != 0;
 }
 
 /// A shape in its body's frame.

@@ -5,6 +5,7 @@
 #include "broadphase/sensors.hpp"
 #include "collide/manifold.hpp"
 #include "math/checksum.hpp"
+#include "memory/joint_graph.hpp"
 #include "solver/hits.hpp"
 #include "solver/joint_solve.hpp"
 #include "world/checks.hpp"
@@ -13,6 +14,7 @@
 #include "world/hooks.hpp"
 #include "world/image.hpp"
 #include "world/joints.hpp"
+#include "world/recorder.hpp"
 
 namespace islet {
 
@@ -238,6 +240,7 @@ bool World::restore(std::span<const std::byte> image) {
     if (!check(c, h.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
     if (!check(c, can_tell(image.data()), Error::feature_cut)) return false;
     take_over(c, h, image.data());
+    if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
     return true;
 }
 
@@ -258,7 +261,9 @@ bool World::load(std::span<const std::byte> image) {
     link_sensors();
     link_hits();
     link_hooks();
+    link_disabling();
     take_over(c, h, image.data());
+    if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
     return true;
 }
 
