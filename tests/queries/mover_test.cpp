@@ -628,6 +628,41 @@ TEST(Mover, BadInputIsRefusedAndChangesNothing) {
     refused(Error::out_of_range, [](D&, S&, I& i, float&) { i.jump = -1; });
 }
 
+TEST(Mover, NoFiniteInputGivesANaN) {
+    exact::Random r;
+    const float sizes[] = {0, 1e-30f, 1e-6f, 0.3f, 1, 50, 1e3f, 1e6f, 1e7f, 1e30f};
+    const auto number = [&] { return sizes[r.below(10)] * (r.below(2) == 0 ? 1.0f : -1.0f); };
+    int steps = 0;
+    for (int i = 0; i < 20000; ++i) {
+        static TestWorld w;
+        if (i == 0) {
+            w.add_ground(0);
+            w.add_box({1, 1}, 0.5f, 0.5f);
+            w->set_linear_velocity(w.add_box({3, 0.2f}, 1, 0.1f, {}, BodyType::kinematic), {1, 0});
+        }
+        w->set_gravity({0, r.below(10) == 0 ? number() : -10});
+        MoverDef def;
+        MoverState state{.position = {r.in(-2, 4), r.in(-1, 2)}};
+        if (r.below(3) == 0) state.position = {number(), number()};
+        if (r.below(3) == 0) state.velocity = {number(), number()};
+        if (r.below(2) == 0) state.ground = w->body_at(r.below(3));
+        if (r.below(2) == 0) state.ground_normal = {number(), number()};
+        if (r.below(2) == 0) state.ground_point = {number(), number()};
+        if (r.below(4) == 0) def.capsule = {{number(), number()}, {number(), number()}, std::fabs(number())};
+        if (r.below(4) == 0) def.ground_acceleration = std::fabs(number());
+        if (r.below(4) == 0) def.gravity_scale = number();
+        if (r.below(4) == 0) def.step_height = std::fabs(number());
+        if (r.below(4) == 0) def.snap_distance = std::fabs(number());
+        if (r.below(4) == 0) def.mass = std::fabs(number());
+        if (r.below(4) == 0) def.max_push_force = std::fabs(number());
+        steps += step_mover(*w, def, state, {.walk = number(), .jump = std::fabs(number())}, r.below(2) == 0 ? dt : 1) ? 1 : 0;
+        ASSERT_TRUE(is_finite(state.position) && is_finite(state.velocity) && is_finite(state.ground_normal) && is_finite(state.ground_point)) << i;
+        if (i % 50 == 0) w.step();
+        ASSERT_TRUE(w.is_finite()) << i;
+    }
+    EXPECT_GT(steps, 2000);
+}
+
 TEST(Mover, WhatItStoodOnMayGo) {
     TestWorld w;
     const BodyId floor = w.add_ground(0);

@@ -414,8 +414,8 @@ public:
     /// The shape closest to `point` and no farther than max_distance, 0 to max_translation, m; of equally close ones that with the lowest slot.
     ClosestHit closest(Vec2 point, float max_distance, const QueryFilter& filter = {}) const;
     /// The surfaces no farther than `within`, 0 to max_translation, m, from a shape in the world, as far as they fit: the closest ones, the deepest overlap
-    /// first; equally close ones in the order of their slots. Returns how many there are. Chain segments whose back the shape is at (by the mean of its
-    /// corners) are left out, and push to their outer side only.
+    /// first; equally close ones in the order of their slots. Returns how many there are. Chain segments that the shape is behind (by the mean
+    /// of its corners, or by its side that is closest to an end) are left out; they push to their outer side only.
     std::uint32_t surfaces_near(const ShapeProxy& shape, float within, std::span<Surface> out, const QueryFilter& filter = {}) const;
 
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------

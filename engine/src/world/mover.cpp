@@ -16,6 +16,8 @@ constexpr float no_length = 1e-5f;  // m: not worth walking
 
 float approach(float from, float to, float most) { return from + clamp(to - from, -most, most); }
 
+Vec2 limited(Vec2 a, float limit) { return max(min(a, Vec2{limit, limit}), Vec2{-limit, -limit}); }
+
 Vec2 ground_velocity(const Mover& m) { return m.world.velocity_at(m.state.ground, m.support()); }
 
 void leave_ground(Mover& m) {
@@ -33,12 +35,15 @@ void stand_on(Mover& m, const Surface& s, Vec2 face) {
 
 // What it stands on has moved since the last step: the feet go with it. And what else has moved may have come too close.
 void ride(Mover& m) {
-    if (!m.world.is_valid(m.state.ground)) {
+    Vec2 carried;
+    bool follows = m.world.is_valid(m.state.ground);
+    if (follows) carried = transform_point(m.world.transform(m.state.ground), m.state.ground_point) - m.support();
+    follows = follows && length(carried) <= max_speed_limit * m.dt;  // nobody follows ground that was set elsewhere, far away
+    if (follows) {
+        slide(m, carried);
+    } else {
         m.state.ground = {};
-        return;
     }
-    const Vec2 carried = transform_point(m.world.transform(m.state.ground), m.state.ground_point) - m.support();
-    slide(m, carried);
 }
 
 /// Lowers the feet, by no more than `most`, until the gap is left to what is below. Null surface if there is nothing.
@@ -183,6 +188,7 @@ void fall(Mover& m, float wanted) {
         if ((wanted - sideways) * dot(t.surfaces[i].normal, m.right) < 0) pull = 0;
     }
     m.state.velocity += (approach(sideways, wanted, pull) - sideways) * m.right + m.def.gravity_scale * m.dt * m.world.gravity();
+    m.state.velocity = limited(m.state.velocity, max_speed_limit);
     slide(m, m.dt * m.state.velocity);
     land(m);
 }
@@ -216,9 +222,10 @@ bool check_mover(const Core& core, const MoverDef& d, const MoverState& s, const
            check_range(core, d.step_height, 0, max_position) && check_range(core, d.snap_distance, 0, max_position) &&
            check_range(core, d.ground_acceleration, 0, no_limit) && check_range(core, d.air_acceleration, 0, no_limit) &&
            check_range(core, d.mass, 0, no_limit) && check_range(core, d.max_push_force, 0, no_limit) && check_position(core, s.position) &&
+           check_position(core, s.position + d.capsule.point1) && check_position(core, s.position + d.capsule.point2) &&
            check_range(core, v.x, -max_speed_limit, max_speed_limit) && check_range(core, v.y, -max_speed_limit, max_speed_limit) &&
            check_range(core, in.walk, -max_speed_limit, max_speed_limit) && check_range(core, in.jump, 0, max_speed_limit) &&
-           check_finite(core, s.ground_normal) && check_finite(core, s.ground_point);
+           check_finite(core, s.ground_normal) && check_position(core, s.ground_point);
 }
 
 }  // namespace
@@ -229,6 +236,7 @@ bool step_mover(World& world, const MoverDef& def, MoverState& state, const Move
     const Vec2 up = normalize(def.up);
     Mover m{world, def, state, up, right_perp(up), make_rot(def.max_slope).c, dt};
     m.state.squeezed = 0;
+    if (m.state.ground && !(abs(length_squared(m.state.ground_normal) - 1) < 1e-3f)) m.state.ground_normal = up;
     if (m.state.ground) ride(m);
     if (m.state.ground && input.jump > 0) {
         leave_ground(m);
@@ -240,9 +248,8 @@ bool step_mover(World& world, const MoverDef& def, MoverState& state, const Move
         fall(m, input.walk);
     }
     press(m, input.walk);
-    const float limit = max_speed_limit;
-    m.state.velocity = max(min(m.state.velocity, Vec2{limit, limit}), Vec2{-limit, -limit});
-    m.state.position = max(min(m.state.position, Vec2{max_position, max_position}), Vec2{-max_position, -max_position});
+    m.state.velocity = limited(m.state.velocity, max_speed_limit);
+    m.state.position = limited(m.state.position, max_position);
     state = m.state;
     return true;
 }

@@ -11,7 +11,8 @@ using namespace detail;
 
 namespace {
 
-// The proxy is in front of the segment, perhaps through it: the segment's own plane is the only way out.
+// False if the proxy is behind the segment, by the mean of its corners or by what of it is closest to an end. If its core reaches through, the segment's own
+// plane is the only way out.
 bool face_of_segment(const ShapeProxy& p, const ShapeProxy& segment, Nearest& n) {
     const Vec2 origin = segment.points[0];
     const Vec2 normal = normalize(right_perp(segment.points[1] - origin));
@@ -23,8 +24,9 @@ bool face_of_segment(const ShapeProxy& p, const ShapeProxy& segment, Nearest& n)
         lowest = min(lowest, height);
     }
     if (sum < 0) return false;
-    if (dot(n.normal, normal) <= 0 || n.distance < -p.radius) n = {lowest - p.radius, normal, n.place};
-    return true;
+    const bool through = n.distance <= -p.radius;
+    if (through) n = {lowest - p.radius, normal, n.place};
+    return through || dot(n.normal, normal) > 0;
 }
 
 }  // namespace
