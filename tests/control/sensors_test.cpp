@@ -134,6 +134,21 @@ TEST(Sensors, HaveMassByTheirDensity) {
     EXPECT_EQ(w->mass(sensor), 24);
 }
 
+// A body counts as fast by what of it is solid: a small sensor on it does not make it one, which would have it looked at in every step.
+TEST(Sensors, ThinOnesDoNotMakeABodyFast) {
+    TestWorld with, without;
+    with.add_ground();
+    without.add_ground();
+    const BodyId a = with.add_box({0, 3}), b = without.add_box({0, 3});
+    with->create_shape(a, Circle{{0, 0}, 0.01f}, {.density = 0, .sensor = true});
+    for (int i = 0; i < 120; ++i) {
+        with.step();
+        without.step();
+        ASSERT_EQ(with->position(a), without->position(b)) << "and nothing else changes either";
+    }
+    EXPECT_EQ(with->validate(), nullptr);
+}
+
 // -- sleep -------------------------------------------------------------------------------------------------------------------------------
 
 TEST(Sensors, SleepersStayInTheirOverlapsAndAreFoundAsleep) {

@@ -422,7 +422,7 @@ public:
 
     /// Writes to `memory` the complementarity problem that a substep of `h` seconds, 0 < h <= 1, would pose to the island of a dynamic body as it stands
     /// now, and points `out` to it. (Contacts have the normals and arms that the last step found; a centre of mass moved since then is not seen by them.) Returns the bytes needed, and writes neither to memory nor to out if there are fewer; memory needs no alignment.
-    /// It is the same problem whichever of the island's bodies is named, asleep or awake. Not part of the state: no hash knows of it, and solving
+    /// Motion locks are not in it. It is the same problem whichever of the island's bodies is named, asleep or awake. Not part of the state: no hash knows of it, and solving
     /// it changes no body; but it uses the world's scratch memory, so no other call to the world may run at the same time. Bodies of absurd masses may
     /// give numbers that overflow; lcp::solve then says not_finite. Returns 0 on an error: null_id, stale_id; no_dynamic_body; bad_time_step of h;
     /// out_of_range if there are more than lcp::max_rows rows or 2^32 - 1 entries.
