@@ -1,4 +1,4 @@
-// For a build without capsules, segments, chains, joints, bouncing, surfaces and sleep: each is refused, by name and at no cost to the world, and what is
+// For a build without capsules, segments, chains, joints, bouncing, surfaces, sleep, sensors, hits and hooks: each is refused, by name and at no cost to the world, and what is
 // left comes to the same. Prints the pyramid's line as firmware.cpp does; fails if anything is not refused.
 #include "board.hpp"
 #include "console.hpp"
@@ -42,6 +42,11 @@ int run() {
     expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.restitution = 1}), "restitution");
     expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.rolling_resistance = 1}), "rolling resistance");
     expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.tangent_speed = 1}), "tangent speed");
+    expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.sensor = true}), "sensors");
+    expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.hit_events = true}), "hit events");
+    expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.pre_solve = true}), "the pre_solve hook");
+    world.set_hooks({.filter = [](ShapeId, ShapeId, void*) { return true; }});
+    expect_refused(world, world.hooks() == Hooks{}, "hooks");
     world.set_restitution(box, 1);
     expect_refused(world, world.restitution(box) == 0, "set_restitution");
     world.set_rolling_resistance(box, 1);

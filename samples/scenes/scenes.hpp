@@ -61,6 +61,10 @@ Scene make_avalanche();
 Scene make_mixer();
 
 // play
+Scene make_sensors();
+Scene make_explosion();
+Scene make_wind();
+Scene make_conveyor();
 Scene make_platformer();
 
 // benchmark

@@ -7,6 +7,7 @@
 #include "world/checks.hpp"
 #include "world/joints.hpp"
 #include "world/push.hpp"
+#include "world/recorder.hpp"
 #include "world/shapes.hpp"
 #include "world/sleep.hpp"
 
@@ -47,6 +48,7 @@ std::uint32_t push(Core& core, BodyId id) {
 
 BodyId World::create_body(const BodyDef& def) {
     Core& c = core();
+    note_call(c, Call::create_body, def);
     const DefaultFloatMode mode;
     if (!check_def(c, def)) return {};
     const std::uint32_t i = pool_take(c.state->body_pool, c.bodies, c.capacity.bodies);
@@ -88,6 +90,7 @@ BodyId World::create_body(const BodyDef& def) {
 
 void World::destroy_body(BodyId id) {
     Core& c = core();
+    note_call(c, Call::destroy_body, id);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
     if (c.bodies[i].joint_head != 0) remove_joints(c, i);
@@ -161,6 +164,7 @@ std::uint32_t World::shapes(BodyId id, std::span<ShapeId> out) const {
 
 void World::set_transform(BodyId id, Vec2 position, float angle) {
     Core& c = core();
+    note_call(c, Call::set_transform, id, position, angle);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_position(c, position) || !check_finite(c, angle)) return;
@@ -177,6 +181,7 @@ void World::set_transform(BodyId id, Vec2 position, float angle) {
 
 void World::set_linear_velocity(BodyId id, Vec2 velocity) {
     Core& c = core();
+    note_call(c, Call::set_linear_velocity, id, velocity);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
     if (velocity != Vec2{}) wake_island(c, i, c.arena());
@@ -185,6 +190,7 @@ void World::set_linear_velocity(BodyId id, Vec2 velocity) {
 
 void World::set_angular_velocity(BodyId id, float velocity) {
     Core& c = core();
+    note_call(c, Call::set_angular_velocity, id, velocity);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
     if ((c.bodies[i].flags & body_fixed_rotation) != 0) return;
@@ -194,6 +200,7 @@ void World::set_angular_velocity(BodyId id, float velocity) {
 
 void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
     Core& c = core();
+    note_call(c, Call::apply_force, id, force, point);
     if (!check_finite(c, force) || !check_finite(c, point)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) pull(c, i, force, cross(point - c.poses[i].center, force));
@@ -201,6 +208,7 @@ void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
 
 void World::apply_force_to_center(BodyId id, Vec2 force) {
     Core& c = core();
+    note_call(c, Call::apply_force_to_center, id, force);
     if (!check_finite(c, force)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) pull(c, i, force, 0);
@@ -208,6 +216,7 @@ void World::apply_force_to_center(BodyId id, Vec2 force) {
 
 void World::apply_torque(BodyId id, float torque) {
     Core& c = core();
+    note_call(c, Call::apply_torque, id, torque);
     if (!check_finite(c, torque)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) pull(c, i, {0, 0}, torque);
@@ -215,6 +224,7 @@ void World::apply_torque(BodyId id, float torque) {
 
 void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {
     Core& c = core();
+    note_call(c, Call::apply_linear_impulse, id, impulse, point);
     if (!check_finite(c, impulse) || !check_finite(c, point)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) kick(c, i, impulse, cross(point - c.poses[i].center, impulse));
@@ -222,6 +232,7 @@ void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {
 
 void World::apply_linear_impulse_to_center(BodyId id, Vec2 impulse) {
     Core& c = core();
+    note_call(c, Call::apply_linear_impulse_to_center, id, impulse);
     if (!check_finite(c, impulse)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) kick(c, i, impulse, 0);
@@ -229,6 +240,7 @@ void World::apply_linear_impulse_to_center(BodyId id, Vec2 impulse) {
 
 void World::apply_angular_impulse(BodyId id, float impulse) {
     Core& c = core();
+    note_call(c, Call::apply_angular_impulse, id, impulse);
     if (!check_finite(c, impulse)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) kick(c, i, {0, 0}, impulse);
@@ -236,6 +248,7 @@ void World::apply_angular_impulse(BodyId id, float impulse) {
 
 void World::set_type(BodyId id, BodyType type) {
     Core& c = core();
+    note_call(c, Call::set_type, id, type);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check(c, type <= BodyType::dynamic, Error::out_of_range)) return;
@@ -268,6 +281,7 @@ void World::set_type(BodyId id, BodyType type) {
 
 void World::set_mass(BodyId id, const MassData& mass) {
     Core& c = core();
+    note_call(c, Call::set_mass, id, mass);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_range(c, mass.mass, min_mass, max_mass) || !check_position(c, mass.center)) return;
@@ -279,6 +293,7 @@ void World::set_mass(BodyId id, const MassData& mass) {
 
 void World::reset_mass(BodyId id) {
     Core& c = core();
+    note_call(c, Call::reset_mass, id);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
@@ -288,18 +303,21 @@ void World::reset_mass(BodyId id) {
 
 void World::set_linear_damping(BodyId id, float damping) {
     Core& c = core();
+    note_call(c, Call::set_linear_damping, id, damping);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index && check_range(c, damping, 0, no_limit)) c.bodies[i].linear_damping = damping;
 }
 
 void World::set_angular_damping(BodyId id, float damping) {
     Core& c = core();
+    note_call(c, Call::set_angular_damping, id, damping);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index && check_range(c, damping, 0, no_limit)) c.bodies[i].angular_damping = damping;
 }
 
 void World::set_gravity_scale(BodyId id, float scale) {
     Core& c = core();
+    note_call(c, Call::set_gravity_scale, id, scale);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_finite(c, scale)) return;
     c.bodies[i].gravity_scale = scale;
@@ -308,6 +326,7 @@ void World::set_gravity_scale(BodyId id, float scale) {
 
 void World::set_fixed_rotation(BodyId id, bool fixed) {
     Core& c = core();
+    note_call(c, Call::set_fixed_rotation, id, fixed);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
     Body& b = c.bodies[i];
@@ -318,6 +337,7 @@ void World::set_fixed_rotation(BodyId id, bool fixed) {
 
 void World::set_bullet(BodyId id, bool bullet) {
     Core& c = core();
+    note_call(c, Call::set_bullet, id, bullet);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check(c, has_continuous || !bullet, Error::feature_cut)) return;
     Body& b = c.bodies[i];
@@ -328,6 +348,7 @@ void World::set_bullet(BodyId id, bool bullet) {
 
 void World::enable_sleep(BodyId id, bool enable) {
     Core& c = core();
+    note_call(c, Call::enable_body_sleep, id, enable);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
     Body& b = c.bodies[i];
@@ -337,12 +358,14 @@ void World::enable_sleep(BodyId id, bool enable) {
 
 void World::wake(BodyId id) {
     Core& c = core();
+    note_call(c, Call::wake, id);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index) wake_island(c, i, c.arena());
 }
 
 void World::set_user_data(BodyId id, std::uint64_t data) {
     Core& c = core();
+    note_call(c, Call::set_body_user_data, id, data);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index) c.bodies[i].user_data = data;
 }

@@ -4,6 +4,7 @@
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/push.hpp"
+#include "world/recorder.hpp"
 #include "world/sleep.hpp"
 
 namespace islet {
@@ -43,6 +44,7 @@ bool flag_of(const Core& core, BodyId id, std::uint32_t flag) {
 
 void World::set_target(BodyId id, const Transform& target, float dt) {
     Core& c = core();
+    note_call(c, Call::set_body_target, id, target, dt);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_position(c, target.p) || !check(c, all_finite(target.q.c, target.q.s), Error::not_finite)) return;
@@ -59,8 +61,14 @@ void World::set_target(BodyId id, const Transform& target, float dt) {
 bool World::is_x_locked(BodyId id) const { return flag_of(core(), id, body_lock_x); }
 bool World::is_y_locked(BodyId id) const { return flag_of(core(), id, body_lock_y); }
 bool World::is_rotation_fixed(BodyId id) const { return flag_of(core(), id, body_fixed_rotation); }
-void World::lock_x(BodyId id, bool lock) { set_lock(core(), id, body_lock_x, lock); }
-void World::lock_y(BodyId id, bool lock) { set_lock(core(), id, body_lock_y, lock); }
+void World::lock_x(BodyId id, bool lock) {
+    note_call(core(), Call::lock_x, id, lock);
+    set_lock(core(), id, body_lock_x, lock);
+}
+void World::lock_y(BodyId id, bool lock) {
+    note_call(core(), Call::lock_y, id, lock);
+    set_lock(core(), id, body_lock_y, lock);
+}
 
 float World::sleep_threshold(BodyId id) const {
     const std::uint32_t i = find_body(core(), id);
@@ -69,6 +77,7 @@ float World::sleep_threshold(BodyId id) const {
 
 void World::set_sleep_threshold(BodyId id, float threshold) {
     Core& c = core();
+    note_call(c, Call::set_sleep_threshold, id, threshold);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index && check_range(c, threshold, 0, no_limit)) c.bodies[i].sleep_threshold = threshold;
 }

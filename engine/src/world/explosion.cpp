@@ -5,6 +5,7 @@
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/push.hpp"
+#include "world/recorder.hpp"
 #include "world/sleep.hpp"
 
 namespace islet {
@@ -56,6 +57,7 @@ void push_shape(Core& core, const ExplosionDef& d, std::uint32_t shape) {
 
 void World::explode(const ExplosionDef& d) {
     Core& c = core();
+    note_call(c, Call::explode, d);
     const DefaultFloatMode mode;
     if (!check_explosion(c, d)) return;
     const float reach = d.radius + d.falloff;

@@ -3,6 +3,7 @@
 
 #include "world/checks.hpp"
 #include "world/contact_info.hpp"
+#include "world/recorder.hpp"
 
 namespace islet {
 
@@ -67,6 +68,7 @@ std::span<const HitEvent> World::hit_events() const {
 float World::hit_threshold() const { return core().state->hit_threshold; }
 
 void World::set_hit_threshold(float speed) {
+    note_call(core(), Call::set_hit_threshold, speed);
     if (check_range(core(), speed, 0, no_limit)) core().state->hit_threshold = speed;
 }
 

@@ -8,6 +8,7 @@
 #include "broadphase/pairs.hpp"
 #include "collide/manifold.hpp"
 #include "world/checks.hpp"
+#include "world/recorder.hpp"
 #include "world/sleep.hpp"
 
 namespace islet {
@@ -68,6 +69,7 @@ float force_of(const Core& core, float impulse) { return core.state->last_subste
 }  // namespace
 
 void World::destroy_joint(JointId id) {
+    note_call(core(), Call::destroy_joint, id);
     const std::uint32_t i = detail::find_joint(core(), id);
     if (i != null_index) remove_joint(core(), i);
 }
@@ -180,6 +182,7 @@ JointError World::joint_error(JointId id) const {
 
 void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& frame_b) {
     Core& c = core();
+    note_call(c, Call::set_frames, id, frame_a, frame_b);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_joint(c, id, with_frames);
     if (i == null_index || !check_frame(c, frame_a) || !check_frame(c, frame_b)) return;
@@ -193,6 +196,7 @@ void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& 
 
 void World::set_collide_connected(JointId id, bool collide) {
     Core& c = core();
+    note_call(c, Call::set_collide_connected, id, collide);
     const std::uint32_t i = find_joint(c, id, with_frames | bit(JointType::pulley));
     if (i == null_index) return;
     Joint& j = c.joints[i];
@@ -205,6 +209,7 @@ void World::set_collide_connected(JointId id, bool collide) {
 
 void World::set_break(JointId id, float force, float torque) {
     Core& c = core();
+    note_call(c, Call::set_break, id, force, torque);
     const std::uint32_t i = detail::find_joint(c, id);
     if (i == null_index || !check_not_negative(c, force) || !check_not_negative(c, torque)) return;
     c.joints[i].break_force = force;
@@ -213,12 +218,14 @@ void World::set_break(JointId id, float force, float torque) {
 
 void World::set_user_data(JointId id, std::uint64_t data) {
     Core& c = core();
+    note_call(c, Call::set_joint_user_data, id, data);
     const std::uint32_t i = detail::find_joint(c, id);
     if (i != null_index) c.joints[i].user_data = data;
 }
 
 void World::set_spring(JointId id, const JointSpring& spring) {
     Core& c = core();
+    note_call(c, Call::set_spring, id, spring);
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_spring(c, spring)) return;
     change_parts(c, c.joints[i], [&](Joint& j) { set_spring_of(j, spring); });
@@ -226,6 +233,7 @@ void World::set_spring(JointId id, const JointSpring& spring) {
 
 void World::set_limit(JointId id, const JointLimit& limit) {
     Core& c = core();
+    note_call(c, Call::set_limit, id, limit);
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_limit(c, limit)) return;
     if (!check(c, type_of(c.joints[i]) != JointType::distance || !limit.enable || limit.lower >= 0, Error::out_of_range)) return;
@@ -234,6 +242,7 @@ void World::set_limit(JointId id, const JointLimit& limit) {
 
 void World::set_motor(JointId id, const JointMotor& motor) {
     Core& c = core();
+    note_call(c, Call::set_motor, id, motor);
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_motor(c, motor)) return;
     change_parts(c, c.joints[i], [&](Joint& j) { set_motor_of(j, motor); });
@@ -241,6 +250,7 @@ void World::set_motor(JointId id, const JointMotor& motor) {
 
 void World::set_joint_friction(JointId id, float friction) {
     Core& c = core();
+    note_call(c, Call::set_joint_friction, id, friction);
     const std::uint32_t i = find_joint(c, id, with_friction);
     if (i == null_index || !check_not_negative(c, friction)) return;
     c.state->trees_stale = 1;  // friction too has a hinge swept
@@ -251,6 +261,7 @@ void World::set_joint_friction(JointId id, float friction) {
 
 void World::set_joint_length(JointId id, float length) {
     Core& c = core();
+    note_call(c, Call::set_joint_length, id, length);
     const std::uint32_t i = find_joint(c, id, bit(JointType::distance));
     if (i == null_index || !check_range(c, length, linear_slop, max_position)) return;
     c.joints[i].length = length;
@@ -259,6 +270,7 @@ void World::set_joint_length(JointId id, float length) {
 
 void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
     Core& c = core();
+    note_call(c, Call::set_joint_velocity, id, linear, angular);
     const std::uint32_t i = find_joint(c, id, bit(JointType::motor));
     if (i == null_index || !check_finite(c, linear) || !check_finite(c, angular)) return;
     c.joints[i].velocity = linear;
@@ -268,6 +280,7 @@ void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
 
 void World::set_joint_strength(JointId id, float max_force, float max_torque) {
     Core& c = core();
+    note_call(c, Call::set_joint_strength, id, max_force, max_torque);
     const std::uint32_t i = find_joint(c, id, bit(JointType::motor));
     if (i == null_index || !check_not_negative(c, max_force) || !check_not_negative(c, max_torque)) return;
     c.joints[i].motor_max = max_force;
@@ -277,6 +290,7 @@ void World::set_joint_strength(JointId id, float max_force, float max_torque) {
 
 void World::set_target(JointId id, Vec2 target) {
     Core& c = core();
+    note_call(c, Call::set_joint_target, id, target);
     const std::uint32_t i = find_joint(c, id, bit(JointType::mouse));
     if (i == null_index || !check_position(c, target)) return;
     c.joints[i].local_a = target;

@@ -4,6 +4,7 @@
 // bounds of CallReader. The sum that each step carries tells whether the calls before it are the recorded ones.
 #include "islet/recording.hpp"
 
+#include "islet/snapshot.hpp"
 #include "world/checks.hpp"
 #include "world/recorder.hpp"
 
@@ -62,7 +63,7 @@ public:
     }
 
 private:
-    void one(float& a) { a = float_of(word()); }
+    void one(float& a) { a = __builtin_bit_cast(float, word()); }
     void one(bool& a) { a = word() != 0; }
     void one(std::uint32_t& a) { a = word(); }
     void one(std::int32_t& a) { a = static_cast<std::int32_t>(word()); }

@@ -14,6 +14,7 @@
 #include "world/hooks.hpp"
 #include "world/image.hpp"
 #include "world/joints.hpp"
+#include "world/recorder.hpp"
 
 namespace islet {
 
@@ -239,6 +240,7 @@ bool World::restore(std::span<const std::byte> image) {
     if (!check(c, h.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
     if (!check(c, can_tell(image.data()), Error::feature_cut)) return false;
     take_over(c, h, image.data());
+    if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
     return true;
 }
 
@@ -261,6 +263,7 @@ bool World::load(std::span<const std::byte> image) {
     link_hooks();
     link_disabling();
     take_over(c, h, image.data());
+    if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
     return true;
 }
 

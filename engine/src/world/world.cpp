@@ -6,6 +6,7 @@
 #include "world/geometry_pool.hpp"
 #include "world/hooks.hpp"
 #include "world/profile.hpp"
+#include "world/recorder.hpp"
 #include "world/sleep.hpp"
 
 // A placement new without <new>: the engine needs no C++ runtime.
@@ -158,12 +159,14 @@ bool check_solver(const SolverDef& d, Error& error) {
 Vec2 World::gravity() const { return core().state->gravity; }
 
 void World::set_gravity(Vec2 gravity) {
+    note_call(core(), Call::set_gravity, gravity);
     if (check_finite(core(), gravity)) core().state->gravity = gravity;
 }
 
 SolverDef World::solver() const { return unpack(core().state->solver); }
 
 void World::set_solver(const SolverDef& solver) {
+    note_call(core(), Call::set_solver, solver);
     Error error = Error::none;
     if (!check_solver(solver, error)) return core().fail(error);
     State& state = *core().state;
@@ -188,6 +191,7 @@ void World::set_tasks(const TaskSystem& tasks) {
 
 void World::enable_sleep(bool enable) {
     Core& c = core();
+    note_call(c, Call::enable_sleep, enable);
     if (!check(c, has_sleep || !enable, Error::feature_cut)) return;
     c.state->enable_sleep = enable ? 1 : 0;
     if (enable) return;
@@ -198,6 +202,7 @@ void World::enable_sleep(bool enable) {
 bool World::continuous() const { return core().state->continuous != 0; }
 
 void World::enable_continuous(bool enable) {
+    note_call(core(), Call::enable_continuous, enable);
     if (check(core(), has_continuous || !enable, Error::feature_cut)) core().state->continuous = enable ? 1 : 0;
 }
 
