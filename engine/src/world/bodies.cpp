@@ -5,6 +5,7 @@
 #include "memory/joint_graph.hpp"
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
+#include "world/continuous.hpp"
 #include "world/joints.hpp"
 #include "world/push.hpp"
 #include "world/recorder.hpp"
@@ -33,7 +34,8 @@ bool check_def(const Core& core, const BodyDef& d) {
                                    d.angular_damping, d.gravity_scale, d.sleep_threshold);
     return check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
-           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, (has_continuous || !d.bullet) && (d.enabled || disabling_is_linked()), Error::feature_cut);
+           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, !d.bullet || (has_continuous && ISLET_IS_LINKED(stop_bullets)), Error::feature_cut) &&
+           check(core, d.enabled || disabling_is_linked(), Error::feature_cut);
 }
 
 // Takes the slot of a body that can be pushed and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.
@@ -140,7 +142,6 @@ float World::linear_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].linea
 float World::angular_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].angular_damping); }
 float World::gravity_scale(BodyId id) const { ISLET_READ_BODY(c.bodies[i].gravity_scale); }
 bool World::is_awake(BodyId id) const { ISLET_READ_BODY(c.is_awake(i)); }
-bool World::is_bullet(BodyId id) const { ISLET_READ_BODY((c.bodies[i].flags & body_bullet) != 0); }
 std::uint64_t World::user_data(BodyId id) const { ISLET_READ_BODY(c.bodies[i].user_data); }
 
 #undef ISLET_READ_BODY
@@ -333,17 +334,6 @@ void World::set_fixed_rotation(BodyId id, bool fixed) {
     b.flags = fixed ? b.flags | body_fixed_rotation : b.flags & ~static_cast<std::uint32_t>(body_fixed_rotation);
     if (fixed) c.motions[i].w = 0;
     apply_mass(c, i, {b.mass, b.local_center, b.inertia});
-}
-
-void World::set_bullet(BodyId id, bool bullet) {
-    Core& c = core();
-    note_call<Call::set_bullet>(c, id, bullet);
-    const std::uint32_t i = find_body(c, id);
-    if (i == null_index || !check(c, has_continuous || !bullet, Error::feature_cut)) return;
-    Body& b = c.bodies[i];
-    if (((b.flags & body_bullet) != 0) == bullet) return;
-    b.flags ^= body_bullet;
-    c.state->bullet_count += bullet ? 1u : ~0u;
 }
 
 void World::enable_sleep(BodyId id, bool enable) {

@@ -153,6 +153,7 @@ void World::enable_sensor_events(ShapeId id, bool enable) {
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || ((c.shapes[i].flags & shape_unseen) == 0) == enable) return;
     c.shapes[i].flags ^= shape_unseen;
+    c.state->asked |= c.shapes[i].flags;
     end_unwanted_contacts(c, i);
     mark_moved(c, i);
 }

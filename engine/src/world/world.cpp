@@ -1,7 +1,11 @@
 // Making a world, and what concerns it as a whole.
 #include "islet/world.hpp"
 
+#include "broadphase/sensors.hpp"
+#include "memory/joint_graph.hpp"
+#include "solver/hits.hpp"
 #include "world/checks.hpp"
+#include "world/continuous.hpp"
 #include "world/cpu.hpp"
 #include "world/geometry_pool.hpp"
 #include "world/hooks.hpp"
@@ -51,6 +55,15 @@ std::uint32_t choose_lanes(std::uint32_t wanted) {
     return wanted == 0 || wanted > widest ? widest : wanted;
 }
 
+// What definitions can ask for without a call of their own.
+void link_all() {
+    link_sensors();
+    link_hits();
+    link_hooks();
+    link_disabling();
+    link_bullets();
+}
+
 template <class T>
 T* place(std::byte* block, std::size_t offset) {
     return reinterpret_cast<T*>(block + offset);
@@ -92,6 +105,7 @@ void point_into(Core& core, std::byte* block, const Layout& l) {
 }  // namespace
 
 World* World::create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error) {
+    if constexpr (!is_lean) link_all();
     Layout l{};
     Error problem = check_capacity(capacity);
     if (problem == Error::none) {
