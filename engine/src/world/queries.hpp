@@ -17,6 +17,13 @@ inline bool is_queried(const Core& core, std::uint32_t shape, const QueryFilter&
 
 /// A shape in its body's frame.
 ShapeProxy proxy_of(const Geometry& g);
+/// A point as a shape: a ray is its cast.
+inline ShapeProxy point_proxy(Vec2 p) {
+    ShapeProxy proxy;
+    proxy.points[0] = p;
+    proxy.count = 1;
+    return proxy;
+}
 /// A proxy in the world, seen from the frame that t leads from.
 ShapeProxy seen_from(const Transform& t, const ShapeProxy& p);
 

@@ -133,33 +133,23 @@ void each_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, const
     }
 }
 
-ShapeProxy point_proxy(Vec2 p) {
-    ShapeProxy proxy;
-    proxy.points[0] = p;
-    proxy.count = 1;
-    return proxy;
-}
-
-// A point that is not a number or too far away has an error of its own.
-bool check_origin(const Core& core, Vec2 origin) { return check_position(core, origin); }
-
 }  // namespace
 }  // namespace detail
 
 QueryHit World::cast_ray(Vec2 origin, Vec2 translation, const QueryFilter& filter) const {
-    return check_origin(core(), origin) ? first_hit(core(), point_proxy(origin), translation, filter) : QueryHit{};
+    return check_position(core(), origin) ? first_hit(core(), point_proxy(origin), translation, filter) : QueryHit{};
 }
 
 bool World::cast_ray_any(Vec2 origin, Vec2 translation, const QueryFilter& filter) const {
-    return check_origin(core(), origin) && any_hit(core(), point_proxy(origin), translation, filter);
+    return check_position(core(), origin) && any_hit(core(), point_proxy(origin), translation, filter);
 }
 
 std::uint32_t World::cast_ray_all(Vec2 origin, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter) const {
-    return check_origin(core(), origin) ? all_hits(core(), point_proxy(origin), translation, out, filter) : 0;
+    return check_position(core(), origin) ? all_hits(core(), point_proxy(origin), translation, out, filter) : 0;
 }
 
 void World::cast_ray_each(Vec2 origin, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const {
-    if (check_origin(core(), origin)) each_hit(core(), point_proxy(origin), translation, filter, visit, context);
+    if (check_position(core(), origin)) each_hit(core(), point_proxy(origin), translation, filter, visit, context);
 }
 
 QueryHit World::cast_shape(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter) const {

@@ -74,13 +74,6 @@ bool check_box(const Core& core, const Aabb& box) {
            check(core, box.lower.x <= box.upper.x && box.lower.y <= box.upper.y, Error::bad_geometry);
 }
 
-ShapeProxy point_proxy(Vec2 p) {
-    ShapeProxy proxy;
-    proxy.points[0] = p;
-    proxy.count = 1;
-    return proxy;
-}
-
 }  // namespace
 }  // namespace detail
 
