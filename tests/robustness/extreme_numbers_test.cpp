@@ -170,4 +170,23 @@ TEST(ExtremeNumbers, WhatBouncesUnderAnyPullHasFiniteImpulses) {
     }
 }
 
+// Ten thousand kilometres out a fat box has no margin that a float could hold, so a shape may lie outside its own by rounding. Where a body rests, its
+// boxes are those of the tree all the same.
+TEST(ExtremeNumbers, ABodyAtRestThatReachesToTheEndOfTheWorldMayGetMoreShapes) {
+    for (int i = 0; i < 200; ++i) {
+        TestWorld w;
+        const float turn = 0.037f * static_cast<float>(i);
+        const BodyId body = w->create_body({.type = BodyType::dynamic, .position = {1.3f + turn, 0.7f}, .angle = turn});
+        w->create_shape(body, Circle{{-9.99e6f, 17 * turn}, 2.6f});
+        w->create_shape(body, Circle{{0.3f, turn}, 1.3f});
+        w->set_gravity({0, 0});
+        w.step(60);  // until it sleeps
+        ASSERT_FALSE(w->is_awake(body));
+        w->create_shape(body, make_offset_box(7, 0.5f, {{1, -9}, {}}));
+        ASSERT_EQ(w->validate(), nullptr) << "turned by " << turn;
+        w.step();
+        ASSERT_EQ(w->validate(), nullptr) << "turned by " << turn;
+    }
+}
+
 }  // namespace

@@ -23,8 +23,14 @@ void wake_one(Core& core, std::uint32_t body) {
 void rest_shapes(Core& core, std::uint32_t body) {
     if ((core.bodies[body].flags & body_disabled) != 0) return;
     const Tree tree{&core.state->tree, core.tree};
-    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
-        if (core.shapes[s].tree_node == null_index) core.shapes[s].tree_node = tree_insert(tree, core.boxes[s], s);
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+        std::uint32_t& leaf = core.shapes[s].tree_node;
+        if (leaf != null_index && tree.nodes[leaf].box != core.boxes[s]) {  // far out, where rounding is larger than the margin
+            tree_remove(tree, leaf);
+            leaf = null_index;
+        }
+        if (leaf == null_index) leaf = tree_insert(tree, core.boxes[s], s);
+    }
 }
 
 void unrest_shapes(Core& core, std::uint32_t body) {
