@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@
 #include "report.hpp"
 #include "runner.hpp"
 #include "svg.hpp"
+#include "world_recording.hpp"
 
 namespace {
 
@@ -26,10 +28,16 @@ using namespace islet::samples;
 enum ExitStatus { ok = 0, check_failed = 1, wrong_usage = 2 };
 
 struct RunCommand {
-    std::string scene, csv_path, svg_path, html_path;
+    std::string scene, csv_path, svg_path, html_path, recording_path;
     std::vector<std::string> draw;  // names of layers
     RunOptions options;
     bool json = false;
+};
+
+struct ReplayCommand {
+    std::string path;
+    std::uint64_t until = ~std::uint64_t{0};
+    std::uint32_t lanes = 0;
 };
 
 struct BenchCommand {
@@ -91,19 +99,23 @@ DebugDraw drawing_of(const std::vector<std::string>& names) {
 int run_scene(const RunCommand& command) {
     const SceneInfo* info = find_scene(command.scene);
     if (info == nullptr) return unknown_scene(command.scene);
-    std::ofstream csv, svg, html;
+    std::ofstream csv, svg, html, recording;
     if (!open_output(csv, command.csv_path)) return wrong(fmt::format("cannot write '{}'", command.csv_path));
     if (!open_output(svg, command.svg_path)) return wrong(fmt::format("cannot write '{}'", command.svg_path));
     if (!open_output(html, command.html_path)) return wrong(fmt::format("cannot write '{}'", command.html_path));
+    if (!open_output(recording, command.recording_path)) return wrong(fmt::format("cannot write '{}'", command.recording_path));
 
     Run run(info->make(), command.options);
     std::optional<Recorder> recorder;
     if (html.is_open()) recorder.emplace(run);
+    std::optional<WorldRecording> calls;
+    if (recording.is_open()) calls.emplace(run.engine.world());
     ProgressBar bar(run.scene.steps);
     if (csv.is_open()) csv << csv_header();
     const RunResult result = run.run([&](const StepRecord& record) {
         if (csv.is_open()) csv << csv_line(record, run);
         if (recorder) recorder->observe(record);
+        if (calls) calls->after_step();
         bar.update(record.step);
     });
     bar.clear();
@@ -115,11 +127,32 @@ int run_scene(const RunCommand& command) {
             fmt::print(stderr, "islet: to keep the page small, '{}' shows one step of every {}{}\n", command.html_path, recorder->stride(),
                        recorder->has_contacts() ? "" : ", without contacts");
     }
+    if (calls) {
+        const std::span<const std::byte> bytes = calls->finish();
+        if (bytes.empty()) return wrong("a step had too many calls to be recorded");
+        recording.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+    if (!close_output(recording)) return wrong(fmt::format("cannot write all of '{}'", command.recording_path));
     if (!close_output(csv)) return wrong(fmt::format("cannot write all of '{}'", command.csv_path));
     if (!close_output(svg)) return wrong(fmt::format("cannot write all of '{}'", command.svg_path));
     if (!close_output(html)) return wrong(fmt::format("cannot write all of '{}'", command.html_path));
     fmt::print("{}", command.json ? json_of(result) : table_of(result));
     return result.passed() ? ok : check_failed;
+}
+
+int replay_recording(const ReplayCommand& command) {
+    const Replayed replayed = replay_file(command.path, command.until, command.lanes);
+    if (!replayed.error.empty()) return wrong(fmt::format("'{}': {}", command.path, replayed.error));
+    const islet::ReplayResult& result = replayed.result;
+    if (result.end == islet::ReplayEnd::differs) {
+        fmt::print("step {} came out differently: hash {:016x}, recorded {:016x}\n", result.steps, result.hash, result.recorded_hash);
+        fmt::print("{}\n", result.body ? fmt::format("the first body that differs is the one in slot {}", result.body.index1 - 1)
+                                       : "no body that moved differs, or the recording does not tell them apart");
+        return check_failed;
+    }
+    fmt::print("{} steps replayed, every hash as recorded; hash {:016x}{}\n", result.steps, replayed.hash,
+               result.end == islet::ReplayEnd::stopped ? " (stopped before the end)" : "");
+    return ok;
 }
 
 int unknown_engine(const std::string& name) {
@@ -168,11 +201,13 @@ struct CommandLine {
     CLI::App app{"Islet: runs the scenes of the 2D physics engine without a screen"};
     CLI::App* list = app.add_subcommand("list", "every scene, grouped, with one line each");
     CLI::App* run = app.add_subcommand("run", "runs a scene and prints what happened; exit status 1 if its check failed");
+    CLI::App* replay = app.add_subcommand("replay", "makes the calls of a recording again; exit status 1 if a step comes out differently");
     CLI::App* bench =
         app.add_subcommand("bench", "times scenes in several engines, taken in turns: medians, and how many times Islet's time");
     bool list_json = false;
     RunCommand command;
     BenchCommand bench_command;
+    ReplayCommand replay_command;
 
     CommandLine() {
         app.require_subcommand(1);
@@ -207,7 +242,12 @@ struct CommandLine {
             ->delimiter(',')
             ->check(CLI::IsMember(layers));
         run->add_option("--html", command.html_path, "write a page that plays the run back to this file");
+        run->add_option("--record", command.recording_path, "write every call and the hash after each step to this file, for `islet replay`");
         run->add_flag("--json", command.json, "print one JSON object");
+
+        replay->add_option("file", replay_command.path, "a recording, made by `islet run --record` or by a program of yours")->required();
+        replay->add_option("--until", replay_command.until, "stop after so many steps")->check(CLI::Range(1ull, ~0ull));
+        replay->add_option("--lanes", replay_command.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
 
         // The bounds keep the number of all steps below 2^31.
         BenchOptions& b = bench_command.options;
@@ -227,6 +267,7 @@ int execute(CommandLine& line) {
         fmt::print("{}", line.list_json ? catalogue_json() : catalogue_table());
         return ok;
     }
+    if (line.replay->parsed()) return replay_recording(line.replay_command);
     return line.bench->parsed() ? run_bench(line.bench_command) : run_scene(line.command);
 }
 

@@ -11,6 +11,7 @@
 
 #include "islet/island.hpp"
 #include "islet/islet.hpp"
+#include "islet/mover.hpp"
 
 namespace {
 
@@ -84,6 +85,19 @@ void print(const World& w) {
     }
 }
 
+// Hooks that answer by the ids of what they are asked about, so that worlds with equal ids have equal futures.
+constexpr Hooks hooks = {
+    [](ShapeId a, ShapeId b, void*) { return (a.index1 * 7 + b.index1) % 5 != 0; },
+    [](PreSolve& p, void*) {
+        p.enabled = (p.contact.shape_a.index1 + p.contact.shape_b.index1) % 4 != 0;
+        p.friction = 0.25f * static_cast<float>(p.contact.shape_a.index1 % 8);
+        p.tangent_speed = static_cast<float>(p.contact.shape_b.index1 % 3);
+    },
+    [](float a, std::uint32_t, float b, std::uint32_t material, void*) { return material % 4 == 3 ? __builtin_nanf("") : a * b; },
+    [](float a, std::uint32_t material, float b, std::uint32_t, void*) { return material % 4 == 3 ? 1e30f : a + b; },
+    nullptr,
+};
+
 /// Makes arguments of the fuzzer's bytes; zeros when they are used up.
 class Reader {
 public:
@@ -125,6 +139,7 @@ struct Player {
     BodyId dead_body = {};
     ShapeId dead_shape = {};
     JointId dead_joint = {};
+    MoverState mover = {};
 
     /// Mostly one that lives.
     BodyId body() {
@@ -159,6 +174,12 @@ struct Player {
         d.awake = (more & 16) == 0;
         d.fixed_rotation = (more & 32) != 0;
         d.bullet = (more & 64) != 0;
+        if (d.awake && d.fixed_rotation) {
+            const std::uint32_t rare = in.byte();
+            d.lock_x = (rare & 1) != 0;
+            d.lock_y = (rare & 2) != 0;
+            d.enabled = (rare & 12) != 0;
+        }
         if ((more & 128) != 0) d.sleep_threshold = in.size();
         return d;
     }
@@ -171,6 +192,14 @@ struct Player {
         if ((more & 8) != 0) d.tangent_speed = in.number();
         if ((more & 16) != 0) d.density = in.size();
         if ((more & 32) != 0) d.filter = filter();
+        if ((more & 64) != 0) {
+            const std::uint32_t what = in.byte();
+            d.sensor = (what & 1) != 0;
+            d.sensor_events = (what & 2) != 0;
+            d.hit_events = (what & 4) != 0;
+            d.pre_solve = (what & 8) != 0;
+            d.material = what;
+        }
         return d;
     }
     Filter filter() {
@@ -298,7 +327,7 @@ struct Player {
 
     void change_body() {
         const BodyId b = body();
-        switch (in.below(20)) {
+        switch (in.below(28)) {
         case 0: {
             const Vec2 at = in.point();
             w.set_transform(b, at, in.number());
@@ -335,18 +364,62 @@ struct Player {
         case 16: w.enable_sleep(b, in.flag()); break;
         case 17: w.wake(b); break;
         case 18: w.set_user_data(b, in.byte()); break;
+        case 19: w.lock_x(b, in.flag()); break;
+        case 20: w.lock_y(b, in.flag()); break;
+        case 21:
+        case 22: w.set_enabled(b, in.below(3) != 0); break;
+        case 23: w.set_bullet(b, in.flag()); break;
+        case 24: w.set_sleep_threshold(b, in.size()); break;
+        case 25: {
+            const Vec2 at = in.point();
+            const float angle = in.number();
+            w.set_target(b, {at, make_rot(angle)}, in.flag() ? 1.0f / 60 : in.number());
+            break;
+        }
         default: dead_body = b; w.destroy_body(b);
         }
     }
     void change_shape() {
         const ShapeId s = shape();
-        switch (in.below(7)) {
+        switch (in.below(17)) {
         case 0: w.set_friction(s, in.size()); break;
         case 1: w.set_restitution(s, 0.25f * in.size()); break;
         case 2: w.set_rolling_resistance(s, in.size()); break;
         case 3: w.set_tangent_speed(s, in.number()); break;
         case 4: w.set_filter(s, filter()); break;
         case 5: w.set_user_data(s, in.byte()); break;
+        case 6: w.set_circle(s, {in.point(), in.size()}); break;
+        case 7: {
+            const Vec2 from = in.point(), to = in.point();
+            w.set_capsule(s, {from, to, in.size()});
+            break;
+        }
+        case 8: {
+            const Vec2 from = in.point();
+            w.set_segment(s, {from, in.point()});
+            break;
+        }
+        case 9: w.set_polygon(s, polygon()); break;
+        case 10: w.set_density(s, in.size()); break;
+        case 11: {
+            SurfaceMaterial m = w.material(s);
+            m.friction = in.size();
+            m.restitution = 0.25f * in.size();
+            m.id = in.byte();
+            w.set_material(s, m);
+            break;
+        }
+        case 12: w.enable_sensor_events(s, in.flag()); break;
+        case 13: w.enable_hit_events(s, in.flag()); break;
+        case 14: w.enable_pre_solve(s, in.flag()); break;
+        case 15: {
+            WindDef wind;
+            wind.velocity = in.point();
+            wind.drag = in.size();
+            wind.lift = in.number();
+            w.apply_wind(s, wind);
+            break;
+        }
         default: dead_shape = s; w.destroy_shape(s);
         }
     }
@@ -385,9 +458,20 @@ struct Player {
         }
     }
     void change_world() {
-        switch (in.below(4)) {
+        switch (in.below(9)) {
         case 0: w.set_gravity(in.point()); break;
         case 1: w.enable_sleep(in.flag()); break;
+        case 2: w.enable_continuous(in.flag()); break;
+        case 3: w.set_hit_threshold(in.size()); break;
+        case 4: {
+            ExplosionDef e;
+            e.position = in.point();
+            e.radius = in.size();
+            e.falloff = in.size();
+            e.impulse_per_length = in.number();
+            w.explode(e);
+            break;
+        }
         default: {
             SolverDef d = w.solver();
             // Few sweeps: an input should not take seconds.
@@ -424,6 +508,11 @@ struct Player {
         ContactInfo contact;
         if (w.contact_at(in.byte(), contact)) sum += contact.points[0].separation;
         sum += static_cast<float>(w.counters().tree_height);
+        ShapeId seen[4];
+        ContactInfo touching[4];
+        sum += static_cast<float>(w.sensor_overlaps(s, seen) + w.contacts(b, touching) + w.hit_events().size() + w.sensor_begin_events().size() +
+                                  w.sensor_end_events().size() + w.moved_bodies().size() + w.broken_joints().size());
+        ask();
         draw();
         IslandProblem problem;
         const float h = in.size();
@@ -431,6 +520,32 @@ struct Player {
         volatile float sink = sum;
         static_cast<void>(sink);
         if (w.hash() != hash) fail("reading changed the world");
+    }
+    /// Good arguments must find something finite, bad ones nothing.
+    void ask() {
+        const Vec2 from = in.point(), way = in.point();
+        QueryHit hits[4];
+        ShapeId ids[4];
+        Surface surfaces[4];
+        const auto expect_good = [](const QueryHit& hit) {
+            const bool good = is_finite(hit.point) && is_finite(hit.normal) && hit.fraction >= 0 && hit.fraction <= 1 && hit.separation <= 0;
+            if (hit && !good) fail("a query found what is not finite");
+        };
+        const QueryHit first = w.cast_ray(from, way);
+        expect_good(first);
+        if (w.cast_ray_any(from, way) != bool(first)) fail("two ways to cast a ray disagree");
+        const std::uint32_t met = w.cast_ray_all(from, way, hits);
+        if ((met > 0) != bool(first) || (met > 0 && !(hits[0].shape == first.shape))) fail("the first of all hits is not the first hit");
+        const ShapeProxy proxy = in.flag() ? make_proxy(Circle{in.point(), in.size()}) : make_proxy(polygon());
+        const QueryHit cast = w.cast_shape(proxy, way);
+        expect_good(cast);
+        if (w.cast_shape_any(proxy, way) != bool(cast)) fail("two ways to cast a shape disagree");
+        w.overlap_shape(proxy, ids);
+        w.overlap_point(from, ids);
+        w.overlap_box({from, way}, ids);
+        w.surfaces_near(proxy, in.size(), surfaces);
+        const ClosestHit closest = w.closest(from, in.size());
+        if (closest && !(is_finite(closest.point) && is_finite(closest.normal) && closest.distance >= 0)) fail("the closest point is none");
     }
     void draw() {
         DebugDraw d;
@@ -450,6 +565,18 @@ struct Player {
         if ((more & 32) != 0) d.view = {in.point(), in.point()};
         if ((more & 64) != 0) d.size = in.number();
         w.draw(d);
+    }
+
+    void walk() {
+        MoverInput input;
+        input.walk = in.number();
+        input.jump = in.below(4) == 0 ? in.size() : 0;
+        for (std::uint32_t i = in.below(8) + 1; i > 0; --i) {
+            w.step(1.0f / 60);
+            if (!step_mover(w, {}, mover, input, 1.0f / 60)) break;
+        }
+        if (!is_finite(mover.position) || !is_finite(mover.velocity)) fail("a mover is nowhere");
+        check();
     }
 
     void step() {
@@ -481,6 +608,8 @@ struct Player {
         const std::size_t n = w.save(f.image);
         if (n == 0 || n != w.snapshot_bytes()) fail("the world does not fit the image it asks for");
         const std::span<const std::byte> bytes(f.image.data(), n);
+        if (f.trace) print(w);
+        if (const char* broken = w.validate()) fail(broken);
         if (!f.twin->load(bytes)) fail(describe(f.twin->last_error()));
         if (f.twin->hash() != w.hash()) fail("a loaded world is another");
         f.twin->step(1.0f / 60);
@@ -493,12 +622,20 @@ struct Player {
     }
 
     void play() {
+        if (in.below(4) == 0) {
+            w.set_hooks(hooks);
+            f.twin->set_hooks(hooks);
+        }
         for (int i = 0; i < 300 && !in.done(); ++i) {
             ++f.calls;
             const std::uint32_t what = in.below(32);
             if (f.trace) std::fprintf(stderr, "call %d of kind %u; before it: %s\n", i, what, describe(w.last_error()));
-            if (what < 8) {
+            if (what < 7) {
                 step();
+                continue;
+            }
+            if (what == 7) {
+                walk();
                 continue;
             }
             if (what == 8) {

@@ -225,6 +225,17 @@ TEST(DebugDraw, AGearHoldsItsFourBodiesTogether) {
     EXPECT_EQ(colors(), (std::vector<DrawColor>{of_a, of_a, of_a, of_a, of_other}));
 }
 
+TEST(DebugDraw, AGearHoldsWheelsOnTheGroundTogether) {
+    TestWorld w;
+    const BodyId ground = w.add_ground(), a = w.add_circle({0, 4}), b = w.add_circle({8, 4});
+    const JointId first = join(*w, JointType::revolute, ground, a), second = join(*w, JointType::revolute, ground, b);
+    Sketch sketch;
+    sketch.draw.body_colors = BodyColors::island;
+    EXPECT_NE(sketch.part(*w, DrawPart::shape)[1].style.color, sketch.part(*w, DrawPart::shape)[2].style.color);
+    ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = first, .joint2 = second}));
+    EXPECT_EQ(sketch.part(*w, DrawPart::shape)[1].style.color, sketch.part(*w, DrawPart::shape)[2].style.color);
+}
+
 TEST(DebugDraw, WhatIsDisabledHoldsNothingTogether) {
     TestWorld w;
     const BodyId a = w.add_box({0, 0}), b = w.add_box({4, 0}), c = w.add_box({8, 0});
@@ -538,6 +549,21 @@ TEST(DebugDraw, WhatIsOutOfViewIsLeftOutAndNothingElse) {
         }
         EXPECT_EQ(next, some.calls.size());
     }
+}
+
+// A ball of radius 1 around the origin, seen through a window that comes near it from the right: its fat box is in view before it is.
+TEST(DebugDraw, AShapeIsInViewWithItsTightBox) {
+    TestWorld w;
+    w.add_circle({0, 0}, 1);
+    Sketch sketch;
+    sketch.draw.boxes = sketch.draw.fat_boxes = true;
+    sketch.draw.view = {{1.01f, -1}, {2, 1}};
+    EXPECT_TRUE(sketch.part(*w, DrawPart::shape).empty());
+    EXPECT_TRUE(sketch.part(*w, DrawPart::box).empty());
+    EXPECT_EQ(sketch.part(*w, DrawPart::fat_box).size(), 1u);
+    sketch.draw.view.lower.x = 0.99f;
+    EXPECT_EQ(sketch.part(*w, DrawPart::shape).size(), 1u);
+    EXPECT_EQ(sketch.part(*w, DrawPart::box).size(), 1u);
 }
 
 TEST(DebugDraw, FunctionsThatAreNullAreSkippedAndTheRestAreCalledAsBefore) {

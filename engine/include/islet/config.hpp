@@ -22,6 +22,12 @@
 #endif
 #endif
 
+/// 1: sensors, hit events, hooks, disabled bodies and bullets come only with the functions of World that are theirs, as joints and chains always do: a firmware
+/// that never calls these does not link them, and is refused what would need them (feature_cut). 0: they are there.
+#if !defined(ISLET_LEAN)
+#define ISLET_LEAN 0
+#endif
+
 /// 1: there, 0: left out.
 #if !defined(ISLET_POLYGONS)
 #define ISLET_POLYGONS 1  // boxes and other convex polygons

@@ -65,8 +65,8 @@ public:
     void enable_continuous(bool enable);
 
     Hooks hooks() const;
-    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. Only programs that call this
-    /// function or hooks() have hooks linked; in others World::create refuses them (feature_cut).
+    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. (In a
+    /// lean build, ISLET_LEAN, only programs that call this function or hooks() have hooks; World::create refuses them in others.)
     void set_hooks(const Hooks& hooks);
     float hit_threshold() const;
     void set_hit_threshold(float speed);
@@ -124,12 +124,12 @@ public:
     std::span<const TouchEvent> begin_touch_events() const;
     std::span<const TouchEvent> end_touch_events() const;
     /// Overlaps of sensors that began, and that ended, ordered as those of touches are, and told at the same time: a step tells of the poses it begins with,
-    /// and calls that end overlaps tell at once and again after the step. Only programs that call one of these two functions or sensor_overlaps have
-    /// sensors linked; others are refused them (feature_cut).
+    /// and calls that end overlaps tell at once and again after the step. (In a lean build, ISLET_LEAN, only programs that call
+    /// one of these two functions or sensor_overlaps have sensors; others are refused them.)
     std::span<const SensorEvent> sensor_begin_events() const;
     std::span<const SensorEvent> sensor_end_events() const;
-    /// Contacts of shapes with ShapeDef::hit_events whose surfaces came together faster than hit_threshold() and needed an impulse, ordered by slot. Only
-    /// programs that call this function have hits linked; others are refused them (feature_cut).
+    /// Contacts of shapes with ShapeDef::hit_events whose surfaces came together faster than hit_threshold() and needed an impulse, ordered by slot. (In
+    /// a lean build, ISLET_LEAN, only programs that call this function have hits; others are refused them.)
     std::span<const HitEvent> hit_events() const;
     /// Bodies that the last step moved (every awake one), ordered by slot.
     std::span<const BodyId> moved_bodies() const;
@@ -207,10 +207,10 @@ public:
     void lock_y(BodyId body, bool lock);
     bool is_enabled(BodyId body) const;
     /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold nobody, it does not
-    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways. Only programs that call this function have disabled bodies; in others
-    /// create_body refuses them (feature_cut).
+    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways. (In a lean build, ISLET_LEAN, only programs that call this function have
+    /// disabled bodies; create_body refuses them in others.)
     void set_enabled(BodyId body, bool enabled);
-    /// BodyDef::bullet. No effect unless the body is dynamic.
+    /// BodyDef::bullet. No effect unless the body is dynamic. (In a lean build, ISLET_LEAN, only programs that call set_bullet have bullets.)
     bool is_bullet(BodyId body) const;
     void set_bullet(BodyId body, bool bullet);
     void enable_sleep(BodyId body, bool enable);
@@ -422,7 +422,7 @@ public:
 
     /// Writes to `memory` the complementarity problem that a substep of `h` seconds, 0 < h <= 1, would pose to the island of a dynamic body as it stands
     /// now, and points `out` to it. (Contacts have the normals and arms that the last step found; a centre of mass moved since then is not seen by them.) Returns the bytes needed, and writes neither to memory nor to out if there are fewer; memory needs no alignment.
-    /// It is the same problem whichever of the island's bodies is named, asleep or awake. Not part of the state: no hash knows of it, and solving
+    /// Motion locks are not in it. It is the same problem whichever of the island's bodies is named, asleep or awake. Not part of the state: no hash knows of it, and solving
     /// it changes no body; but it uses the world's scratch memory, so no other call to the world may run at the same time. Bodies of absurd masses may
     /// give numbers that overflow; lcp::solve then says not_finite. Returns 0 on an error: null_id, stale_id; no_dynamic_body; bad_time_step of h;
     /// out_of_range if there are more than lcp::max_rows rows or 2^32 - 1 entries.

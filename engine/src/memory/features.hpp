@@ -18,6 +18,7 @@
 
 namespace islet::detail {
 
+inline constexpr bool is_lean = ISLET_LEAN != 0;
 inline constexpr bool has_polygons = ISLET_POLYGONS != 0;
 inline constexpr bool has_capsules = ISLET_CAPSULES != 0;
 inline constexpr bool has_segments = ISLET_SEGMENTS != 0;

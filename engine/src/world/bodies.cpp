@@ -5,6 +5,7 @@
 #include "memory/joint_graph.hpp"
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
+#include "world/continuous.hpp"
 #include "world/joints.hpp"
 #include "world/push.hpp"
 #include "world/recorder.hpp"
@@ -33,7 +34,8 @@ bool check_def(const Core& core, const BodyDef& d) {
                                    d.angular_damping, d.gravity_scale, d.sleep_threshold);
     return check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
-           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, (has_continuous || !d.bullet) && (d.enabled || disabling_is_linked()), Error::feature_cut);
+           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, !d.bullet || (has_continuous && ISLET_IS_LINKED(stop_bullets)), Error::feature_cut) &&
+           check(core, d.enabled || disabling_is_linked(), Error::feature_cut);
 }
 
 // Takes the slot of a body that can be pushed and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.
@@ -48,7 +50,7 @@ std::uint32_t push(Core& core, BodyId id) {
 
 BodyId World::create_body(const BodyDef& def) {
     Core& c = core();
-    note_call(c, Call::create_body, def);
+    note_call<Call::create_body>(c, def);
     const DefaultFloatMode mode;
     if (!check_def(c, def)) return {};
     const std::uint32_t i = pool_take(c.state->body_pool, c.bodies, c.capacity.bodies);
@@ -90,7 +92,7 @@ BodyId World::create_body(const BodyDef& def) {
 
 void World::destroy_body(BodyId id) {
     Core& c = core();
-    note_call(c, Call::destroy_body, id);
+    note_call<Call::destroy_body>(c, id);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
     if (c.bodies[i].joint_head != 0) remove_joints(c, i);
@@ -140,7 +142,6 @@ float World::linear_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].linea
 float World::angular_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].angular_damping); }
 float World::gravity_scale(BodyId id) const { ISLET_READ_BODY(c.bodies[i].gravity_scale); }
 bool World::is_awake(BodyId id) const { ISLET_READ_BODY(c.is_awake(i)); }
-bool World::is_bullet(BodyId id) const { ISLET_READ_BODY((c.bodies[i].flags & body_bullet) != 0); }
 std::uint64_t World::user_data(BodyId id) const { ISLET_READ_BODY(c.bodies[i].user_data); }
 
 #undef ISLET_READ_BODY
@@ -164,7 +165,7 @@ std::uint32_t World::shapes(BodyId id, std::span<ShapeId> out) const {
 
 void World::set_transform(BodyId id, Vec2 position, float angle) {
     Core& c = core();
-    note_call(c, Call::set_transform, id, position, angle);
+    note_call<Call::set_transform>(c, id, position, angle);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_position(c, position) || !check_finite(c, angle)) return;
@@ -181,7 +182,7 @@ void World::set_transform(BodyId id, Vec2 position, float angle) {
 
 void World::set_linear_velocity(BodyId id, Vec2 velocity) {
     Core& c = core();
-    note_call(c, Call::set_linear_velocity, id, velocity);
+    note_call<Call::set_linear_velocity>(c, id, velocity);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
     if (velocity != Vec2{}) wake_island(c, i, c.arena());
@@ -190,7 +191,7 @@ void World::set_linear_velocity(BodyId id, Vec2 velocity) {
 
 void World::set_angular_velocity(BodyId id, float velocity) {
     Core& c = core();
-    note_call(c, Call::set_angular_velocity, id, velocity);
+    note_call<Call::set_angular_velocity>(c, id, velocity);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
     if ((c.bodies[i].flags & body_fixed_rotation) != 0) return;
@@ -200,7 +201,7 @@ void World::set_angular_velocity(BodyId id, float velocity) {
 
 void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
     Core& c = core();
-    note_call(c, Call::apply_force, id, force, point);
+    note_call<Call::apply_force>(c, id, force, point);
     if (!check_finite(c, force) || !check_finite(c, point)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) pull(c, i, force, cross(point - c.poses[i].center, force));
@@ -208,7 +209,7 @@ void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
 
 void World::apply_force_to_center(BodyId id, Vec2 force) {
     Core& c = core();
-    note_call(c, Call::apply_force_to_center, id, force);
+    note_call<Call::apply_force_to_center>(c, id, force);
     if (!check_finite(c, force)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) pull(c, i, force, 0);
@@ -216,7 +217,7 @@ void World::apply_force_to_center(BodyId id, Vec2 force) {
 
 void World::apply_torque(BodyId id, float torque) {
     Core& c = core();
-    note_call(c, Call::apply_torque, id, torque);
+    note_call<Call::apply_torque>(c, id, torque);
     if (!check_finite(c, torque)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) pull(c, i, {0, 0}, torque);
@@ -224,7 +225,7 @@ void World::apply_torque(BodyId id, float torque) {
 
 void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {
     Core& c = core();
-    note_call(c, Call::apply_linear_impulse, id, impulse, point);
+    note_call<Call::apply_linear_impulse>(c, id, impulse, point);
     if (!check_finite(c, impulse) || !check_finite(c, point)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) kick(c, i, impulse, cross(point - c.poses[i].center, impulse));
@@ -232,7 +233,7 @@ void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {
 
 void World::apply_linear_impulse_to_center(BodyId id, Vec2 impulse) {
     Core& c = core();
-    note_call(c, Call::apply_linear_impulse_to_center, id, impulse);
+    note_call<Call::apply_linear_impulse_to_center>(c, id, impulse);
     if (!check_finite(c, impulse)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) kick(c, i, impulse, 0);
@@ -240,7 +241,7 @@ void World::apply_linear_impulse_to_center(BodyId id, Vec2 impulse) {
 
 void World::apply_angular_impulse(BodyId id, float impulse) {
     Core& c = core();
-    note_call(c, Call::apply_angular_impulse, id, impulse);
+    note_call<Call::apply_angular_impulse>(c, id, impulse);
     if (!check_finite(c, impulse)) return;
     const std::uint32_t i = push(c, id);
     if (i != null_index) kick(c, i, {0, 0}, impulse);
@@ -248,7 +249,7 @@ void World::apply_angular_impulse(BodyId id, float impulse) {
 
 void World::set_type(BodyId id, BodyType type) {
     Core& c = core();
-    note_call(c, Call::set_type, id, type);
+    note_call<Call::set_type>(c, id, type);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check(c, type <= BodyType::dynamic, Error::out_of_range)) return;
@@ -281,7 +282,7 @@ void World::set_type(BodyId id, BodyType type) {
 
 void World::set_mass(BodyId id, const MassData& mass) {
     Core& c = core();
-    note_call(c, Call::set_mass, id, mass);
+    note_call<Call::set_mass>(c, id, mass);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_range(c, mass.mass, min_mass, max_mass) || !check_position(c, mass.center)) return;
@@ -293,7 +294,7 @@ void World::set_mass(BodyId id, const MassData& mass) {
 
 void World::reset_mass(BodyId id) {
     Core& c = core();
-    note_call(c, Call::reset_mass, id);
+    note_call<Call::reset_mass>(c, id);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
@@ -303,21 +304,21 @@ void World::reset_mass(BodyId id) {
 
 void World::set_linear_damping(BodyId id, float damping) {
     Core& c = core();
-    note_call(c, Call::set_linear_damping, id, damping);
+    note_call<Call::set_linear_damping>(c, id, damping);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index && check_range(c, damping, 0, no_limit)) c.bodies[i].linear_damping = damping;
 }
 
 void World::set_angular_damping(BodyId id, float damping) {
     Core& c = core();
-    note_call(c, Call::set_angular_damping, id, damping);
+    note_call<Call::set_angular_damping>(c, id, damping);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index && check_range(c, damping, 0, no_limit)) c.bodies[i].angular_damping = damping;
 }
 
 void World::set_gravity_scale(BodyId id, float scale) {
     Core& c = core();
-    note_call(c, Call::set_gravity_scale, id, scale);
+    note_call<Call::set_gravity_scale>(c, id, scale);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_finite(c, scale)) return;
     c.bodies[i].gravity_scale = scale;
@@ -326,7 +327,7 @@ void World::set_gravity_scale(BodyId id, float scale) {
 
 void World::set_fixed_rotation(BodyId id, bool fixed) {
     Core& c = core();
-    note_call(c, Call::set_fixed_rotation, id, fixed);
+    note_call<Call::set_fixed_rotation>(c, id, fixed);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
     Body& b = c.bodies[i];
@@ -335,20 +336,9 @@ void World::set_fixed_rotation(BodyId id, bool fixed) {
     apply_mass(c, i, {b.mass, b.local_center, b.inertia});
 }
 
-void World::set_bullet(BodyId id, bool bullet) {
-    Core& c = core();
-    note_call(c, Call::set_bullet, id, bullet);
-    const std::uint32_t i = find_body(c, id);
-    if (i == null_index || !check(c, has_continuous || !bullet, Error::feature_cut)) return;
-    Body& b = c.bodies[i];
-    if (((b.flags & body_bullet) != 0) == bullet) return;
-    b.flags ^= body_bullet;
-    c.state->bullet_count += bullet ? 1u : ~0u;
-}
-
 void World::enable_sleep(BodyId id, bool enable) {
     Core& c = core();
-    note_call(c, Call::enable_body_sleep, id, enable);
+    note_call<Call::enable_body_sleep>(c, id, enable);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index) return;
     Body& b = c.bodies[i];
@@ -358,14 +348,14 @@ void World::enable_sleep(BodyId id, bool enable) {
 
 void World::wake(BodyId id) {
     Core& c = core();
-    note_call(c, Call::wake, id);
+    note_call<Call::wake>(c, id);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index) wake_island(c, i, c.arena());
 }
 
 void World::set_user_data(BodyId id, std::uint64_t data) {
     Core& c = core();
-    note_call(c, Call::set_body_user_data, id, data);
+    note_call<Call::set_body_user_data>(c, id, data);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index) c.bodies[i].user_data = data;
 }

@@ -126,7 +126,8 @@ Extent body_extent(const Core& core, std::uint32_t body) {
     Extent all{0, 3.0e38f};
     for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
         const Extent e = extent_of(core.geometries[core.shapes[s].geometry], b.local_center);
-        all = {max(all.max, e.max), min(all.min, e.min)};
+        const bool solid = !has_sensors || (core.shapes[s].flags & shape_sensor) == 0;
+        all = {max(all.max, e.max), solid ? min(all.min, e.min) : all.min};
     }
     return all;
 }

@@ -28,7 +28,7 @@ void mark_changed(Core& core, std::uint32_t body, const bool* changed);
 void update_mass(Core& core, std::uint32_t body);
 /// Sets mass data as given and all that follows from it.
 void apply_mass(Core& core, std::uint32_t body, const MassData& mass);
-/// Farthest distance of any point from a centre, and the smallest half-thickness, m.
+/// Farthest distance of any point from a centre, and the smallest half-thickness of what is solid, m.
 struct Extent {
     float max = 0;
     float min = 0;

@@ -10,7 +10,7 @@ namespace islet {
 using namespace detail;
 
 ShapeId World::create_shape(BodyId body, const ChainSegment& segment, const ShapeDef& def) {
-    note_call(core(), Call::create_chain_segment, body, segment, def);
+    note_call<Call::create_chain_segment>(core(), body, segment, def);
     if (!check(core(), has_chains, Error::feature_cut)) return {};
     link_chains();
     Geometry g = blank_geometry(ShapeType::chain_segment);
@@ -20,7 +20,7 @@ ShapeId World::create_shape(BodyId body, const ChainSegment& segment, const Shap
 
 std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool loop, const ShapeDef& def, std::span<ShapeId> out) {
     Core& c = core();
-    note_call(c, Call::create_chain, id, points, loop, def);
+    note_call<Call::create_chain>(c, id, points, loop, def);
     if (!check(c, has_chains, Error::feature_cut)) return 0;
     const std::uint32_t body = find_body(c, id);
     if (body == null_index || !check_shape_def(c, def)) return 0;

@@ -20,7 +20,20 @@ float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std
 /// changes this body's pose alone, and reads what is at rest alone, so bodies may be stopped side by side.
 void stop_at_static(Core& core, std::uint32_t body, SolverBody& way);
 
-/// The same for bullets against all bodies that moved or sleep; boxes follow. `bodies` is by slot.
-void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_count, SolverBody* bodies);
+/// The same for bullets against all bodies that moved or sleep; boxes follow. `bodies` is by slot. Linked only where bullets may be made.
+ISLET_OPTIONAL void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_count, SolverBody* bodies);
+void link_bullets();
+
+// -- what both are made of ------------------------------------------------------------------------------------------------------------
+
+/// The way a body has just made.
+Sweep sweep_of(const Core& core, std::uint32_t body, const SolverBody& way);
+Sweep at_rest(const Core& core, std::uint32_t body);
+/// Holds all points that are within `reach` of the centre on its way.
+Aabb box_of_way(const Sweep& way, float reach);
+/// The fraction of the way at which `shape` must stop for `other`, or no_impact.
+float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::uint32_t other, const Sweep& other_way, float end);
+/// Puts the body where the way ends.
+void place_at_end(Core& core, std::uint32_t body, const Sweep& way, SolverBody& out);
 
 }  // namespace islet::detail

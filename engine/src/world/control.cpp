@@ -44,7 +44,7 @@ bool flag_of(const Core& core, BodyId id, std::uint32_t flag) {
 
 void World::set_target(BodyId id, const Transform& target, float dt) {
     Core& c = core();
-    note_call(c, Call::set_body_target, id, target, dt);
+    note_call<Call::set_body_target>(c, id, target, dt);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_position(c, target.p) || !check(c, all_finite(target.q.c, target.q.s), Error::not_finite)) return;
@@ -62,11 +62,11 @@ bool World::is_x_locked(BodyId id) const { return flag_of(core(), id, body_lock_
 bool World::is_y_locked(BodyId id) const { return flag_of(core(), id, body_lock_y); }
 bool World::is_rotation_fixed(BodyId id) const { return flag_of(core(), id, body_fixed_rotation); }
 void World::lock_x(BodyId id, bool lock) {
-    note_call(core(), Call::lock_x, id, lock);
+    note_call<Call::lock_x>(core(), id, lock);
     set_lock(core(), id, body_lock_x, lock);
 }
 void World::lock_y(BodyId id, bool lock) {
-    note_call(core(), Call::lock_y, id, lock);
+    note_call<Call::lock_y>(core(), id, lock);
     set_lock(core(), id, body_lock_y, lock);
 }
 
@@ -77,7 +77,7 @@ float World::sleep_threshold(BodyId id) const {
 
 void World::set_sleep_threshold(BodyId id, float threshold) {
     Core& c = core();
-    note_call(c, Call::set_sleep_threshold, id, threshold);
+    note_call<Call::set_sleep_threshold>(c, id, threshold);
     const std::uint32_t i = find_body(c, id);
     if (i != null_index && check_range(c, threshold, 0, no_limit)) c.bodies[i].sleep_threshold = threshold;
 }

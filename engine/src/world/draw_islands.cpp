@@ -27,15 +27,8 @@ const std::uint32_t* find_all_islands(const Core& core) {
     if constexpr (has_joints) {
         for_each_live(state.joint_pool, core.joints, [&](std::uint32_t i) {
             const Joint& j = core.joints[i];
-            if (is_joint_idle(core, j)) return;
-            link(j.body_a, j.body_b);
-            if (j.joint_type() != JointType::gear) return;
-            // A gear couples up to four bodies, of which it names two.
-            const std::uint32_t moving = moves(j.body_a) ? j.body_a : j.body_b;
-            for (const std::uint32_t joined : {j.joint1, j.joint2}) {
-                link(moving, core.joints[joined].body_a);
-                link(moving, core.joints[joined].body_b);
-            }
+            // A gear couples up to four bodies. It names one that moves of each of its joints, which link the others themselves.
+            if (!is_joint_idle(core, j)) link(j.body_a, j.body_b);
         });
     }
     // The lowest slot of a set is its root. (That of a lower slot is known already, so one look leads there.)

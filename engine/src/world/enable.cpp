@@ -70,7 +70,7 @@ bool World::is_enabled(BodyId id) const {
 
 void World::set_enabled(BodyId id, bool enabled) {
     Core& c = core();
-    note_call(c, Call::set_enabled, id, enabled);
+    note_call<Call::set_enabled>(c, id, enabled);
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || detail::is_enabled(c, i) == enabled) return;
     if (enabled) {

@@ -57,7 +57,7 @@ void push_shape(Core& core, const ExplosionDef& d, std::uint32_t shape) {
 
 void World::explode(const ExplosionDef& d) {
     Core& c = core();
-    note_call(c, Call::explode, d);
+    note_call<Call::explode>(c, d);
     const DefaultFloatMode mode;
     if (!check_explosion(c, d)) return;
     const float reach = d.radius + d.falloff;

@@ -68,7 +68,7 @@ std::span<const HitEvent> World::hit_events() const {
 float World::hit_threshold() const { return core().state->hit_threshold; }
 
 void World::set_hit_threshold(float speed) {
-    note_call(core(), Call::set_hit_threshold, speed);
+    note_call<Call::set_hit_threshold>(core(), speed);
     if (check_range(core(), speed, 0, no_limit)) core().state->hit_threshold = speed;
 }
 

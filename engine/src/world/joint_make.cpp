@@ -167,7 +167,7 @@ JointId make(Core& core, Joint& j, const JointBase& base) {
 }  // namespace
 
 JointId World::create_joint(const RevoluteJointDef& def) {
-    note_call(core(), Call::create_revolute_joint, def);
+    note_call<Call::create_revolute_joint>(core(), def);
     if (!check(core(), has_joint(JointType::revolute), Error::feature_cut)) return {};
     Joint j = new_joint(JointType::revolute, def.base);
     fill_coordinate(j, def.spring, def.limit, def.motor);
@@ -176,7 +176,7 @@ JointId World::create_joint(const RevoluteJointDef& def) {
 }
 
 JointId World::create_joint(const PrismaticJointDef& def) {
-    note_call(core(), Call::create_prismatic_joint, def);
+    note_call<Call::create_prismatic_joint>(core(), def);
     if (!check(core(), has_joint(JointType::prismatic), Error::feature_cut)) return {};
     Joint j = new_joint(JointType::prismatic, def.base);
     fill_coordinate(j, def.spring, def.limit, def.motor);
@@ -186,7 +186,7 @@ JointId World::create_joint(const PrismaticJointDef& def) {
 
 JointId World::create_joint(const DistanceJointDef& def) {
     Core& c = core();
-    note_call(c, Call::create_distance_joint, def);
+    note_call<Call::create_distance_joint>(c, def);
     if (!check(c, has_joint(JointType::distance), Error::feature_cut) || !check_range(c, def.length, linear_slop, max_position)) return {};
     Joint j = new_joint(JointType::distance, def.base);
     fill_coordinate(j, def.spring, def.limit, def.motor);
@@ -195,7 +195,7 @@ JointId World::create_joint(const DistanceJointDef& def) {
 }
 
 JointId World::create_joint(const WeldJointDef& def) {
-    note_call(core(), Call::create_weld_joint, def);
+    note_call<Call::create_weld_joint>(core(), def);
     if (!check(core(), has_joint(JointType::weld), Error::feature_cut)) return {};
     Joint j = new_joint(JointType::weld, def.base);
     fill_softness(j, def);
@@ -203,7 +203,7 @@ JointId World::create_joint(const WeldJointDef& def) {
 }
 
 JointId World::create_joint(const WheelJointDef& def) {
-    note_call(core(), Call::create_wheel_joint, def);
+    note_call<Call::create_wheel_joint>(core(), def);
     if (!check(core(), has_joint(JointType::wheel), Error::feature_cut)) return {};
     Joint j = new_joint(JointType::wheel, def.base);
     fill_coordinate(j, def.spring, def.limit, def.motor);
@@ -212,7 +212,7 @@ JointId World::create_joint(const WheelJointDef& def) {
 }
 
 JointId World::create_joint(const MotorJointDef& def) {
-    note_call(core(), Call::create_motor_joint, def);
+    note_call<Call::create_motor_joint>(core(), def);
     if (!check(core(), has_joint(JointType::motor), Error::feature_cut)) return {};
     Joint j = new_joint(JointType::motor, def.base);
     fill_softness(j, def);
@@ -225,7 +225,7 @@ JointId World::create_joint(const MotorJointDef& def) {
 
 JointId World::create_joint(const MouseJointDef& def) {
     Core& c = core();
-    note_call(c, Call::create_mouse_joint, def);
+    note_call<Call::create_mouse_joint>(c, def);
     if (!check(c, has_joint(JointType::mouse), Error::feature_cut)) return {};
     const DefaultFloatMode mode;
     const std::uint32_t body = find_body(c, def.body);
@@ -239,7 +239,7 @@ JointId World::create_joint(const MouseJointDef& def) {
 
 JointId World::create_joint(const PulleyJointDef& def) {
     Core& c = core();
-    note_call(c, Call::create_pulley_joint, def);
+    note_call<Call::create_pulley_joint>(c, def);
     if (!check(c, has_joint(JointType::pulley), Error::feature_cut) || !check_position(c, def.ground_a) || !check_position(c, def.ground_b) ||
         !check_range(c, def.ratio, 0, max_ratio) || !check(c, def.ratio > 0, Error::out_of_range))
         return {};
@@ -252,7 +252,7 @@ JointId World::create_joint(const PulleyJointDef& def) {
 
 JointId World::create_joint(const GearJointDef& def) {
     Core& c = core();
-    note_call(c, Call::create_gear_joint, def);
+    note_call<Call::create_gear_joint>(c, def);
     if (!check(c, has_joint(JointType::gear), Error::feature_cut)) return {};
     const DefaultFloatMode mode;
     const std::uint32_t joint1 = find_joint(c, def.joint1);

@@ -69,7 +69,7 @@ float force_of(const Core& core, float impulse) { return core.state->last_subste
 }  // namespace
 
 void World::destroy_joint(JointId id) {
-    note_call(core(), Call::destroy_joint, id);
+    note_call<Call::destroy_joint>(core(), id);
     const std::uint32_t i = detail::find_joint(core(), id);
     if (i != null_index) remove_joint(core(), i);
 }
@@ -182,7 +182,7 @@ JointError World::joint_error(JointId id) const {
 
 void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& frame_b) {
     Core& c = core();
-    note_call(c, Call::set_frames, id, frame_a, frame_b);
+    note_call<Call::set_frames>(c, id, frame_a, frame_b);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_joint(c, id, with_frames);
     if (i == null_index || !check_frame(c, frame_a) || !check_frame(c, frame_b)) return;
@@ -196,7 +196,7 @@ void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& 
 
 void World::set_collide_connected(JointId id, bool collide) {
     Core& c = core();
-    note_call(c, Call::set_collide_connected, id, collide);
+    note_call<Call::set_collide_connected>(c, id, collide);
     const std::uint32_t i = find_joint(c, id, with_frames | bit(JointType::pulley));
     if (i == null_index) return;
     Joint& j = c.joints[i];
@@ -209,7 +209,7 @@ void World::set_collide_connected(JointId id, bool collide) {
 
 void World::set_break(JointId id, float force, float torque) {
     Core& c = core();
-    note_call(c, Call::set_break, id, force, torque);
+    note_call<Call::set_break>(c, id, force, torque);
     const std::uint32_t i = detail::find_joint(c, id);
     if (i == null_index || !check_not_negative(c, force) || !check_not_negative(c, torque)) return;
     c.joints[i].break_force = force;
@@ -218,14 +218,14 @@ void World::set_break(JointId id, float force, float torque) {
 
 void World::set_user_data(JointId id, std::uint64_t data) {
     Core& c = core();
-    note_call(c, Call::set_joint_user_data, id, data);
+    note_call<Call::set_joint_user_data>(c, id, data);
     const std::uint32_t i = detail::find_joint(c, id);
     if (i != null_index) c.joints[i].user_data = data;
 }
 
 void World::set_spring(JointId id, const JointSpring& spring) {
     Core& c = core();
-    note_call(c, Call::set_spring, id, spring);
+    note_call<Call::set_spring>(c, id, spring);
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_spring(c, spring)) return;
     change_parts(c, c.joints[i], [&](Joint& j) { set_spring_of(j, spring); });
@@ -233,7 +233,7 @@ void World::set_spring(JointId id, const JointSpring& spring) {
 
 void World::set_limit(JointId id, const JointLimit& limit) {
     Core& c = core();
-    note_call(c, Call::set_limit, id, limit);
+    note_call<Call::set_limit>(c, id, limit);
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_limit(c, limit)) return;
     if (!check(c, type_of(c.joints[i]) != JointType::distance || !limit.enable || limit.lower >= 0, Error::out_of_range)) return;
@@ -242,7 +242,7 @@ void World::set_limit(JointId id, const JointLimit& limit) {
 
 void World::set_motor(JointId id, const JointMotor& motor) {
     Core& c = core();
-    note_call(c, Call::set_motor, id, motor);
+    note_call<Call::set_motor>(c, id, motor);
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_motor(c, motor)) return;
     change_parts(c, c.joints[i], [&](Joint& j) { set_motor_of(j, motor); });
@@ -250,7 +250,7 @@ void World::set_motor(JointId id, const JointMotor& motor) {
 
 void World::set_joint_friction(JointId id, float friction) {
     Core& c = core();
-    note_call(c, Call::set_joint_friction, id, friction);
+    note_call<Call::set_joint_friction>(c, id, friction);
     const std::uint32_t i = find_joint(c, id, with_friction);
     if (i == null_index || !check_not_negative(c, friction)) return;
     c.state->trees_stale = 1;  // friction too has a hinge swept
@@ -261,7 +261,7 @@ void World::set_joint_friction(JointId id, float friction) {
 
 void World::set_joint_length(JointId id, float length) {
     Core& c = core();
-    note_call(c, Call::set_joint_length, id, length);
+    note_call<Call::set_joint_length>(c, id, length);
     const std::uint32_t i = find_joint(c, id, bit(JointType::distance));
     if (i == null_index || !check_range(c, length, linear_slop, max_position)) return;
     c.joints[i].length = length;
@@ -270,7 +270,7 @@ void World::set_joint_length(JointId id, float length) {
 
 void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
     Core& c = core();
-    note_call(c, Call::set_joint_velocity, id, linear, angular);
+    note_call<Call::set_joint_velocity>(c, id, linear, angular);
     const std::uint32_t i = find_joint(c, id, bit(JointType::motor));
     if (i == null_index || !check_finite(c, linear) || !check_finite(c, angular)) return;
     c.joints[i].velocity = linear;
@@ -280,7 +280,7 @@ void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
 
 void World::set_joint_strength(JointId id, float max_force, float max_torque) {
     Core& c = core();
-    note_call(c, Call::set_joint_strength, id, max_force, max_torque);
+    note_call<Call::set_joint_strength>(c, id, max_force, max_torque);
     const std::uint32_t i = find_joint(c, id, bit(JointType::motor));
     if (i == null_index || !check_not_negative(c, max_force) || !check_not_negative(c, max_torque)) return;
     c.joints[i].motor_max = max_force;
@@ -290,7 +290,7 @@ void World::set_joint_strength(JointId id, float max_force, float max_torque) {
 
 void World::set_target(JointId id, Vec2 target) {
     Core& c = core();
-    note_call(c, Call::set_joint_target, id, target);
+    note_call<Call::set_joint_target>(c, id, target);
     const std::uint32_t i = find_joint(c, id, bit(JointType::mouse));
     if (i == null_index || !check_position(c, target)) return;
     c.joints[i].local_a = target;

@@ -9,18 +9,64 @@ using namespace detail;
 
 namespace detail {
 
-namespace {
-
-std::byte* bytes_of(RecordingHead* head) { return reinterpret_cast<std::byte*>(head); }
-
-}  // namespace
-
 std::uint32_t body_digest(const Core& core, std::uint32_t body) {
     const Pose& pose = core.poses[body];
     const Motion& motion = core.motions[body];
     std::uint64_t sum = mixed(0x9e3779b97f4a7c15ull, body);
     for (const float a : {pose.center.x, pose.center.y, pose.q.c, pose.q.s, motion.v.x, motion.v.y, motion.w}) sum = mixed(sum, bits_of(a));
     return static_cast<std::uint32_t>(sum);
+}
+
+namespace {
+
+std::byte* bytes_of(RecordingHead* head) { return reinterpret_cast<std::byte*>(head); }
+
+/// Appends words to the recording. A call that finds no room is left out, with all that follow.
+class CallWriter {
+public:
+    CallWriter(Core& core, Call call);
+    /// Completes the call.
+    ~CallWriter();
+    CallWriter(const CallWriter&) = delete;
+    CallWriter& operator=(const CallWriter&) = delete;
+
+    void word(std::uint32_t w);
+    void long_word(std::uint64_t w) {
+        word(static_cast<std::uint32_t>(w));
+        word(static_cast<std::uint32_t>(w >> 32));
+    }
+    template <class... T>
+    void operator()(T&... values) {
+        (one(values), ...);
+    }
+
+private:
+    void one(float& a) { word(bits_of(a)); }
+    void one(bool& a) { word(a ? 1 : 0); }
+    void one(std::uint32_t& a) { word(a); }
+    void one(std::int32_t& a) { word(static_cast<std::uint32_t>(a)); }
+    void one(std::uint64_t& a) { long_word(a); }
+    void one(std::span<const Vec2>& a) {
+        word(static_cast<std::uint32_t>(a.size()));
+        for (Vec2 p : a) members(*this, p);
+    }
+    template <class T>
+    void one(T& a) {
+        if constexpr (requires { members(*this, a); }) {
+            members(*this, a);
+        } else {
+            word(static_cast<std::uint32_t>(a));  // an enumeration
+        }
+    }
+
+    Core& core_;
+    std::uint64_t begin_;  // of the call, bytes from the head
+};
+
+template <class... Args>
+void write_arguments(CallWriter& writer, const void* const* arguments) {
+    const auto write = [&writer](auto copy) { writer(copy); };
+    (write(*static_cast<const Args*>(*arguments++)), ...);
 }
 
 CallWriter::CallWriter(Core& core, Call call) : core_(core), begin_(core.recording->used) { word(static_cast<std::uint32_t>(call)); }
@@ -51,6 +97,19 @@ CallWriter::~CallWriter() {
     }
 }
 
+}  // namespace
+
+void write_call(Core& core, Call call, const void* const* arguments) {
+    CallWriter writer(core, call);
+    switch (call) {
+#define ISLET_WRITE(name, function, ...) \
+    case Call::name: return write_arguments<__VA_ARGS__>(writer, arguments);
+        ISLET_CALLS(ISLET_WRITE)
+#undef ISLET_WRITE
+        default: return;
+    }
+}
+
 void write_image(Core& core, std::span<const std::byte> image) {
     CallWriter writer(core, Call::image);
     writer.long_word(image.size());
@@ -62,11 +121,12 @@ void write_image(Core& core, std::span<const std::byte> image) {
     }
 }
 
-void write_stepped(Core& core, std::uint64_t hash) {
+void write_stepped(World& world) {
+    Core& core = Core::of(world);
     const std::uint64_t sum = core.recording->sum;
     CallWriter writer(core, Call::stepped);
     writer.long_word(sum);
-    writer.long_word(hash);
+    writer.long_word(world.hash());
     if (core.recording->bodies == 0) return writer.word(0);
     writer.word(core.awake_bodies.count());
     core.awake_bodies.for_each([&](std::uint32_t body) { writer.word(body_digest(core, body)); });

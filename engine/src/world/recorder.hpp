@@ -1,6 +1,8 @@
 // Writing calls down as they are made.
 #pragma once
 
+#include <type_traits>
+
 #include "math/scalar.hpp"
 #include "world/calls.hpp"
 
@@ -20,65 +22,36 @@ inline std::uint64_t mixed(std::uint64_t sum, std::uint32_t word) {
 /// A hash of how a body stands and moves.
 std::uint32_t body_digest(const Core& core, std::uint32_t body);
 
-/// Appends words to the recording. A call that finds no room is left out, with all that follow.
-class CallWriter {
-public:
-    CallWriter(Core& core, Call call);
-    /// Completes the call.
-    ~CallWriter();
-    CallWriter(const CallWriter&) = delete;
-    CallWriter& operator=(const CallWriter&) = delete;
-
-    void word(std::uint32_t w);
-    void long_word(std::uint64_t w) {
-        word(static_cast<std::uint32_t>(w));
-        word(static_cast<std::uint32_t>(w >> 32));
-    }
-    template <class... T>
-    void operator()(T&... values) {
-        (one(values), ...);
-    }
-
-private:
-    void one(float& a) { word(bits_of(a)); }
-    void one(bool& a) { word(a ? 1 : 0); }
-    void one(std::uint32_t& a) { word(a); }
-    void one(std::int32_t& a) { word(static_cast<std::uint32_t>(a)); }
-    void one(std::uint64_t& a) { long_word(a); }
-    void one(std::span<const Vec2>& a) {
-        word(static_cast<std::uint32_t>(a.size()));
-        for (Vec2 p : a) members(*this, p);
-    }
-    template <class T>
-    void one(T& a) {
-        if constexpr (requires { members(*this, a); }) {
-            members(*this, a);
-        } else {
-            word(static_cast<std::uint32_t>(a));  // an enumeration
-        }
-    }
-
-    Core& core_;
-    std::uint64_t begin_;  // of the call, bytes from the head
-};
+/// Writes down a call whose arguments are pointed to, as many and of such types as the table of calls says.
+//
+// Linked only by programs that record: World::start_recording refers to it, and core.recording is null in the others.
+ISLET_OPTIONAL void write_call(Core& core, Call call, const void* const* arguments);
+/// The same for the snapshot a world was taken back to.
+ISLET_OPTIONAL void write_image(Core& core, std::span<const std::byte> image);
+/// What came of a step.
+ISLET_OPTIONAL void write_stepped(World& world);
 
 template <class... Args>
-[[gnu::noinline]] void write_call(Core& core, Call call, Args... args) {
-    CallWriter writer(core, call);
-    writer(args...);
-}
+struct Signature {};
+template <Call call>
+struct SignatureOf;
+#define ISLET_SIGNATURE(name, function, ...) \
+    template <> \
+    struct SignatureOf<Call::name> { \
+        using Type = Signature<__VA_ARGS__>; \
+    };
+ISLET_CALLS(ISLET_SIGNATURE)
+#undef ISLET_SIGNATURE
 
 /// For the beginning of each public function that changes a world: writes the call down if the world is being recorded.
-template <class... Args>
-[[gnu::always_inline]] inline void note_call(Core& core, Call call, const Args&... args) {
+template <Call call, class... Args>
+[[gnu::always_inline]] inline void note_call(Core& core, const Args&... args) {
+    static_assert(std::is_same_v<typename SignatureOf<call>::Type, Signature<Args...>>);
     if constexpr (has_recorder) {
-        if (core.recording != nullptr) [[unlikely]] write_call<Args...>(core, call, args...);
+        if (core.recording == nullptr) [[likely]] return;
+        const void* const arguments[] = {&args...};
+        write_call(core, call, arguments);
     }
 }
-
-/// The same for the snapshot a world was taken back to.
-void write_image(Core& core, std::span<const std::byte> image);
-/// What came of a step.
-void write_stepped(Core& core, std::uint64_t hash);
 
 }  // namespace islet::detail

@@ -60,28 +60,28 @@ bool flag_of(const Core& core, ShapeId id, std::uint32_t flag) {
 }  // namespace
 
 void World::set_circle(ShapeId id, const Circle& circle) {
-    note_call(core(), Call::set_circle, id, circle);
+    note_call<Call::set_circle>(core(), id, circle);
     Geometry g = blank_geometry(ShapeType::circle);
     g.circle = circle;
     replace(core(), id, g, islet::is_valid(circle), true);
 }
 
 void World::set_capsule(ShapeId id, const Capsule& capsule) {
-    note_call(core(), Call::set_capsule, id, capsule);
+    note_call<Call::set_capsule>(core(), id, capsule);
     Geometry g = blank_geometry(ShapeType::capsule);
     g.capsule = capsule;
     replace(core(), id, g, islet::is_valid(capsule), has_capsules);
 }
 
 void World::set_segment(ShapeId id, const Segment& segment) {
-    note_call(core(), Call::set_segment, id, segment);
+    note_call<Call::set_segment>(core(), id, segment);
     Geometry g = blank_geometry(ShapeType::segment);
     g.segment = segment;
     replace(core(), id, g, islet::is_valid(segment), has_segments);
 }
 
 void World::set_polygon(ShapeId id, const Polygon& polygon) {
-    note_call(core(), Call::set_polygon, id, polygon);
+    note_call<Call::set_polygon>(core(), id, polygon);
     const bool valid = islet::is_valid(polygon);
     replace(core(), id, valid ? geometry_of(polygon) : blank_geometry(ShapeType::polygon), valid, has_polygons);
 }
@@ -93,7 +93,7 @@ float World::density(ShapeId id) const {
 
 void World::set_density(ShapeId id, float density) {
     Core& c = core();
-    note_call(c, Call::set_density, id, density);
+    note_call<Call::set_density>(c, id, density);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || !check_range(c, density, 0, no_limit)) return;
@@ -111,7 +111,7 @@ SurfaceMaterial World::material(ShapeId id) const {
 
 void World::set_material(ShapeId id, const SurfaceMaterial& m) {
     Core& c = core();
-    note_call(c, Call::set_material, id, m);
+    note_call<Call::set_material>(c, id, m);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index) return;
     ShapeDef def;
@@ -138,21 +138,22 @@ bool World::sensor_events_enabled(ShapeId id) const {
 }
 
 void World::enable_hit_events(ShapeId id, bool enable) {
-    note_call(core(), Call::enable_hit_events, id, enable);
+    note_call<Call::enable_hit_events>(core(), id, enable);
     if (check(core(), has_hits || !enable, Error::feature_cut)) set_flag(core(), id, shape_hit_events, enable);
 }
 
 void World::enable_pre_solve(ShapeId id, bool enable) {
-    note_call(core(), Call::enable_pre_solve, id, enable);
+    note_call<Call::enable_pre_solve>(core(), id, enable);
     if (check(core(), has_hooks || !enable, Error::feature_cut)) set_flag(core(), id, shape_pre_solve, enable);
 }
 
 void World::enable_sensor_events(ShapeId id, bool enable) {
     Core& c = core();
-    note_call(c, Call::enable_sensor_events, id, enable);
+    note_call<Call::enable_sensor_events>(c, id, enable);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || ((c.shapes[i].flags & shape_unseen) == 0) == enable) return;
     c.shapes[i].flags ^= shape_unseen;
+    c.state->asked |= c.shapes[i].flags;
     end_unwanted_contacts(c, i);
     mark_moved(c, i);
 }

@@ -169,14 +169,14 @@ Geometry geometry_of(const Polygon& polygon) {
 }  // namespace detail
 
 ShapeId World::create_shape(BodyId body, const Circle& circle, const ShapeDef& def) {
-    note_call(core(), Call::create_circle, body, circle, def);
+    note_call<Call::create_circle>(core(), body, circle, def);
     Geometry g = blank_geometry(ShapeType::circle);
     g.circle = circle;
     return attach_shape(core(), body, g, islet::is_valid(circle), def);
 }
 
 ShapeId World::create_shape(BodyId body, const Capsule& capsule, const ShapeDef& def) {
-    note_call(core(), Call::create_capsule, body, capsule, def);
+    note_call<Call::create_capsule>(core(), body, capsule, def);
     if (!check(core(), has_capsules, Error::feature_cut)) return {};
     Geometry g = blank_geometry(ShapeType::capsule);
     g.capsule = capsule;
@@ -184,7 +184,7 @@ ShapeId World::create_shape(BodyId body, const Capsule& capsule, const ShapeDef&
 }
 
 ShapeId World::create_shape(BodyId body, const Segment& segment, const ShapeDef& def) {
-    note_call(core(), Call::create_segment, body, segment, def);
+    note_call<Call::create_segment>(core(), body, segment, def);
     if (!check(core(), has_segments, Error::feature_cut)) return {};
     Geometry g = blank_geometry(ShapeType::segment);
     g.segment = segment;
@@ -192,7 +192,7 @@ ShapeId World::create_shape(BodyId body, const Segment& segment, const ShapeDef&
 }
 
 ShapeId World::create_shape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
-    note_call(core(), Call::create_polygon, body, polygon, def);
+    note_call<Call::create_polygon>(core(), body, polygon, def);
     if (!check(core(), has_polygons, Error::feature_cut)) return {};
     const bool valid = islet::is_valid(polygon);
     return attach_shape(core(), body, valid ? geometry_of(polygon) : blank_geometry(ShapeType::polygon), valid, def);
@@ -200,7 +200,7 @@ ShapeId World::create_shape(BodyId body, const Polygon& polygon, const ShapeDef&
 
 void World::destroy_shape(ShapeId id) {
     Core& c = core();
-    note_call(c, Call::destroy_shape, id);
+    note_call<Call::destroy_shape>(c, id);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index) return;
     const std::uint32_t body = c.shapes[i].body;
@@ -269,7 +269,7 @@ const ChainSegment* World::chain_segment(ShapeId id) const {
 
 void World::set_friction(ShapeId id, float friction) {
     Core& c = core();
-    note_call(c, Call::set_friction, id, friction);
+    note_call<Call::set_friction>(c, id, friction);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || !check_range(c, friction, 0, max_coefficient)) return;
     c.shapes[i].friction = friction;
@@ -278,7 +278,7 @@ void World::set_friction(ShapeId id, float friction) {
 
 void World::set_restitution(ShapeId id, float restitution) {
     Core& c = core();
-    note_call(c, Call::set_restitution, id, restitution);
+    note_call<Call::set_restitution>(c, id, restitution);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || !check_range(c, restitution, 0, 1) || !check(c, has_restitution || restitution == 0, Error::feature_cut)) return;
     c.shapes[i].restitution = restitution;
@@ -287,7 +287,7 @@ void World::set_restitution(ShapeId id, float restitution) {
 
 void World::set_rolling_resistance(ShapeId id, float resistance) {
     Core& c = core();
-    note_call(c, Call::set_rolling_resistance, id, resistance);
+    note_call<Call::set_rolling_resistance>(c, id, resistance);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || !check_range(c, resistance, 0, max_coefficient) || !check(c, has_surfaces || resistance == 0, Error::feature_cut)) return;
     c.shapes[i].rolling_resistance = resistance;
@@ -296,7 +296,7 @@ void World::set_rolling_resistance(ShapeId id, float resistance) {
 
 void World::set_tangent_speed(ShapeId id, float speed) {
     Core& c = core();
-    note_call(c, Call::set_tangent_speed, id, speed);
+    note_call<Call::set_tangent_speed>(c, id, speed);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || !check_range(c, speed, -max_speed_limit, max_speed_limit)) return;
     if (!check(c, has_surfaces || speed == 0, Error::feature_cut)) return;
@@ -306,7 +306,7 @@ void World::set_tangent_speed(ShapeId id, float speed) {
 
 void World::set_filter(ShapeId id, const Filter& filter) {
     Core& c = core();
-    note_call(c, Call::set_filter, id, filter);
+    note_call<Call::set_filter>(c, id, filter);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index) return;
     c.shapes[i].filter = filter;
@@ -317,7 +317,7 @@ void World::set_filter(ShapeId id, const Filter& filter) {
 
 void World::set_user_data(ShapeId id, std::uint64_t data) {
     Core& c = core();
-    note_call(c, Call::set_shape_user_data, id, data);
+    note_call<Call::set_shape_user_data>(c, id, data);
     const std::uint32_t i = find_shape(c, id);
     if (i != null_index) c.shapes[i].user_data = data;
 }

@@ -9,6 +9,7 @@
 #include "solver/hits.hpp"
 #include "solver/joint_solve.hpp"
 #include "world/checks.hpp"
+#include "world/continuous.hpp"
 #include "world/faults.hpp"
 #include "world/geometry_pool.hpp"
 #include "world/hooks.hpp"
@@ -262,6 +263,7 @@ bool World::load(std::span<const std::byte> image) {
     link_hits();
     link_hooks();
     link_disabling();
+    link_bullets();
     take_over(c, h, image.data());
     if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
     return true;

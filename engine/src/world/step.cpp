@@ -55,7 +55,7 @@ void fill_report(Core& core, const Plan& plan) {
 
 void World::step(float dt) {
     Core& c = core();
-    note_call(c, Call::step, dt);
+    note_call<Call::step>(c, dt);
     if (!(dt > 0) || !(dt <= 1.0f)) return c.fail(Error::bad_time_step);
     const DefaultFloatMode mode;
     note(c, Stage::begin);
@@ -76,7 +76,7 @@ void World::step(float dt) {
     if (c.state->joint_pool.count != 0) break_joints(c);
     fill_report(c, plan);
     note(c, Stage::finish);
-    if (has_recorder && c.recording != nullptr) write_stepped(c, hash());
+    if (has_recorder && c.recording != nullptr) write_stepped(*this);
 }
 
 }  // namespace islet

@@ -33,7 +33,7 @@ void push(Core& core, std::uint32_t body, const Stream& s, float width, Vec2 arm
 
 void World::apply_wind(ShapeId id, const WindDef& wind) {
     Core& c = core();
-    note_call(c, Call::apply_wind, id, wind);
+    note_call<Call::apply_wind>(c, id, wind);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || !check(c, all_finite(wind.velocity.x, wind.velocity.y, wind.drag, wind.lift, wind.density), Error::not_finite)) return;

@@ -1,7 +1,11 @@
 // Making a world, and what concerns it as a whole.
 #include "islet/world.hpp"
 
+#include "broadphase/sensors.hpp"
+#include "memory/joint_graph.hpp"
+#include "solver/hits.hpp"
 #include "world/checks.hpp"
+#include "world/continuous.hpp"
 #include "world/cpu.hpp"
 #include "world/geometry_pool.hpp"
 #include "world/hooks.hpp"
@@ -51,6 +55,15 @@ std::uint32_t choose_lanes(std::uint32_t wanted) {
     return wanted == 0 || wanted > widest ? widest : wanted;
 }
 
+// What definitions can ask for without a call of their own.
+void link_all() {
+    link_sensors();
+    link_hits();
+    link_hooks();
+    link_disabling();
+    link_bullets();
+}
+
 template <class T>
 T* place(std::byte* block, std::size_t offset) {
     return reinterpret_cast<T*>(block + offset);
@@ -92,6 +105,7 @@ void point_into(Core& core, std::byte* block, const Layout& l) {
 }  // namespace
 
 World* World::create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error) {
+    if constexpr (!is_lean) link_all();
     Layout l{};
     Error problem = check_capacity(capacity);
     if (problem == Error::none) {
@@ -159,14 +173,14 @@ bool check_solver(const SolverDef& d, Error& error) {
 Vec2 World::gravity() const { return core().state->gravity; }
 
 void World::set_gravity(Vec2 gravity) {
-    note_call(core(), Call::set_gravity, gravity);
+    note_call<Call::set_gravity>(core(), gravity);
     if (check_finite(core(), gravity)) core().state->gravity = gravity;
 }
 
 SolverDef World::solver() const { return unpack(core().state->solver); }
 
 void World::set_solver(const SolverDef& solver) {
-    note_call(core(), Call::set_solver, solver);
+    note_call<Call::set_solver>(core(), solver);
     Error error = Error::none;
     if (!check_solver(solver, error)) return core().fail(error);
     State& state = *core().state;
@@ -191,7 +205,7 @@ void World::set_tasks(const TaskSystem& tasks) {
 
 void World::enable_sleep(bool enable) {
     Core& c = core();
-    note_call(c, Call::enable_sleep, enable);
+    note_call<Call::enable_sleep>(c, enable);
     if (!check(c, has_sleep || !enable, Error::feature_cut)) return;
     c.state->enable_sleep = enable ? 1 : 0;
     if (enable) return;
@@ -202,7 +216,7 @@ void World::enable_sleep(bool enable) {
 bool World::continuous() const { return core().state->continuous != 0; }
 
 void World::enable_continuous(bool enable) {
-    note_call(core(), Call::enable_continuous, enable);
+    note_call<Call::enable_continuous>(core(), enable);
     if (check(core(), has_continuous || !enable, Error::feature_cut)) core().state->continuous = enable ? 1 : 0;
 }
 

@@ -1,0 +1,115 @@
+// Bullets: bodies that are compared with everything that moves, and that sleeps, on its way of the step.
+//
+// Each body goes evenly from where it was to where it is. A bullet that meets another on the way is stopped there, and from there on carried along, so that
+// the other does not pass through it either. Where bodies end decides who passes whom, whatever way they take between, so bullets that were stopped
+// are compared again, a few times at most, and with what is static.
+#include "broadphase/tree.hpp"
+#include "math/scalar.hpp"
+#include "world/bounds.hpp"
+#include "world/checks.hpp"
+#include "world/continuous.hpp"
+#include "world/recorder.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace detail {
+
+namespace {
+
+inline constexpr std::uint32_t bullet_rounds = 4;  // each may stop a bullet in the way of another
+
+/// The first impact of a body with others on their ways.
+struct Impact {
+    float fraction = no_impact;
+    Sweep other;
+};
+
+void meet(const Core& core, std::uint32_t body, const Sweep& way, std::uint32_t other_shape, const Sweep& other, Impact& first) {
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+        const float fraction = stop_time(core, s, way, other_shape, other, min(first.fraction, 1.0f));
+        if (fraction < first.fraction) first = {fraction, other};
+    }
+}
+
+Impact first_impact(const Core& core, std::uint32_t body, const Sweep& way, const std::uint32_t* body_of, std::uint32_t slot_count,
+                    const SolverBody* bodies, std::uint32_t slot) {
+    Impact first;
+    const Pose& pose = core.poses[body];
+    const float far_enough = swept_fraction * core.bodies[body].min_extent;
+    const Aabb box = box_of_way(way, pose.max_extent);
+    const float turned = abs(way.turn) * pose.max_extent;
+    for (std::uint32_t i = 1; i < slot_count; ++i) {
+        const std::uint32_t other = body_of[i];
+        const SolverBody& other_way = bodies[i];
+        const Pose& other_pose = core.poses[other];
+        const Vec2 start = other_pose.center - other_way.dp;
+        const Aabb other_box = expand({min(start, other_pose.center), max(start, other_pose.center)}, other_pose.max_extent);
+        if (i == slot || !overlaps(box, other_box)) continue;
+        if (length(way.way - other_way.dp) + turned + abs(other_way.dq) * other_pose.max_extent <= far_enough) continue;
+        const Sweep sweep = sweep_of(core, other, other_way);
+        for (std::uint32_t s = core.bodies[other].shape_head; s != null_index; s = core.shapes[s].next) meet(core, body, way, s, sweep, first);
+    }
+    if (length(way.way) + turned <= far_enough) return first;
+    tree_query(Tree{&core.state->tree, core.tree}, box, [&](std::uint32_t shape) {
+        const std::uint32_t other = core.shapes[shape].body;
+        if (core.bodies[other].type() != BodyType::static_body) meet(core, body, way, shape, at_rest(core, other), first);
+    });
+    return first;
+}
+
+// From the impact on the bullet keeps its place on the other body, so that this does not pass through it either.
+Sweep carried(const Sweep& way, const Impact& impact) {
+    const float f = impact.fraction;
+    const Sweep& other = impact.other;
+    const Vec2 place = inv_rotate(rotation_at(other, f), center_at(way, f) - center_at(other, f));
+    const Vec2 end = center_at(other, 1) + rotate(rotation_at(other, 1), place);
+    return {way.center, way.q, end - way.center, f * way.turn + (1 - f) * other.turn};
+}
+
+}  // namespace
+
+void link_bullets() {}
+
+void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_count, SolverBody* bodies) {
+    bool again = true;
+    for (std::uint32_t round = 0; again && round < bullet_rounds; ++round) {
+        again = false;
+        for (std::uint32_t slot = 1; slot < slot_count; ++slot) {
+            const std::uint32_t body = body_of[slot];
+            if ((core.bodies[body].flags & body_bullet) == 0 || !core.is_dynamic(body)) continue;
+            const Sweep way = sweep_of(core, body, bodies[slot]);
+            const Impact impact = first_impact(core, body, way, body_of, slot_count, bodies, slot);
+            if (impact.fraction >= 1) continue;
+            place_at_end(core, body, carried(way, impact), bodies[slot]);
+            if (length(bodies[slot].dp) + abs(bodies[slot].dq) * core.poses[body].max_extent > swept_fraction * core.bodies[body].min_extent)
+                stop_at_static(core, body, bodies[slot]);
+            core.bodies[body].origin = core.poses[body].center - rotate(core.poses[body].q, core.bodies[body].local_center);
+            update_boxes(core, body, false);
+            again = true;
+        }
+    }
+}
+
+}  // namespace detail
+
+bool World::is_bullet(BodyId id) const {
+    const Core& c = core();
+    const std::uint32_t i = find_body(c, id);
+    return i != null_index && (c.bodies[i].flags & body_bullet) != 0;
+}
+
+void World::set_bullet(BodyId id, bool bullet) {
+    Core& c = core();
+    note_call<Call::set_bullet>(c, id, bullet);
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check(c, has_continuous || !bullet, Error::feature_cut)) return;
+    link_bullets();
+    Body& b = c.bodies[i];
+    if (((b.flags & body_bullet) != 0) == bullet) return;
+    b.flags ^= body_bullet;
+    c.state->bullet_count += bullet ? 1u : ~0u;
+}
+
+}  // namespace islet

@@ -1,0 +1,55 @@
+#include "world_recording.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace islet::samples {
+
+AlignedBytes::AlignedBytes(std::size_t size) : memory_(size + world_alignment), size_(size) {
+    const auto address = reinterpret_cast<std::uintptr_t>(memory_.data());
+    data_ = memory_.data() + (world_alignment - address % world_alignment) % world_alignment;
+}
+
+namespace {
+
+std::size_t room_for(const World& world) { return 2 * max_snapshot_bytes(world.capacity()) + (std::size_t{1} << 20); }
+
+}  // namespace
+
+WorldRecording::WorldRecording(World& world) : world_(&world), memory_(room_for(world)) { world.start_recording(memory_.span()); }
+
+void WorldRecording::after_step() {
+    if (!world_->is_recording() || memory_.span().size() - world_->recorded_bytes() >= room_for(*world_)) return;
+    AlignedBytes larger(2 * memory_.span().size());
+    world_->move_recording(larger.span());
+    memory_ = std::move(larger);
+}
+
+std::span<const std::byte> WorldRecording::finish() {
+    return world_->is_recording() ? memory_.span().first(world_->stop_recording()) : std::span<std::byte>{};
+}
+
+Replayed replay_file(const std::string& path, std::uint64_t until, std::uint32_t lanes) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {"cannot be read", {}, 0};
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+    const AlignedBytes recording(bytes.size());
+    std::transform(bytes.begin(), bytes.end(), recording.span().begin(), [](char c) { return static_cast<std::byte>(c); });
+
+    RecordingInfo info;
+    if (const Error error = read_recording(recording.span(), info); error != Error::none) return {describe(error), {}, 0};
+    // What a file says of itself may be anything, so memory is taken only for as much as it could really hold.
+    const Capacity& c = info.capacity;
+    if (std::max({c.bodies, c.shapes, c.contacts, c.joints, c.geometries, c.hits}) > max_capacity) return {describe(Error::corrupt_recording), {}, 0};
+    const AlignedBytes block(world_bytes(c));
+    Error error = Error::none;
+    World* world = World::create(block.span(), c, {.lanes = lanes}, &error);
+    if (world == nullptr) return {describe(error), {}, 0};
+    Replayed replayed{{}, replay(*world, recording.span(), until), world->hash()};
+    if (replayed.result.end == ReplayEnd::refused) replayed.error = describe(replayed.result.error);
+    return replayed;
+}
+
+}  // namespace islet::samples
