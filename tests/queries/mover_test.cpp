@@ -307,6 +307,30 @@ TEST(Mover, PassesOneWayPlatformsFromBelowAndStandsOnThem) {
     EXPECT_NEAR(hero.state.position.y, 1.6f + gap, 1e-3f);
 }
 
+TEST(Mover, FallsThroughAOneWayPlatformWhenToldTo) {
+    TestWorld w;
+    w.add_ground(0);
+    const BodyId platform = w.add_box({0, 1.5f}, 2, 0.1f, {}, BodyType::static_body);
+    Hero hero(w, {0, 1.6f + gap});
+    struct Rule {
+        const World& world;
+        BodyId platform;
+        bool drop = false;
+    } rule{*w, platform};
+    hero.def.collides = [](const Surface& s, void* context) {
+        const Rule& it = *static_cast<Rule*>(context);
+        return it.world.body(s.shape) != it.platform || (!it.drop && s.normal.y > 0.7f && s.separation > -0.05f);
+    };
+    hero.def.context = &rule;
+    hero.step({}, 30);
+    EXPECT_EQ(hero.state.ground, platform);
+    rule.drop = true;
+    hero.step({}, 20);
+    rule.drop = false;
+    hero.step({}, 60);
+    EXPECT_NEAR(hero.state.position.y, gap, 1e-3f);
+}
+
 // -- walls and corners -------------------------------------------------------------------------------------------------------------------
 
 TEST(Mover, StandsStillInCorners) {

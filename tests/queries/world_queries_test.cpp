@@ -3,6 +3,8 @@
 // shapes were destroyed.
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "known.hpp"
 #include "shapes.hpp"
 #include "support/random.hpp"
@@ -502,6 +504,30 @@ TEST(WorldQueries, AWorldAskedIsAWorldUnchanged) {
     w->closest({0, 0}, 9);
     EXPECT_EQ(w->hash(), before);
     EXPECT_EQ(w->validate(), nullptr);
+}
+
+TEST(WorldQueries, ManyThreadsMayAskAtOnce) {
+    exact::Random r;
+    TestWorld w;
+    fill(w, r, 60, size);
+    std::vector<Vec2> rays;
+    for (int i = 0; i < 4000; ++i) rays.push_back({r.in(-size, size), r.in(-size, size)});
+    const auto ask = [&](std::vector<float>& answers) {
+        for (std::size_t i = 1; i < rays.size(); ++i) {
+            QueryHit hits[4];
+            Surface near[4];
+            answers.push_back(w->cast_ray(rays[i - 1], rays[i] - rays[i - 1]).fraction);
+            answers.push_back(static_cast<float>(w->cast_shape_all(make_proxy(Circle{rays[i], 0.5f}), {5, 1}, hits)) + hits[0].fraction);
+            answers.push_back(static_cast<float>(w->surfaces_near(make_proxy(Circle{rays[i], 0.5f}), 1, near)) + w->closest(rays[i], 9).distance);
+        }
+    };
+    std::vector<float> alone;
+    ask(alone);
+    std::vector<float> together[4];
+    std::vector<std::thread> threads;
+    for (auto& answers : together) threads.emplace_back([&] { ask(answers); });
+    for (std::thread& t : threads) t.join();
+    for (const auto& answers : together) EXPECT_EQ(answers, alone);
 }
 
 TEST(WorldQueries, AVisitorMayAskTheWorldItself) {

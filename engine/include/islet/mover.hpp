@@ -34,7 +34,7 @@ struct MoverDef {
     float snap_distance = 0.35f;       ///< m, >= 0. Walking, the feet keep to ground that sinks away by no more than this in a step.
     float ground_acceleration = 60;    ///< m/s^2, >= 0. To the walking speed asked for, and to a halt.
     float air_acceleration = 20;       ///< m/s^2, >= 0. The same in the air, sideways.
-    float mass = 70;                   ///< kg, >= 0. Its weight on dynamic bodies, and how much of its speed it can give them.
+    float mass = 70;                   ///< kg, >= 0. Its weight on dynamic bodies, which stay awake under it, and how much of its speed it can give them.
     float max_push_force = 400;        ///< N, >= 0. With which it pushes dynamic bodies in its way: what slides or rolls more easily gives way.
     QueryFilter filter = {};
     MoverFilter collides = nullptr;    ///< Asked of each surface that the filter finds; null: all stand in the way.

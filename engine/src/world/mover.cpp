@@ -112,9 +112,8 @@ float walk_along(Mover& m, float side, float whole) {
 
 /// True if there is ground to stand on right under the middle, within reach of the feet.
 bool has_ground_below(const Mover& m) {
-    const float reach = m.def.capsule.radius + mover_gap + m.def.snap_distance;
-    const QueryHit hit = m.world.cast_ray(m.support(), -reach * m.up, m.def.filter);
-    return hit && hit.separation == 0 && dot(hit.normal, m.up) >= m.least_up;
+    Vec2 normal;
+    return finds_ground(m, m.support(), m.def.capsule.radius + mover_gap + m.def.snap_distance, normal);
 }
 
 /// Between surfaces that are all too steep there is no way down either: that holds the mover as ground does.
@@ -143,8 +142,8 @@ void walk(Mover& m, float wanted) {
         const bool too_steep = dot(below.surface.normal, m.up) < m.least_up;
         const bool behind = kept * dot(below.surface.normal, m.right) > 0;
         if (!too_steep || !behind || has_ground_below(m)) {
-            if (!behind || !is_edge(m, below.surface, face)) face = below.surface.normal;
-            stand_on(m, below.surface, face);
+            const bool level = behind && is_edge(m, below.surface, face);
+            stand_on(m, below.surface, level ? face : below.surface.normal);
             m.state.velocity = kept * right_perp(m.state.ground_normal);
             return;
         }

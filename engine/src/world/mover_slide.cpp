@@ -118,12 +118,25 @@ void slide(Mover& m, Vec2 way) {
     }
 }
 
+bool finds_ground(const Mover& m, Vec2 from, float depth, Vec2& normal) {
+    struct Search {
+        const Mover& mover;
+        QueryHit hit;
+    } search{m, {}};
+    const CastVisitor visit = [](const QueryHit& hit, void* context) {
+        Search& s = *static_cast<Search*>(context);
+        if (!stands_in_the_way(s.mover, {hit.shape, hit.point, hit.normal, hit.separation})) return -1.0f;
+        s.hit = hit;
+        return 0.0f;
+    };
+    m.world.cast_ray_each(from, -depth * m.up, m.def.filter, visit, &search);
+    normal = search.hit.normal;
+    return search.hit && search.hit.separation == 0 && dot(normal, m.up) >= m.least_up;
+}
+
 bool is_edge(const Mover& m, const Surface& s, Vec2& top) {
     const Vec2 inward = dot(s.normal, m.right) > 0 ? -m.right : m.right;
-    const QueryHit hit = m.world.cast_ray(s.point + edge_probe * inward + edge_probe * m.up, -2.0f * edge_probe * m.up, m.def.filter);
-    if (!hit || hit.separation < 0 || dot(hit.normal, m.up) < m.least_up) return false;
-    top = hit.normal;
-    return true;
+    return finds_ground(m, s.point + edge_probe * inward + edge_probe * m.up, 2.0f * edge_probe, top);
 }
 
 bool can_stand_on(const Mover& m, const Surface& s, Vec2& face) {

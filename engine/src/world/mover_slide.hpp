@@ -52,6 +52,8 @@ struct Met {
 Met way_ahead(const Mover& m, Vec2 way);
 /// Moves along `way` and, where that is barred, along what bars it.
 void slide(Mover& m, Vec2 way);
+/// True if a ray of length `depth` down from a point first meets ground that can be stood on by its slope; `normal` gets what it meets.
+bool finds_ground(const Mover& m, Vec2 from, float depth, Vec2& normal);
 /// True if the surface touched is the edge of one that can be stood on, or such a one itself; `top` gets its normal.
 bool is_edge(const Mover& m, const Surface& s, Vec2& top);
 /// True if the surface can be stood on: by its slope, or because it is the edge of something that can. `face` gets the normal to walk by.
