@@ -12,6 +12,7 @@
 #include "islet/island.hpp"
 #include "islet/islet.hpp"
 #include "islet/mover.hpp"
+#include "memory/core.hpp"
 
 namespace {
 
@@ -56,6 +57,9 @@ void print(const World& w) {
         std::fprintf(stderr, "  body %u: type %d, mass %g, inertia %g, at %.9g %.9g turned %g, v %g %g, w %g%s\n", slot, int(w.type(b)), double(w.mass(b)),
                      double(w.rotational_inertia(b)), double(p.x), double(p.y), double(w.angle(b)), double(v.x), double(v.y),
                      double(w.angular_velocity(b)), w.is_awake(b) ? "" : ", asleep");
+        const detail::Motion& m = detail::Core::of(w).motions[slot];
+        std::fprintf(stderr, "    force %g %g, torque %g, slack %g, at rest for %g s, reach %g\n", double(m.force.x), double(m.force.y), double(m.torque),
+                     double(m.slack), double(m.sleep_time), double(detail::Core::of(w).poses[slot].max_extent));
         ShapeId all[capacity.shapes];
         const std::uint32_t n = w.shapes(b, all);
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -582,7 +586,12 @@ struct Player {
     void step() {
         const std::uint32_t how = in.byte();
         if (f.trace) print(w);
-        if (how >= 250) return w.step(in.number());
+        if (how >= 250) {
+            const float dt = in.number();
+            if (f.trace) std::fprintf(stderr, "  a step of %g s\n", double(dt));
+            w.step(dt);
+            return check();
+        }
         for (std::uint32_t i = 0; i <= how % 8; ++i) {
             w.step(how % 16 < 12 ? 1.0f / 60 : 1.0f / (1 + static_cast<float>(how / 16)));
             ++f.steps;

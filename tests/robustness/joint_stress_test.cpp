@@ -365,4 +365,23 @@ TEST(JointStress, AMotorOfAMillionRadiansASecondTurnsAsFastAsBodiesMay) {
     EXPECT_LT(w->joint_error(hinge).linear, 0.01f);
 }
 
+// A step may be so short that nothing is left of it when it is cut into substeps; what a joint then asks for is beyond all numbers.
+TEST(JointStress, NoStepIsTooShortForARodThatPullsAtARim) {
+    for (const Schedule schedule : {Schedule::soft, Schedule::classic}) {
+        for (const float dt : {1.4e-45f, 1e-44f, 1e-40f, 1e-37f}) {
+            WorldDef def;
+            def.solver.schedule = schedule;
+            TestWorld w(roomy, def);
+            const BodyId ground = w.add_ground(), ball = w.add_circle({0, 10}, 2.5f);
+            w->create_joint(DistanceJointDef{.base = {.body_a = ground, .body_b = ball, .frame_b = {{1, 1}, 0}}, .length = 2});
+            for (int i = 0; i < 3; ++i) {
+                w.step(1, dt);
+                ASSERT_EQ(w->validate(), nullptr) << "dt " << dt;
+            }
+            w.step(5);
+            EXPECT_EQ(w->validate(), nullptr) << "dt " << dt;
+        }
+    }
+}
+
 }  // namespace

@@ -27,7 +27,7 @@ struct ContactProblem {
     std::vector<Material> materials;
     std::vector<std::uint32_t> slot_of;
     std::vector<std::vector<std::uint32_t>> groups;
-    detail::StepNumbers numbers;
+    detail::StepNumbers numbers{.max_speed = 400};  // m/s
 
     std::uint32_t add_body(Vec2 center, float mass, float inertia, Vec2 v = {}, float w = 0) {
         const auto index = static_cast<std::uint32_t>(bodies.size());
