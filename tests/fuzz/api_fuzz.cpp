@@ -30,11 +30,11 @@ struct Fixture {
     StaticWorld<capacity> storage, twin_storage;
     World* world = nullptr;
     World* twin = nullptr;
-    std::vector<std::byte> image, island;
+    std::vector<std::byte> image, island, recording;
     bool trace = std::getenv("ISLET_FUZZ_TRACE") != nullptr;
     unsigned long inputs = 0, calls = 0, refused = 0, steps = 0;
 
-    Fixture() : image(max_snapshot_bytes(capacity)), island(1 << 16) {}
+    Fixture() : image(max_snapshot_bytes(capacity)), island(1 << 16), recording(1 << 20) {}
     ~Fixture() { std::fprintf(stderr, "%lu inputs: %lu calls, %lu of them refused, %lu steps\n", inputs, calls, refused, steps); }
 };
 
@@ -630,11 +630,22 @@ struct Player {
         check();
     }
 
+    /// All that was done, done again by another world.
+    void replay_all() {
+        const std::uint64_t hash = w.hash();
+        const std::size_t n = w.stop_recording();
+        if (w.hash() != hash) fail("a recording that ends changes the world");
+        const ReplayResult result = replay(*f.twin, {f.recording.data(), n});
+        if (result.end != ReplayEnd::complete) fail(result.end == ReplayEnd::differs ? "a replay differs" : describe(result.error));
+        if (f.twin->hash() != hash) fail("a replay ends elsewhere");
+    }
+
     void play() {
         if (in.below(4) == 0) {
             w.set_hooks(hooks);
             f.twin->set_hooks(hooks);
         }
+        if (in.flag() && !w.start_recording(f.recording, in.flag())) fail("no recording starts");
         for (int i = 0; i < 300 && !in.done(); ++i) {
             ++f.calls;
             const std::uint32_t what = in.below(32);
@@ -675,9 +686,10 @@ struct Player {
             if (error == Error::none) continue;
             ++f.refused;
             // What ends a contact may find no room to report it, and goes on.
-            if (error != Error::events_full && w.hash() != before) fail("a refused call changed the world");
+            if (error != Error::events_full && error != Error::recording_full && w.hash() != before) fail("a refused call changed the world");
         }
         check();
+        if (w.is_recording()) replay_all();
     }
 };
 
