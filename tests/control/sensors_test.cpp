@@ -134,6 +134,20 @@ TEST(Sensors, HaveMassByTheirDensity) {
     EXPECT_EQ(w->mass(sensor), 24);
 }
 
+// Between two pieces of floor the side of one is no contact, because the other covers it; but not for a body that only its sensor tells of the other.
+TEST(Sensors, WhatTheySeeCoversNoSideOfTheFloor) {
+    for (const bool sensing : {false, true}) {
+        TestWorld w(roomy, {.gravity = {0, 0}});
+        w.add_box({-2, -1}, 2, 1, {}, BodyType::static_body);
+        w.add_box({2, -1}, 2, 1, {.filter = {.category = 2}}, BodyType::static_body);
+        const BodyId ball = w.add_circle({1, -0.2f}, 0.5f, {.filter = {.mask = 1}});
+        if (sensing) w->create_shape(ball, Circle{{0, 0}, 1}, {.density = 0, .sensor = true});
+        w->set_linear_velocity(ball, {-3, 0});
+        w.step(60);
+        EXPECT_GT(w->position(ball).x, 0.45f) << (sensing ? "with" : "without") << " a sensor";
+    }
+}
+
 // A body counts as fast by what of it is solid: a small sensor on it does not make it one, which would have it looked at in every step.
 TEST(Sensors, ThinOnesDoNotMakeABodyFast) {
     TestWorld with, without;

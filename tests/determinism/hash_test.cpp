@@ -133,6 +133,17 @@ const Change matters[] = {
          d.tolerance = 1e-3f;
          s.world->set_solver(d);
      }},
+    {"TheHitThreshold", [](Stage& s) { s.world->set_hit_threshold(2); }},
+    {"ALock", [](Stage& s) { s.world->lock_y(s.ball, true); }},
+    {"ABodyDisabled", [](Stage& s) { s.world->set_enabled(s.ball, false); }},
+    {"ASleepThreshold", [](Stage& s) { s.world->set_sleep_threshold(s.ball, 0.1f); }},
+    {"AMaterialsId", [](Stage& s) { s.world->set_material(s.world.shape_of(s.ball), {.id = 1}); }},
+    {"ADensity", [](Stage& s) { s.world->set_density(s.world.shape_of(s.ball), 2); }},
+    {"AnotherGeometry", [](Stage& s) { s.world->set_circle(s.world.shape_of(s.ball), Circle{{}, 0.4f}); }},
+    {"ConsentToSensors", [](Stage& s) { s.world->enable_sensor_events(s.world.shape_of(s.ball), false); }},
+    {"AShapeThatTellsOfHits", [](Stage& s) { s.world->enable_hit_events(s.world.shape_of(s.ball), true); }},
+    {"AnExplosion", [](Stage& s) { s.world->explode({.position = {4, 0}, .radius = 20, .impulse_per_length = 1}); }},
+    {"AWind", [](Stage& s) { s.world->apply_wind(s.world.shape_of(s.ball), {.velocity = {5, 0}}); }},
     {"ABodyMore", [](Stage& s) { s.world->create_body({}); }},
     {"AShapeMore",
      [](Stage& s) {
@@ -159,6 +170,11 @@ TEST_P(DoesNotMatter, LeavesTheHashAsItWas) {
 const Change does_not_matter[] = {
     {"UserDataOfABody", [](Stage& s) { s.world->set_user_data(s.ball, 0x1234567890abcdefull); }},
     {"UserDataOfAShape", [](Stage& s) { s.world->set_user_data(s.world.shape_of(s.ball), 77); }},
+    {"AHookThatChangesNothing", [](Stage& s) { s.world->set_hooks({.pre_solve = [](PreSolve&, void*) {}}); }},
+    {"EventsBeingRead",
+     [](Stage& s) {
+         EXPECT_TRUE(s.world->sensor_begin_events().empty() && s.world->sensor_end_events().empty() && s.world->hit_events().empty());
+     }},
     {"AnError", [](Stage& s) { s.world->step(-1); }},
     {"AnErrorCleared",
      [](Stage& s) {

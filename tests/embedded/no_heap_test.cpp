@@ -387,6 +387,34 @@ TEST(NoHeap, NoQueryAllocates) {
     EXPECT_GT(found, 40u);
 }
 
+TEST(NoHeap, NeitherDoSensorsHitsHooksAndWhatLeadsBodies) {
+    World& w = build();
+    const BodyId floor = w.create_body({}), lift = w.create_body({.type = BodyType::kinematic, .position = {0, 1}});
+    w.create_shape(floor, make_box(15, 6), {.sensor = true});
+    const Watch watch;
+    w.set_hooks({.filter = [](ShapeId, ShapeId, void*) { return true; }, .pre_solve = [](PreSolve& c, void*) { c.friction *= 0.5f; }});
+    const ShapeId gate = w.create_shape(lift, make_box(1, 0.2f), {.sensor = true});
+    const BodyId crate = w.create_body(moving({1, 9}));
+    const ShapeId shape = w.create_shape(crate, make_box(0.4f, 0.4f), {.hit_events = true, .pre_solve = true});
+    std::size_t told = 0;
+    for (int i = 0; i < 90; ++i) {
+        w.set_target(lift, {{0, 1 + 0.02f * static_cast<float>(i)}, {}}, 1.0f / 60);
+        w.apply_wind(shape, {.velocity = {3, 0}});
+        if (i == 30) w.explode({.position = {0, 1}, .radius = 3, .falloff = 1, .impulse_per_length = 2});
+        if (i == 40) w.set_circle(shape, Circle{{0, 0}, 0.4f});
+        if (i == 50) w.set_enabled(crate, false);
+        if (i == 60) w.set_enabled(crate, true);
+        w.lock_x(crate, i % 20 < 10);
+        w.step(1.0f / 60);
+        ContactInfo contacts[4];
+        ShapeId seen[4];
+        told += w.sensor_begin_events().size() + w.sensor_end_events().size() + w.hit_events().size() + w.contacts(crate, contacts) + w.sensor_overlaps(gate, seen);
+    }
+    EXPECT_EQ(watch.stop(), 0);
+    EXPECT_GT(told, 20u);
+    EXPECT_EQ(w.validate(), nullptr);
+}
+
 TEST(NoHeap, AMoverAllocatesNothing) {
     World& w = build();
     MoverState mover{.position = {-9, 4}};

@@ -432,6 +432,23 @@ TEST(Mover, RidesATurningPlatformAsIfBoltedToIt) {
     }
 }
 
+TEST(Mover, AConveyorCarriesItWithItsSurface) {
+    for (const float degrees : {0.0f, 20.0f, -20.0f}) {
+        SCOPED_TRACE(degrees);
+        TestWorld w;
+        const Rot q = make_rot(degrees * pi / 180);
+        w.add(make_offset_box(50, 1, {rotate(q, {0, -1}), q}), Vec2{0, 0}, {.tangent_speed = 2}, BodyType::static_body);
+        Hero hero(w, rotate(q, {0, radius + gap}) - Vec2{0, radius});
+        hero.step({}, 5);
+        const Vec2 start = hero.state.position;
+        hero.step({}, 60);
+        EXPECT_LT(distance(hero.state.position, start + rotate(q, {2, 0})), 1e-3f) << "2 m/s, to the right, for a second";
+        hero.step({.walk = -2}, 60);
+        EXPECT_LT(distance(hero.state.position, start + rotate(q, {2, 0})), 1e-3f) << "walking against it, it stays where it is";
+        EXPECT_LE(hero.worst_overlap, 0);
+    }
+}
+
 TEST(Mover, APlatformThatTurnsTooSteepThrowsItOff) {
     TestWorld w;
     const BodyId platform = w.add_box({0, 10}, 4, 0.5f, {}, BodyType::kinematic);

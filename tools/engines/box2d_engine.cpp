@@ -51,6 +51,7 @@ struct Box2dEngine::Impl {
     void attach(b2Body& body, const SceneShape& shape) const {
         b2FixtureDef def;
         def.density = shape.def.density;
+        def.isSensor = shape.def.sensor;
         def.friction = shape.def.friction;
         def.restitution = shape.def.restitution;
         def.restitutionThreshold = restitution_threshold;

@@ -69,11 +69,15 @@ cpShapeFilter filter_of(const Filter& filter) {
 std::string shape_lacks(const SceneShape& shape) {
     if (shape.def.rolling_resistance > 0) return "rolling resistance";
     if (shape.def.tangent_speed != 0) return "surface speed that follows an outline";
+    if (shape.def.sensor) return "sensors that tell what overlaps them";
+    if (shape.def.pre_solve) return "hooks";
     if (shape.def.filter.group > 0) return "groups of shapes that always collide";
     return {};
 }
 
 std::string body_lacks(const SceneBody& body) {
+    if (body.def.lock_x || body.def.lock_y) return "locks of an axis";
+    if (!body.def.enabled) return "disabled bodies";
     for (const SceneShape& shape : body.shapes) {
         if (std::string what = shape_lacks(shape); !what.empty()) return what;
     }

@@ -15,7 +15,7 @@ function field(name,    at, rest) {
     return substr(rest, 1, index(rest, "\"") - 1)
 }
 
-# The user's hooks are called by names that say so. `place` is file:line:column.
+# The user's hooks are called by names that say so, or are handed a context of the user's as the last thing. `place` is file:line:column.
 function is_hook(place,    part, file, line, i) {
     split(place, part, ":")
     file = part[1]
@@ -23,7 +23,7 @@ function is_hook(place,    part, file, line, i) {
     for (i = 1; i <= part[2]; ++i)
         if ((getline line < file) <= 0) break
     close(file)
-    return line ~ /_hook\(/
+    return line ~ /_hook\(|context\)/
 }
 
 function fail(text) {

@@ -39,11 +39,20 @@ void ride(Mover& m) {
     bool follows = m.world.is_valid(m.state.ground);
     if (follows) carried = transform_point(m.world.transform(m.state.ground), m.state.ground_point) - m.support();
     follows = follows && length(carried) <= max_speed_limit * m.dt;  // nobody follows ground that was set elsewhere, far away
-    if (follows) {
-        slide(m, carried);
-    } else {
+    if (!follows) {
         m.state.ground = {};
+        return;
     }
+    // And with it its surface, if that is a conveyor's.
+    const Touched t = touched_by(m);
+    for (std::uint32_t i = 0; i < t.count; ++i) {
+        const Surface& s = t.surfaces[i];
+        const float speed = m.world.tangent_speed(s.shape);
+        if (speed == 0 || m.world.body(s.shape) != m.state.ground || dot(s.normal, m.up) < m.least_up) continue;
+        carried += m.dt * speed * right_perp(s.normal);
+        break;
+    }
+    slide(m, carried);
 }
 
 /// Lowers the feet, by no more than `most`, until the gap is left to what is below. Null surface if there is nothing.

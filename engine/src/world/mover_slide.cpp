@@ -17,7 +17,10 @@ ShapeProxy capsule_of(const Mover& m, float growth) {
     return p;
 }
 
-bool stands_in_the_way(const Mover& m, const Surface& s) { return m.def.collides == nullptr || m.def.collides(s, m.def.context); }
+bool stands_in_the_way(const Mover& m, const Surface& s) {
+    const MoverFilter collides_hook = m.def.collides;
+    return collides_hook == nullptr || collides_hook(s, m.def.context);
+}
 
 float worst_breach(Vec2 x, const Bound* bounds, std::uint32_t count) {
     float worst = 0;
@@ -37,10 +40,9 @@ float Mover::height_of(Vec2 point) const { return dot(point - support(), up) + d
 
 Touched touched_by(const Mover& m) {
     Touched t;
-    Surface near[mover_planes];
-    const std::uint32_t count = m.world.surfaces_near(capsule_of(m, 0), mover_gap + mover_touch, near, m.def.filter);
+    const std::uint32_t count = m.world.surfaces_near(capsule_of(m, 0), mover_gap + mover_touch, t.surfaces, m.def.filter);
     for (std::uint32_t i = 0; i < count && i < mover_planes; ++i) {
-        if (stands_in_the_way(m, near[i])) t.surfaces[t.count++] = near[i];
+        if (stands_in_the_way(m, t.surfaces[i])) t.surfaces[t.count++] = t.surfaces[i];
     }
     return t;
 }

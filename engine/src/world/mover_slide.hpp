@@ -9,7 +9,8 @@ namespace islet::detail {
 inline constexpr float mover_cast_gap = 0.5f * mover_gap;
 // Surfaces this much farther away are still touched, m.
 inline constexpr float mover_touch = 2e-5f;
-inline constexpr std::uint32_t mover_planes = 16;
+// The closest surfaces that are looked at; more are rarely touched at once in two dimensions, and casts mind them all.
+inline constexpr std::uint32_t mover_planes = 8;
 
 /// A step in the making.
 struct Mover {

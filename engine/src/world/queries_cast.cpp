@@ -112,9 +112,9 @@ std::uint32_t all_hits(const Core& core, const ShapeProxy& shape, Vec2 translati
     return count;
 }
 
-void each_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) {
+void each_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter, CastVisitor visit_hook, void* context) {
     const DefaultFloatMode mode;
-    if (!check_cast(core, shape, translation) || visit == nullptr) return;
+    if (!check_cast(core, shape, translation) || visit_hook == nullptr) return;
     const Cast cast(core, shape, translation, filter);
     float limit = 1;
     QueryHit hits[visits_a_search];
@@ -125,7 +125,7 @@ void each_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, const
         for (std::size_t i = 0; i < found.count; ++i) {
             last = hits[i];
             if (last.fraction > limit) return;
-            const float answer = visit(last, context);
+            const float answer = visit_hook(last, context);
             if (answer == 0) return;
             if (answer > 0) limit = min(limit, answer);
         }

@@ -47,9 +47,9 @@ std::uint32_t count_overlaps(const Overlap& overlap, std::span<ShapeId> out) {
     return count;
 }
 
-void visit_overlaps(const Overlap& overlap, OverlapVisitor visit, void* context) {
+void visit_overlaps(const Overlap& overlap, OverlapVisitor visit_hook, void* context) {
     const DefaultFloatMode mode;
-    if (visit == nullptr) return;
+    if (visit_hook == nullptr) return;
     const Aabb reach = expand(overlap.box, rounding_of(overlap.box));
     ShapeId shapes[visits_a_search];
     ShapeId last;
@@ -63,7 +63,7 @@ void visit_overlaps(const Overlap& overlap, OverlapVisitor visit, void* context)
             });
         for (std::size_t i = 0; i < found.count; ++i) {
             last = shapes[i];
-            if (!visit(last, context)) return;
+            if (!visit_hook(last, context)) return;
         }
         again = found.full();
     }

@@ -64,7 +64,7 @@ private:
 };
 
 template <class... Args>
-void write_arguments(CallWriter& writer, const void* const* arguments) {
+[[gnu::noinline]] void write_arguments(CallWriter& writer, const void* const* arguments) {
     const auto write = [&writer](auto copy) { writer(copy); };
     (write(*static_cast<const Args*>(*arguments++)), ...);
 }

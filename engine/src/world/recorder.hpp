@@ -1,8 +1,6 @@
 // Writing calls down as they are made.
 #pragma once
 
-#include <type_traits>
-
 #include "math/scalar.hpp"
 #include "world/calls.hpp"
 
@@ -46,7 +44,7 @@ ISLET_CALLS(ISLET_SIGNATURE)
 /// For the beginning of each public function that changes a world: writes the call down if the world is being recorded.
 template <Call call, class... Args>
 [[gnu::always_inline]] inline void note_call(Core& core, const Args&... args) {
-    static_assert(std::is_same_v<typename SignatureOf<call>::Type, Signature<Args...>>);
+    static_assert(__is_same(typename SignatureOf<call>::Type, Signature<Args...>));
     if constexpr (has_recorder) {
         if (core.recording == nullptr) [[likely]] return;
         const void* const arguments[] = {&args...};

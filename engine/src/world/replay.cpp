@@ -95,8 +95,9 @@ struct Apply {
         if (!reader.is_bad()) function(args...);
     }
 };
+// Not inlined, so that the arguments of one call at a time are on the stack.
 template <class... Args, class Function>
-void make(CallReader& reader, const Function& function) {
+[[gnu::noinline]] void make(CallReader& reader, const Function& function) {
     Apply{reader, function, reader.value<Args>()...};
 }
 

@@ -67,11 +67,13 @@ struct Floor {
         const Transform at = body_transform(core, body);
         bool covered = false;
         for_each_contact(core, other, [&](std::uint32_t contact, std::uint32_t end) {
-            const std::uint32_t neighbor = end == 0 ? core.contacts[contact].shape_b : core.contacts[contact].shape_a;
+            const Contact& link = core.contacts[contact];
+            const std::uint32_t neighbor = end == 0 ? link.shape_b : link.shape_a;
+            const bool senses = ((core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags) & shape_sensor) != 0;
             const std::uint32_t its_body = core.shapes[neighbor].body;
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
             const Polygon* its = polygon_of(core, neighbor);
-            if (covered || neighbor == shape || !fixed || its == nullptr || (core.shapes[neighbor].flags & shape_sensor) != 0) return;
+            if (covered || neighbor == shape || !fixed || its == nullptr || senses) return;
             const Transform to_neighbor = inv_mul(body_transform(core, its_body), at);
             if (!is_inside(*its, transform_point(to_neighbor, before))) return;
             const float lean = lean_of(*its, transform_point(to_neighbor, point), rotate(to_neighbor.q, side));
