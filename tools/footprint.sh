@@ -15,8 +15,8 @@ targets=(cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 riscv32)
 
 # Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
 declare -A most_flash=(
-    [cortex-m3]='119500 78500 47500' [cortex-m4f]='106100 65536 39900' [cortex-m7]='105900 65536 39700'
-    [cortex-m33]='105900 65536 39700' [cortex-m55]='106300 65800 39800' [riscv32]='113700 70000 42700'
+    [cortex-m3]='183700 85200 53700' [cortex-m4f]='167300 72000 45500' [cortex-m7]='166900 71800 45300'
+    [cortex-m33]='166900 71800 45300' [cortex-m55]='167400 72000 45400' [riscv32]='178200 76700 48900'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
@@ -148,7 +148,7 @@ log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --
 [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
     complain "what is left out changes the pyramid"
 cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
-at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 34600
+at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 39700
 
 if [ "$mode" = json ]; then
     separator=
