@@ -49,7 +49,8 @@ struct ReplayResult {
     Error error = Error::none;     ///< refused: what read_recording or World::load says, or corrupt_recording
     std::uint64_t steps = 0;       ///< steps replayed, the one that differs included
     std::uint64_t recorded_hash = 0, hash = 0;  ///< differs: after that step
-    BodyId body = {};              ///< differs: the first body, by slot, that came out differently, if the recording tells body from body; else null
+    BodyId body = {};              ///< differs: the first body, by slot, that came out differently, if the recording tells body from body; null too where
+                                   ///< so far no body but a contact or a joint differs
 };
 
 class World;

@@ -100,8 +100,8 @@ struct PreSolve;  // below
 /// world's bodies and shapes, and must not change it. mix_friction and mix_restitution are called on any worker, as often as the engine likes: they must be
 /// functions of their arguments alone.
 struct Hooks {
-    /// May these two shapes meet, or may this sensor see that shape? (The one in the lower slot comes first.) Asked when their fat boxes begin to overlap and whenever that pair is found again, of
-    /// pairs that their filters allow. A pair once made is not asked about again before it parts.
+    /// May these two shapes meet, or may this sensor see that shape? (The one in the lower slot comes first.) Asked when their fat boxes begin to overlap
+    /// and whenever that pair is found again, of pairs that their filters allow. A pair once made is not asked about again before it parts.
     bool (*filter)(ShapeId shape_a, ShapeId shape_b, void* context) = nullptr;
     /// May look at a contact before it is solved, and change it for this step: see PreSolve. Called in every step for every awake contact that has points
     /// and a shape with ShapeDef::pre_solve, in the order of their slots.

@@ -3,7 +3,7 @@
 // A sensor and a shape whose fat boxes overlap have a contact like any other two, marked contact_sensor. It has no points and is never solved:
 // contact_touching, by which islands, sleep and the solver go, is never set. contact_overlap says instead whether the two shapes overlap.
 //
-// A program that uses no sensors does not link them: what contacts need is referenced weakly, and only the functions of World that read what sensors saw
+// A lean program (ISLET_LEAN) that uses no sensors does not link them: what contacts need is referenced weakly, and only the functions of World that read what sensors saw
 // call link_sensors, which takes it all. Where it is missing there are no sensors, so none of it is ever called.
 #pragma once
 
@@ -27,14 +27,10 @@ ISLET_OPTIONAL void make_room(const Core& core, TouchEvent* array, std::uint32_t
 void link_sensors();
 /// True if anybody did.
 inline bool sensors_are_linked() {
-#if defined(__ELF__)
-    return begin_overlap != nullptr;
-#else
-    return true;
-#endif
+    return ISLET_IS_LINKED(begin_overlap);
 }
 
-/// True if one of the contact's shapes is a sensor. (Never both.)
+/// True of a sensor.
 inline bool is_sensor(const Core& core, std::uint32_t shape) { return has_sensors && (core.shapes[shape].flags & shape_sensor) != 0; }
 
 /// Adds a touch to the first of the two lists that share an array. There must be room.

@@ -21,8 +21,7 @@ inline std::uint64_t mixed(std::uint64_t sum, std::uint32_t word) {
 std::uint32_t body_digest(const Core& core, std::uint32_t body);
 
 /// Writes down a call whose arguments are pointed to, as many and of such types as the table of calls says.
-//
-// Linked only by programs that record: World::start_recording refers to it, and core.recording is null in the others.
+/// Linked only by programs that record: World::start_recording refers to it, and core.recording is null in the others.
 ISLET_OPTIONAL void write_call(Core& core, Call call, const void* const* arguments);
 /// The same for the snapshot a world was taken back to.
 ISLET_OPTIONAL void write_image(Core& core, std::span<const std::byte> image);
