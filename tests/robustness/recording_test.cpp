@@ -215,6 +215,31 @@ TEST(Recording, SaysWhichStepAndWhichBodyDiffers) {
     EXPECT_TRUE(is_second) << result.body.index1;
 }
 
+TEST(Recording, NamesTheBodyThatDiffers) {
+    // Two boxes slide over the ground; in the world of the replay a hook takes the friction of the second one's contact away: from the
+    // first step on that one alone moves otherwise.
+    Tape tape(1 << 20);
+    const Capacity capacity{.bodies = 8, .shapes = 8, .contacts = 16};
+    TestWorld w(capacity);
+    w.add_ground();
+    w.add_box({0, 0.5f}, 0.5f, 0.5f, {.pre_solve = true});
+    const BodyId second = w.add_box({10, 0.5f}, 0.5f, 0.5f, {.pre_solve = true});
+    w.step(10);
+    for (std::uint32_t slot = 1; slot < 3; ++slot) w->set_linear_velocity(w->body_at(slot), {5, 0});
+    ASSERT_TRUE(w->start_recording(tape.bytes));
+    w.step(20);
+    const std::size_t size = w->stop_recording();
+    WorldDef def;
+    def.hooks.pre_solve = [](PreSolve& asked, void*) {
+        if (asked.contact.shape_a.index1 == 3 || asked.contact.shape_b.index1 == 3) asked.friction = 0;
+    };
+    TestWorld other(capacity, def);
+    const ReplayResult result = replay(*other, tape.bytes.first(size));
+    EXPECT_EQ(result.end, ReplayEnd::differs);
+    EXPECT_EQ(result.steps, 1u);
+    EXPECT_EQ(result.body.index1, second.index1);
+}
+
 TEST(Recording, AnyByteChangedIsFound) {
     Tape tape(1 << 18);
     TestWorld w({.bodies = 16, .shapes = 16, .contacts = 32, .joints = 4});

@@ -44,12 +44,23 @@ void record_end_event(Core& core, std::uint32_t contact);
 /// False, with the error recorded and counted, if the array of end events is full.
 bool has_room_for_end(Core& core);
 
-/// Where B's body is in the frame of A's, worked out from the difference of their centres: exact far from the origin too.
-inline Transform pose_between(const Core& core, std::uint32_t body_a, std::uint32_t body_b) {
+/// How two bodies stand to each other. Places are the difference of their centres: exact far from the origin too.
+struct Stand {
+    Vec2 offset;  // m, from A's centre to B's
+    Rot a, b;
+};
+
+/// Where B's body is in the frame of A's when they stand so.
+inline Transform pose_between(const Core& core, std::uint32_t body_a, std::uint32_t body_b, const Stand& stand) {
+    const Rot turn = inv_mul(stand.a, stand.b);
+    return {inv_rotate(stand.a, stand.offset) + core.bodies[body_a].local_center - rotate(turn, core.bodies[body_b].local_center), turn};
+}
+
+/// How they stand now.
+inline Stand stand_now(const Core& core, std::uint32_t body_a, std::uint32_t body_b) {
     const Pose& a = core.poses[body_a];
     const Pose& b = core.poses[body_b];
-    const Rot turn = inv_mul(a.q, b.q);
-    return {inv_rotate(a.q, b.center - a.center) + core.bodies[body_a].local_center - rotate(turn, core.bodies[body_b].local_center), turn};
+    return {b.center - a.center, a.q, b.q};
 }
 
 }  // namespace islet::detail

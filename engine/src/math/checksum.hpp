@@ -9,6 +9,12 @@
 
 namespace islet::detail {
 
+/// One round of a multiply and xor-shift mix: `word` stirred into `sum`.
+inline std::uint64_t mixed(std::uint64_t sum, std::uint32_t word) {
+    sum = (sum ^ word) * 0xd6e8feb86659fd93ull;
+    return sum ^ sum >> 32;
+}
+
 class Checksum {
 public:
     static constexpr std::size_t block = 64;  // bytes
@@ -36,12 +42,8 @@ public:
         std::memcpy(last, bytes, size);
         add_blocks(last, 1);
         std::uint64_t h = length;
-        const auto mix = [&h](Word w) {
-            h = (h ^ w) * 0xd6e8feb86659fd93ull;
-            h ^= h >> 32;
-        };
-        for (const Word& w : sum_) mix(w);
-        for (const Word& w : sum_of_sums_) mix(w);
+        for (const Word w : sum_) h = mixed(h, w);
+        for (const Word w : sum_of_sums_) h = mixed(h, w);
         return h;
     }
 

@@ -19,11 +19,7 @@ ISLET_OPTIONAL void report_hits(Core& core, const float* speeds);
 /// Does nothing, but whoever refers to it links the function above.
 void link_hits();
 inline bool hits_are_linked() {
-#if defined(__ELF__)
-    return report_hits != nullptr;
-#else
-    return true;
-#endif
+    return ISLET_IS_LINKED(report_hits);
 }
 
 }  // namespace islet::detail

@@ -23,11 +23,7 @@ ISLET_OPTIONAL void store_joint_run(const JointRun& run, std::uint32_t lanes, st
 void link_joint_solve();
 /// True if anybody did.
 inline bool joint_solve_is_linked() {
-#if defined(__ELF__)
-    return solve_joint_run != nullptr;
-#else
-    return true;
-#endif
+    return ISLET_IS_LINKED(solve_joint_run);
 }
 
 }  // namespace islet::detail

@@ -75,12 +75,6 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
     return {};
 }
 
-/// How two bodies stand when a manifold is made of them.
-struct Stand {
-    Vec2 offset;  // m, from A's centre to B's
-    Rot a, b;
-};
-
 // Of what a fast body is about to hit in this step the manifold is made as the two will stand when they meet, whatever way that is off: from there to
 // where they are now is but a slip. (A plane through what is nearest now would throw back what is about to pass.)
 Stand stand_of(const Core& core, const ContactManifold& m, std::uint32_t shape_a, std::uint32_t shape_b, float dt) {
@@ -91,7 +85,7 @@ Stand stand_of(const Core& core, const ContactManifold& m, std::uint32_t shape_a
         const float t = time_to_touch(core, shape_a, a, shape_b, b);
         if (t > 0 && t < 1) return {center_at(b, t) - center_at(a, t), rotation_at(a, t), rotation_at(b, t)};
     }
-    return {pb.center - pa.center, pa.q, pb.q};
+    return stand_now(core, m.body_a, m.body_b);
 }
 
 // A new manifold that keeps the impulses of points whose features it shares with the old one.
@@ -100,9 +94,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
     ContactManifold& m = core.manifolds[index];
     const Stand stand = stand_of(core, m, c.shape_a, c.shape_b, dt);
     const Vec2 center_a = core.bodies[m.body_a].local_center;
-    const Vec2 center_b = core.bodies[m.body_b].local_center;
-    const Rot turn = inv_mul(stand.a, stand.b);
-    const Transform b_in_a{inv_rotate(stand.a, stand.offset) + center_a - rotate(turn, center_b), turn};
+    const Transform b_in_a = pose_between(core, m.body_a, m.body_b, stand);
     Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
                               speculative_distance);
     if (fresh.count > 0) drop_inner_edges(core, c, b_in_a, fresh);

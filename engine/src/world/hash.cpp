@@ -1,5 +1,6 @@
 // The state hash: all persistent state that affects the future, word by word, so that it does not depend on the byte order of the machine, nor on
 // the capacity.
+#include "math/checksum.hpp"
 #include "math/scalar.hpp"
 #include "world/checks.hpp"
 
@@ -12,11 +13,7 @@ namespace {
 struct Hasher {
     std::uint64_t h = 0x9e3779b97f4a7c15ull;
 
-    // One round of a multiply and xor-shift mix per word.
-    void word(std::uint32_t w) {
-        h = (h ^ w) * 0xd6e8feb86659fd93ull;
-        h ^= h >> 32;
-    }
+    void word(std::uint32_t w) { h = mixed(h, w); }
     void number(float f) { word(bits_of(f)); }
     void long_word(std::uint64_t w) {
         word(static_cast<std::uint32_t>(w));

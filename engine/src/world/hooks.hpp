@@ -17,11 +17,7 @@ void link_hooks();
 
 /// True if this build and this program have what the hooks need.
 inline bool are_there(const Hooks& h) {
-#if defined(__ELF__)
-    if (has_hooks && ask_pre_solve != nullptr) return true;
-#else
-    if (has_hooks) return true;
-#endif
+    if (has_hooks && ISLET_IS_LINKED(ask_pre_solve)) return true;
     return h.filter == nullptr && h.pre_solve == nullptr && h.mix_friction == nullptr && h.mix_restitution == nullptr;
 }
 

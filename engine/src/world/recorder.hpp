@@ -1,6 +1,7 @@
 // Writing calls down as they are made.
 #pragma once
 
+#include "math/checksum.hpp"
 #include "math/scalar.hpp"
 #include "world/calls.hpp"
 
@@ -11,11 +12,6 @@ inline constexpr std::uint32_t recording_version = 1;
 
 /// Where the calls begin.
 constexpr std::size_t calls_at(std::uint64_t image_bytes) { return sizeof(RecordingHead) + (static_cast<std::size_t>(image_bytes) + 7) / 8 * 8; }
-
-inline std::uint64_t mixed(std::uint64_t sum, std::uint32_t word) {
-    sum = (sum ^ word) * 0xd6e8feb86659fd93ull;
-    return sum ^ sum >> 32;
-}
 
 /// A hash of how a body stands and moves.
 std::uint32_t body_digest(const Core& core, std::uint32_t body);
