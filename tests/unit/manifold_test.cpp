@@ -413,7 +413,7 @@ TEST(CircleManifold, SeparationIsTheExactDistanceFromEveryShape) {
         } cases[] = {
             {collide(polygon, circle, pose, margin), exact::core_of(polygon), polygon.radius},
             {collide(capsule, circle, pose, margin), {exact::of(capsule.point1), exact::of(capsule.point2)}, capsule.radius},
-            {collide(Segment{capsule.point1, capsule.point2}, circle, pose, margin),
+            {collide(Capsule{capsule.point1, capsule.point2, 0}, circle, pose, margin),
              {exact::of(capsule.point1), exact::of(capsule.point2)},
              0},
             {collide(Circle{capsule.point1, capsule.radius}, circle, pose, margin), {exact::of(capsule.point1)}, capsule.radius},
@@ -452,12 +452,12 @@ NamedPair named(const char* name, float height, A a, B b) {
 std::vector<NamedPair> all_pairs() {
     const Circle circle = {{}, 0.5f};
     const Capsule capsule = {{-0.5f, 0}, {0.5f, 0}, 0.25f};
-    const Segment segment = {{1, 0}, {-1, 0}};
+    const Capsule segment = {{1, 0}, {-1, 0}, 0};
     const Polygon box = make_box(1, 0.5f);
     const Polygon round_box = make_rounded_box(0.9f, 0.4f, 0.1f);
     const Vec2 corners[] = {{-1, -0.5f}, {1, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}, {0, 0.75f}};
     const Polygon house = make_polygon(compute_hull(corners));
-    const ChainSegment link = {{3, 0}, segment, {-3, 0}};
+    const ChainSegment link = {{3, 0}, {segment.point1, segment.point2}, {-3, 0}};
     return {
         named("circle-circle", 1.0f, circle, circle),         named("capsule-circle", 0.75f, capsule, circle),
         named("capsule-capsule", 0.5f, capsule, capsule),     named("segment-circle", 0.5f, segment, circle),

@@ -198,7 +198,7 @@ void find_moved_pairs(Core& core) {
         if (core.is_awake(core.shapes[shape].body)) return;
         for (std::uint32_t i = 0; i < all.count; ++i) {
             const std::uint32_t other = all.shape[i];
-            if (overlaps(core.boxes[other], core.boxes[shape]) && !core.moved_shapes.test(other)) out.push(shape, other);
+            if (meet(core.boxes[other], core.boxes[shape]) && !core.moved_shapes.test(other)) out.push(shape, other);
         }
         tree_query(tree, core.boxes[shape], [&](std::uint32_t other) {
             if (other > shape || !core.moved_shapes.test(other)) out.push(shape, other);
@@ -225,7 +225,7 @@ void look_ahead(Core& core, std::uint32_t body, float dt) {
         tree_query(tree, box_ahead(core, s, dt), [&](std::uint32_t other) {
             // Where the fat boxes overlap the contact is there already, or was dropped and counted.
             const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
-            if (is_static && !overlaps(core.boxes[s], core.boxes[other])) add_pair(core, s, other);
+            if (is_static && !meet(core.boxes[s], core.boxes[other])) add_pair(core, s, other);
         });
     }
 }

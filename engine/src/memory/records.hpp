@@ -265,9 +265,8 @@ inline bool is_ordered(const SolverState& s) {  // contacts are solved one by on
 }
 inline bool has_shock(const SolverState& s) { return has_tuning && s.shock > 0; }
 inline bool measures_residual(const SolverState& s) { return has_tuning && (s.measure_residual != 0 || s.tolerance > 0); }
-inline bool needs_tuning(const SolverDef& d) {
-    return d.sweep_order != SweepOrder::colored || d.block_contacts || d.shock > 0 || d.measure_residual || d.tolerance > 0;
-}
+inline bool needs_ordering(const SolverDef& d) { return d.sweep_order != SweepOrder::colored || d.block_contacts || d.shock > 0; }
+inline bool needs_tuning(const SolverDef& d) { return needs_ordering(d) || d.measure_residual || d.tolerance > 0; }
 
 /// Everything persistent that is not in an array.
 struct State {

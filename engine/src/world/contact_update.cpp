@@ -10,6 +10,7 @@
 #include "broadphase/pairs.hpp"
 #include "broadphase/sensors.hpp"
 #include "collide/manifold.hpp"
+#include "math/boxes.hpp"
 #include "math/copies.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
@@ -66,10 +67,9 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
     };
     switch (a.shape_type()) {
         case ShapeType::circle: return collide(a.circle, b.circle, b_in_a, margin);
-        case ShapeType::capsule:
-            return type_b == ShapeType::circle ? collide(a.capsule, b.circle, b_in_a, margin) : collide(a.capsule, b.capsule, b_in_a, margin);
+        case ShapeType::capsule: return against(a.capsule);
+        case ShapeType::segment: return against(Capsule{a.segment.point1, a.segment.point2, 0});
         case ShapeType::polygon: return against(a.polygon);
-        case ShapeType::segment: return against(a.segment);
         case ShapeType::chain_segment: return against(a.chain);
     }
     return {};
@@ -128,7 +128,7 @@ bool has_parted(const Core& core, std::uint32_t index, float dt) {
     const Contact& c = core.contacts[index];
     const ContactManifold& m = core.manifolds[index];
     Aabb a = core.boxes[c.shape_a], b = core.boxes[c.shape_b];
-    if (overlaps(a, b)) return false;
+    if (meet(a, b)) return false;
     const bool fast_a = (core.poses[m.body_a].flags & pose_fast) != 0 && core.bodies[m.body_b].type() == BodyType::static_body;
     const bool fast_b = (core.poses[m.body_b].flags & pose_fast) != 0 && core.bodies[m.body_a].type() == BodyType::static_body;
     if (!fast_a && !fast_b) return true;
@@ -137,7 +137,7 @@ bool has_parted(const Core& core, std::uint32_t index, float dt) {
     } else {
         b = box_ahead(core, c.shape_b, dt);
     }
-    return !overlaps(a, b);
+    return !meet(a, b);
 }
 
 enum class Change : std::uint8_t { none, changes, parts };
