@@ -97,7 +97,8 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
     const Transform b_in_a = pose_between(core, m.body_a, m.body_b, stand);
     Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
                               speculative_distance);
-    if (fresh.count > 0) drop_inner_edges(core, c, b_in_a, fresh);
+    const bool on_floor = core.poses[m.body_a].inv_mass == 0 || core.poses[m.body_b].inv_mass == 0;  // floors are not dynamic
+    if (on_floor && fresh.count > 0) drop_inner_edges(core, c, b_in_a, fresh);
 
     const ContactManifold old = m;
     m.normal = rotate(stand.a, fresh.normal);

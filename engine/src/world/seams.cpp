@@ -69,11 +69,12 @@ struct Floor {
         for_each_contact(core, other, [&](std::uint32_t contact, std::uint32_t end) {
             const Contact& link = core.contacts[contact];
             const std::uint32_t neighbor = end == 0 ? link.shape_b : link.shape_a;
-            const bool senses = ((core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags) & shape_sensor) != 0;
             const std::uint32_t its_body = core.shapes[neighbor].body;
+            if (covered || neighbor == shape || core.is_dynamic(its_body)) return;
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
             const Polygon* its = polygon_of(core, neighbor);
-            if (covered || neighbor == shape || !fixed || its == nullptr || senses) return;
+            const bool senses = ((core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags) & shape_sensor) != 0;
+            if (!fixed || its == nullptr || senses) return;
             const Transform to_neighbor = inv_mul(body_transform(core, its_body), at);
             if (!is_inside(*its, transform_point(to_neighbor, before))) return;
             const float lean = lean_of(*its, transform_point(to_neighbor, point), rotate(to_neighbor.q, side));
