@@ -218,11 +218,18 @@ bool note_fast(Core& core, std::uint32_t body, float dt) {
     return fast;
 }
 
-// Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step.
+// Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step. Most are alone, and need one look.
 void look_ahead(Core& core, std::uint32_t body, float dt) {
     const Tree tree{&core.state->tree, core.tree};
+    Pose& pose = core.poses[body];
+    const float reach = pose.max_extent + surroundings(pose);
+    const Aabb around{{pose.center.x - reach, pose.center.y - reach}, {pose.center.x + reach, pose.center.y + reach}};
+    const bool alone = TreeWalk(tree, around).next() == null_index;
+    if (alone) pose.flags |= pose_alone;
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-        tree_query(tree, box_ahead(core, s, dt), [&](std::uint32_t other) {
+        const Aabb ahead = box_ahead(core, s, dt);
+        if (alone && contains(around, ahead)) continue;
+        tree_query(tree, ahead, [&](std::uint32_t other) {
             // Where the fat boxes overlap the contact is there already, or was dropped and counted.
             const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
             if (is_static && !overlaps(core.boxes[s], core.boxes[other])) add_pair(core, s, other);

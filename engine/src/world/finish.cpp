@@ -1,6 +1,7 @@
 #include "world/finish.hpp"
 
 #include "broadphase/contacts.hpp"
+#include "broadphase/pairs.hpp"
 #include "memory/joint_graph.hpp"
 #include "memory/parallel.hpp"
 #include "world/bounds.hpp"
@@ -20,7 +21,9 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     Motion& motion = core.motions[i];
     Body& body = core.bodies[i];
     const float moved = length(way.dp) + abs(way.dq) * pose.max_extent;
-    if (has_continuous && core.state->continuous != 0 && moved > swept_fraction * body.min_extent) stop_at_static(core, i, way);
+    const bool alone = (pose.flags & pose_alone) != 0 && moved <= surroundings(pose);
+    if (has_continuous && core.state->continuous != 0 && moved > swept_fraction * body.min_extent && !alone) stop_at_static(core, i, way);
+    pose.flags &= ~static_cast<std::uint32_t>(pose_alone);
     body.origin = pose.center - rotate(pose.q, body.local_center);
 
     motion.slack -= moved;
