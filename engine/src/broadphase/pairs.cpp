@@ -213,7 +213,7 @@ inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness:
 bool note_fast(Core& core, std::uint32_t body, float dt) {
     const Motion& motion = core.motions[body];
     Pose& pose = core.poses[body];
-    const bool fast = dt * (length(motion.v) + abs(motion.w) * pose.max_extent) > fast_fraction * core.bodies[body].min_extent;
+    const bool fast = dt * (length_inline(motion.v) + abs(motion.w) * pose.max_extent) > fast_fraction * core.bodies[body].min_extent;
     pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
     return fast;
 }
