@@ -219,12 +219,13 @@ bool note_fast(Core& core, std::uint32_t body, float dt) {
 }
 
 // Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step. Most are alone, and need one look.
+// (A lean build does without that.)
 void look_ahead(Core& core, std::uint32_t body, float dt) {
     const Tree tree{&core.state->tree, core.tree};
     Pose& pose = core.poses[body];
     const float reach = pose.max_extent + surroundings(pose);
     const Aabb around{{pose.center.x - reach, pose.center.y - reach}, {pose.center.x + reach, pose.center.y + reach}};
-    const bool alone = TreeWalk(tree, around).next() == null_index;
+    const bool alone = !is_lean && TreeWalk(tree, around).next() == null_index;
     if (alone) pose.flags |= pose_alone;
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
         const Aabb ahead = box_ahead(core, s, dt);

@@ -12,7 +12,7 @@ namespace islet::detail {
 [[gnu::always_inline]] inline float sqrt(float a) { return __builtin_sqrtf(a); }
 
 /// length(a) for the loops over all bodies: without a call, unless the build is for size.
-[[gnu::always_inline]] inline float length_inline(Vec2 a) {
+[[gnu::always_inline]] inline float length_inline(const Vec2& a) {
 #if defined(__OPTIMIZE_SIZE__)
     return length(a);
 #else

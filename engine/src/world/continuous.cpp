@@ -127,12 +127,12 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     if (other == null_index) return;  // so it is for most that fall or fly
     Sweep sweep = sweep_of(core, body, way);
     float end = 1;
-    for (; other != null_index; other = walk.next()) {
+    do {
         const std::uint32_t wall = core.shapes[other].body;
         if (core.bodies[wall].type() != BodyType::static_body) continue;
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
             end = min(end, stop_time(core, s, sweep, other, at_rest(core, wall), end));
-    }
+    } while ((other = walk.next()) != null_index);
     if (end >= 1) return;
     sweep.way = end * sweep.way;
     sweep.turn = end * sweep.turn;
