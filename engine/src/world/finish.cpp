@@ -22,8 +22,10 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     Motion& motion = core.motions[i];
     Body& body = core.bodies[i];
     const float moved = length_inline(way.dp) + abs(way.dq) * pose.max_extent;
-    const bool alone = !is_lean && (pose.flags & pose_alone) != 0 && moved <= surroundings(pose);
-    if (has_continuous && core.state->continuous != 0 && moved > swept_fraction * body.min_extent && !alone) stop_at_static(core, i, way);
+    if (has_continuous && moved > swept_fraction * body.min_extent && core.state->continuous != 0) {
+        const bool alone = !is_lean && (pose.flags & pose_alone) != 0 && moved <= surroundings(pose);
+        if (!alone) stop_at_static(core, i, way);
+    }
     if (!is_lean) pose.flags &= ~static_cast<std::uint32_t>(pose_alone);
     body.origin = pose.center - rotate(pose.q, body.local_center);
 
