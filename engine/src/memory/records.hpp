@@ -16,6 +16,7 @@ namespace islet::detail {
 enum PoseFlags : std::uint32_t {
     pose_fast = 1u,   // may move so far in this step that its contacts look further ahead
     pose_moved = 2u,  // a fat box of it changed since contacts were last updated
+    pose_alone = 4u,  // within a step: nothing at rest is in its surroundings (broadphase/pairs.hpp)
 };
 
 /// Where a body is and how heavy: eight words, loaded at once by the narrow phase and the solver.

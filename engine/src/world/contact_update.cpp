@@ -29,8 +29,11 @@ inline constexpr std::uint32_t update_grain = 4;                // words of 64 c
 inline constexpr std::uint32_t clear_grain = 16;                // words of 64 bodies that are worth a task
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
+// One of the two is not dynamic.
+ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return a.inv_mass == 0 || b.inv_mass == 0; }
+
 // Against what cannot be pushed, a fast body looks as far ahead as it may come in this step.
-ISLET_SHARED bool looks_ahead(const Pose& a, const Pose& b) { return ((a.flags | b.flags) & pose_fast) != 0 && (a.inv_mass == 0 || b.inv_mass == 0); }
+ISLET_SHARED bool looks_ahead(const Pose& a, const Pose& b) { return ((a.flags | b.flags) & pose_fast) != 0 && has_floor(a, b); }
 
 bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
     if ((m.flags & contact_posed) == 0 || looks_ahead(a, b)) return false;
@@ -97,7 +100,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
     const Transform b_in_a = pose_between(core, m.body_a, m.body_b, stand);
     Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
                               speculative_distance);
-    if (fresh.count > 0) drop_inner_edges(core, c, b_in_a, fresh);
+    if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) drop_inner_edges(core, c, b_in_a, fresh);
 
     const ContactManifold old = m;
     m.normal = rotate(stand.a, fresh.normal);
