@@ -31,6 +31,19 @@ Fixture::Fixture()
 
 Fixture::~Fixture() { std::fprintf(stderr, "%lu inputs: %lu calls, %lu of them refused, %lu steps\n", inputs, calls, refused, steps); }
 
+// Something to begin with, so that short inputs reach contacts and joints too.
+void Player::furnish() {
+    const BodyId ground = w.create_body({.position = {0, -1}});
+    w.create_shape(ground, make_box(20, 1));
+    BodyId below = ground;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const BodyId box = w.create_body({.type = BodyType::dynamic, .position = {0, 0.5f + static_cast<float>(i)}});
+        w.create_shape(box, make_box(0.5f, 0.5f));
+        if (i > 0) w.create_joint(RevoluteJointDef{.base = {.body_a = below, .body_b = box, .frame_a = {{0, 0.5f}}, .frame_b = {{0, -0.5f}}}});
+        below = box;
+    }
+}
+
 void Player::walk() {
     MoverDef def;
     MoverInput input;
@@ -90,6 +103,7 @@ void Player::play() {
         w.set_hooks(hooks);
         twin.set_hooks(hooks);
     }
+    if (in.flag()) furnish();
     if (in.flag()) start_recording();
     for (int i = 0; i < 300 && !in.done(); ++i) {
         ++f.calls;

@@ -3,26 +3,37 @@
 
 namespace islet::fuzz {
 
-// Of ids mostly ones that live.
+// Of ids mostly ones that live, if any does: the next from a slot that the byte names.
 BodyId Player::body() {
     const std::uint32_t which = in.byte();
     if (which >= 248) return which % 2 == 0 ? dead_body : BodyId{which - 247, in.byte()};
-    return w.body_at(which % capacity.bodies);
+    for (std::uint32_t i = 0; i < capacity.bodies; ++i) {
+        const BodyId id = w.body_at((which + i) % capacity.bodies);
+        if (id) return id;
+    }
+    return {};
 }
 
 ShapeId Player::shape() {
-    const BodyId owner = body();
-    const std::uint32_t which = in.byte();
+    const std::uint32_t owner = in.byte(), which = in.byte();
     if (which >= 248) return which % 2 == 0 ? dead_shape : ShapeId{which - 247, in.byte()};
-    ShapeId all[capacity.shapes];
-    const std::uint32_t n = w.shapes(owner, all);
-    return n > 0 ? all[which % n] : ShapeId{};
+    for (std::uint32_t i = 0; i < capacity.bodies; ++i) {
+        const BodyId id = w.body_at((owner + i) % capacity.bodies);
+        ShapeId all[capacity.shapes];
+        const std::uint32_t n = id ? w.shapes(id, all) : 0;
+        if (n > 0) return all[which % n];
+    }
+    return {};
 }
 
 JointId Player::joint() {
     const std::uint32_t which = in.byte();
     if (which >= 248) return which % 2 == 0 ? dead_joint : JointId{which - 247, in.byte()};
-    return w.joint_at(which % capacity.joints);
+    for (std::uint32_t i = 0; i < capacity.joints; ++i) {
+        const JointId id = w.joint_at((which + i) % capacity.joints);
+        if (id) return id;
+    }
+    return {};
 }
 
 WorldDef Player::world_def() {

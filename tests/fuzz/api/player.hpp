@@ -114,6 +114,7 @@ struct Player {
     void replay_all();
 
     // api_fuzz.cpp
+    void furnish();
     void step();
     void walk();
     void check();
