@@ -285,7 +285,7 @@ void check_overlaps(const std::vector<Known>& known, const QueryFilter& filter, 
 void expect_enough(const char* what, const Tally& tally, int least_hits) {
     std::printf("%s: %d asked, %d found, %d too close to call\n", what, tally.asked, tally.hits, tally.doubtful);
     EXPECT_GE(tally.asked, cases(99000));
-    EXPECT_GT(tally.hits, cases(least_hits));
+    EXPECT_GT(tally.hits, test::slow_build ? least_hits / 12 : least_hits);  // a tenth of the worlds is no mean of all
     EXPECT_LT(tally.doubtful, tally.asked / 500);
 }
 
