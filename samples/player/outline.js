@@ -1,9 +1,11 @@
 // The shapes of bodies, and how they become paths on a canvas.
 
-/// From [radius, x, y, x, y, ...]: one point is a disc, two are a capsule, more a convex polygon whose corners the radius rounds; a
+/// From [radius, x, y, x, y, ...], for a sensor with a word before them: one point is a disc, two are a capsule, more a convex polygon whose corners the radius rounds; a
 /// negative radius means lines from point to point.
 export class Outline {
-    constructor([radius, ...numbers]) {
+    constructor(told) {
+        this.isSensor = typeof told[0] === "string";
+        const [radius, ...numbers] = this.isSensor ? told.slice(1) : told;
         this.radius = radius;
         this.points = [];
         for (let i = 0; i < numbers.length; i += 2) this.points.push({ x: numbers[i], y: numbers[i + 1] });
