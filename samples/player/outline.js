@@ -30,7 +30,7 @@ export class Outline {
             const py = y - (s * points[i].x + c * points[i].y) * scale;
             if (this.isDisc) {
                 context.moveTo(px + radius, py);
-                context.arc(px, py, radius, 0, 2 * Math.PI);
+                context.arc(px, py, radius, 0, 2 * Math.PI, true); // the way polygons go, or where both lie would be a hole
             } else if (rounded) {
                 // Angles grow against the clock in the world and with it on the screen.
                 const from = -(angle + this.edges[(i + points.length - 1) % points.length]);
