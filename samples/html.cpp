@@ -63,14 +63,14 @@ std::string trails_of(const Run& run, const Recorder& recorder) {
     return bytes;
 }
 
-/// A list of models, each a list of outlines, each [radius, x, y, x, y, ...]. Written by hand: as few digits as give the same float back.
+/// A list of models, each a list of outlines, each [radius, x, y, x, y, ...], for a sensor with a word before them. Written by hand: as few digits as give the same float back.
 std::string models_json(const std::vector<Model>& models) {
     std::string text = "[";
     for (const Model& model : models) {
         text += text.size() > 1 ? ",\n[" : "\n[";
         for (const Outline& outline : model) {
             if (&outline != model.data()) text += ',';
-            text += fmt::format("[{}", outline.radius);
+            text += fmt::format("[{}{}", outline.solid ? "" : "\"sensor\",", outline.radius);
             for (const Vec2 p : outline.points) text += fmt::format(",{},{}", p.x, p.y);
             text += ']';
         }
@@ -84,6 +84,8 @@ Json run_json(const Run& run, const RunResult& result, const Recorder& recorder)
     const SceneInfo* info = find_scene(result.scene);
     Json names = Json::array();
     for (const Column& column : columns) names.push_back(column.name);
+    Json looks = Json::array();
+    for (const BodyLook look : recorder.looks()) looks.push_back(static_cast<int>(look));
     return {
         {"scene", result.scene},
         {"description", info != nullptr ? info->description : ""},
@@ -100,10 +102,12 @@ Json run_json(const Run& run, const RunResult& result, const Recorder& recorder)
         {"contactQuantum", scale.quantum * contact_quanta},
         {"bodyTurn", body_turn},
         {"contactTurn", contact_turn},
+        {"betweenParts", between_parts},
         {"origin", {scale.origin_x, scale.origin_y}},
         {"view",
          {double(run.scene.view.lower.x), double(run.scene.view.lower.y), double(run.scene.view.upper.x), double(run.scene.view.upper.y)}},
         {"columns", std::move(names)},
+        {"looks", std::move(looks)},
         {"trails", run.trails.size()},
     };
 }

@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -18,6 +20,7 @@
 #include "progress.hpp"
 #include "report.hpp"
 #include "runner.hpp"
+#include "scene_file.hpp"
 #include "svg.hpp"
 #include "world_recording.hpp"
 
@@ -96,16 +99,45 @@ DebugDraw drawing_of(const std::vector<std::string>& names) {
     return draw;
 }
 
+bool is_file(const std::string& scene) { return scene.ends_with(".json"); }
+
+/// A scene that is named by the command line: of the catalogue, or in a file.
+struct NamedScene {
+    Scene scene;
+    bool is_found = false;
+};
+
+NamedScene scene_named(const std::string& name) {
+    if (is_file(name)) {
+        std::ifstream file(name, std::ios::binary);
+        if (!file.is_open()) throw SceneFileError("the file cannot be read");
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        NamedScene named{read_scene(text), true};
+        if (named.scene.name.empty()) named.scene.name = name;
+        return named;
+    }
+    const SceneInfo* info = find_scene(name);
+    return info != nullptr ? NamedScene{info->make(), true} : NamedScene{};
+}
+
+int write_scene_file(const std::string& name) {
+    const NamedScene named = scene_named(name);
+    if (!named.is_found) return unknown_scene(name);
+    if (has_script(named.scene)) return wrong(fmt::format("'{}' has a script, which no file can hold", name));
+    fmt::print("{}", write_scene(named.scene));
+    return ok;
+}
+
 int run_scene(const RunCommand& command) {
-    const SceneInfo* info = find_scene(command.scene);
-    if (info == nullptr) return unknown_scene(command.scene);
+    NamedScene named = scene_named(command.scene);
+    if (!named.is_found) return unknown_scene(command.scene);
     std::ofstream csv, svg, html, recording;
     if (!open_output(csv, command.csv_path)) return wrong(fmt::format("cannot write '{}'", command.csv_path));
     if (!open_output(svg, command.svg_path)) return wrong(fmt::format("cannot write '{}'", command.svg_path));
     if (!open_output(html, command.html_path)) return wrong(fmt::format("cannot write '{}'", command.html_path));
     if (!open_output(recording, command.recording_path)) return wrong(fmt::format("cannot write '{}'", command.recording_path));
 
-    Run run(info->make(), command.options);
+    Run run(std::move(named.scene), command.options);
     std::optional<Recorder> recorder;
     if (html.is_open()) recorder.emplace(run);
     std::optional<WorldRecording> calls;
@@ -201,10 +233,12 @@ struct CommandLine {
     CLI::App app{"Islet: runs the scenes of the 2D physics engine without a screen"};
     CLI::App* list = app.add_subcommand("list", "every scene, grouped, with one line each");
     CLI::App* run = app.add_subcommand("run", "runs a scene and prints what happened; exit status 1 if its check failed");
+    CLI::App* scene = app.add_subcommand("scene", "prints a scene that has no script as a JSON file, for `islet run FILE.json`");
     CLI::App* replay = app.add_subcommand("replay", "makes the calls of a recording again; exit status 1 if a step comes out differently");
     CLI::App* bench =
         app.add_subcommand("bench", "times scenes in several engines, taken in turns: medians, and how many times Islet's time");
     bool list_json = false;
+    std::string scene_name;
     RunCommand command;
     BenchCommand bench_command;
     ReplayCommand replay_command;
@@ -214,7 +248,8 @@ struct CommandLine {
         list->add_flag("--json", list_json, "as a JSON list");
 
         RunOptions& o = command.options;
-        run->add_option("scene", command.scene, "name of the scene")->required();
+        run->add_option("scene", command.scene, "name of the scene, or of a file with one that ends in .json")->required();
+        scene->add_option("scene", scene_name, "name of the scene")->required();
         run->add_option("--steps", o.steps, "steps to take; the scene's own if not given")->check(CLI::Range(0, 100'000'000));
         run->add_option("--dt", o.dt, "length of a step, s")->check(CLI::Range(1e-6, 1.0))->check(finite_number);
         run->add_option("--substeps", o.substeps, "substeps of a step")->check(CLI::Range(1, 64));
@@ -267,6 +302,7 @@ int execute(CommandLine& line) {
         fmt::print("{}", line.list_json ? catalogue_json() : catalogue_table());
         return ok;
     }
+    if (line.scene->parsed()) return write_scene_file(line.scene_name);
     if (line.replay->parsed()) return replay_recording(line.replay_command);
     return line.bench->parsed() ? run_bench(line.bench_command) : run_scene(line.command);
 }
@@ -281,6 +317,9 @@ int main(int argc, char** argv) {
         } catch (const CLI::ParseError& error) {
             return line.app.exit(error) == 0 ? ok : wrong_usage;  // help is no error
         }
-        return execute(line);
+        const std::string& scene = line.scene->parsed() ? line.scene_name : line.command.scene;
+        try {
+            return execute(line);
+        } catch (const std::exception& error) { return wrong(is_file(scene) ? fmt::format("'{}': {}", scene, error.what()) : error.what()); }
     } catch (const std::exception& error) { return wrong(error.what()); }
 }

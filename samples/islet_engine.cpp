@@ -59,7 +59,7 @@ std::size_t IsletEngine::create_body(const SceneBody& body) {
     w.clear_error();
     const BodyId id = spawn(w, body);
     if (w.last_error() != Error::none)
-        throw std::runtime_error(std::string("cannot make a body of the scene: ") + describe(w.last_error()));
+        throw std::runtime_error("cannot make body " + std::to_string(impl_->bodies.size()) + " of the scene: " + describe(w.last_error()));
     impl_->bodies.push_back(id);
     return impl_->bodies.size() - 1;
 }
@@ -129,7 +129,7 @@ void IsletEngine::make_joint(const SceneJoint& joint) {
     w.clear_error();
     impl_->joints.push_back(spawn(w, joint, impl_->bodies, impl_->joints));
     if (w.last_error() != Error::none)
-        throw std::runtime_error(std::string("cannot make a joint of the scene: ") + describe(w.last_error()));
+        throw std::runtime_error("cannot make joint " + std::to_string(impl_->joints.size() - 1) + " of the scene: " + describe(w.last_error()));
 }
 
 void IsletEngine::change_joint(std::size_t index) {

@@ -10,44 +10,62 @@
 namespace islet::samples {
 namespace {
 
-constexpr float touching = 0.005f;  // m; points farther apart than this are only watched by the solver
-
 std::int32_t parts_of_turn(double angle, std::int32_t turn) {
     const double turns = angle / (2 * double(pi));
     return std::isfinite(turns) ? static_cast<std::int32_t>(std::llround(turns * turn)) & (turn - 1) : 0;
 }
 
-/// A shape in its body's frame: what DebugDraw says of its geometry alone.
-Outline outline_of(const World& world, ShapeId shape) {
-    Outline outline;
-    DebugDraw draw;
-    draw.context = &outline;
-    static constexpr auto keep = [](void* to, float radius, std::vector<Vec2> points) { *static_cast<Outline*>(to) = {radius, std::move(points)}; };
-    draw.circle = [](Vec2 center, float radius, Vec2, const DrawStyle&, void* to) { keep(to, radius, {center}); };
-    draw.capsule = [](Vec2 a, Vec2 b, float radius, const DrawStyle&, void* to) { keep(to, radius, {a, b}); };
-    draw.polygon = [](std::span<const Vec2> p, float radius, const DrawStyle&, void* to) { keep(to, radius, {p.begin(), p.end()}); };
-    draw.segment = [](Vec2 a, Vec2 b, const DrawStyle&, void* to) { keep(to, -1, {a, b}); };
-    world.draw_shape(draw, shape, {}, {});
-    return outline;
+/// What the player needs of a shape that was drawn.
+Outline outline_of(const Drawing& drawing, const Stroke& stroke) {
+    const std::span<const Vec2> points = drawing.points(stroke);
+    const bool is_circle = stroke.figure == Stroke::Figure::circle, is_line = stroke.figure == Stroke::Figure::segment;
+    return {is_line ? -1 : stroke.radius, stroke.style.solid, {points.begin(), is_circle ? points.begin() + 1 : points.end()}};
 }
 
 std::string key_of(const Model& model) {
     std::string key;
     for (const Outline& outline : model) {
         key.append(reinterpret_cast<const char*>(&outline.radius), sizeof outline.radius);
-        key += static_cast<char>('0' + outline.points.size());
+        key += static_cast<char>((outline.solid ? '0' : 'A') + outline.points.size());
         key.append(reinterpret_cast<const char*>(outline.points.data()), outline.points.size() * sizeof(Vec2));
     }
     return key;
 }
 
-/// The same line but for rounding.
-bool nearly_same(const JointLine& a, const JointLine& b) {
-    constexpr int rounding = 2;  // quanta
-    const auto same_point = [](const JointPoint& p, const JointPoint& q) {
-        return p.frame == q.frame && p.is_dot == q.is_dot && std::abs(p.x - q.x) <= rounding && std::abs(p.y - q.y) <= rounding;
-    };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_point);
+BodyLook look_of(DrawColor color) {
+    switch (color) {
+    case draw_color::static_body: return BodyLook::static_body;
+    case draw_color::kinematic: return BodyLook::kinematic;
+    case draw_color::asleep: return BodyLook::asleep;
+    case draw_color::bullet: return BodyLook::bullet;
+    case draw_color::disabled: return BodyLook::disabled;
+    default: return BodyLook::awake;
+    }
+}
+
+JointMark::Kind kind_of(Stroke::Figure figure) {
+    switch (figure) {
+    case Stroke::Figure::point: return JointMark::dot;
+    case Stroke::Figure::circle: return JointMark::ring;
+    case Stroke::Figure::polygon: return JointMark::loop;
+    default: return JointMark::line;
+    }
+}
+
+JointMark::Look joint_look_of(DrawColor color) {
+    return color == draw_color::limit ? JointMark::limit : color == draw_color::idle_joint ? JointMark::idle : JointMark::plain;
+}
+
+/// Calls visit(strokes) for what is of the same slot, by rising slots.
+template <class Visit>
+void for_each_slot(std::vector<const Stroke*>& strokes, const Visit& visit) {
+    const auto slot_of = [](const Stroke* stroke) { return stroke->style.slot; };
+    std::stable_sort(strokes.begin(), strokes.end(), [&](const Stroke* a, const Stroke* b) { return slot_of(a) < slot_of(b); });
+    for (auto first = strokes.begin(); first != strokes.end();) {
+        const auto end = std::find_if(first, strokes.end(), [&](const Stroke* s) { return slot_of(s) != slot_of(*first); });
+        visit(std::span<const Stroke* const>(first, end));
+        first = end;
+    }
 }
 
 }  // namespace
@@ -64,8 +82,14 @@ std::int32_t Scale::quanta(double metres) const {
 }
 
 Recorder::Recorder(const Run& run, std::size_t budget) : run_(run), budget_(budget), scale_(run.scene.view) {
-    known_.resize(run.engine.world().capacity().bodies);
-    shapes_.resize(run.engine.world().capacity().shapes);
+    const World& world = run.engine.world();
+    known_.resize(world.capacity().bodies);
+    shapes_.resize(world.capacity().shapes);
+    // Joints are drawn as large as in a picture of the first moment that is as wide as the SVG's.
+    constexpr double picture_width = 1200;  // px
+    drawing_.add(world, {});
+    what_.size = joint_mark_size(typical_size(drawing_), picture_width / (double(run.scene.view.upper.x) - double(run.scene.view.lower.x)));
+    what_.contacts = what_.normals = true;
     record({});
 }
 
@@ -85,101 +109,132 @@ void Recorder::record(const StepRecord& step) {
     numbers.bodies = counts.bodies;
     numbers.contacts = counts.contacts;
     numbers.islands = counts.islands;
-    read_bodies();
-    for (std::size_t id = 0; id < frame_.bodies.size(); ++id) {
-        const bool moves = frame_.bodies.has(id) && frame_.kinds[id].type != static_cast<std::uint32_t>(BodyType::static_body);
-        if (moves && frame_.awake[id] != 0) ++numbers.awake_bodies;
+    numbers.joints = counts.joints;
+    numbers.max_joint_error = double(run_.engine.max_joint_error().linear);
+    numbers.max_penetration = run_.engine.max_penetration();
+
+    drawing_.clear();
+    drawing_.add(run_.engine.world(), what_);
+    std::vector<const Stroke*> shapes, contacts, joints;
+    for (const Stroke& stroke : drawing_.strokes()) {
+        const DrawPart part = stroke.style.part;
+        (part == DrawPart::shape ? shapes : part == DrawPart::joint ? joints : contacts).push_back(&stroke);
     }
-    read_contacts(numbers);
-    read_joints(numbers);
-    writer_.add(frame_);
+    frame_.bodies.clear();
+    frame_.contacts.clear();
+    frame_.joints.clear();
+    for_each_slot(shapes, [&](Strokes strokes) { read_body(strokes, numbers); });
+    for_each_slot(contacts, [&](Strokes strokes) { read_contact(strokes, numbers); });
+    for_each_slot(joints, [&](Strokes strokes) { read_joint(strokes); });
+    writer_.add(frame_, figures_.figures());
     numbers_.push_back(numbers);
 }
 
-void Recorder::read_bodies() {
+/// A body is drawn by its shapes; where it is goes into the frame, and what they look like from there is its model.
+void Recorder::read_body(Strokes shapes, FrameNumbers& numbers) {
     const World& world = run_.engine.world();
-    frame_.bodies.clear();
-    for (std::uint32_t slot = 0; slot < world.capacity().bodies; ++slot) {
-        const BodyId body = world.body_at(slot);
-        if (!body) continue;
-        const std::uint32_t id = id_of(slot, body);
-        const Vec2 p = world.position(body);
-        frame_.bodies.put(id, {scale_.x(double(p.x)), scale_.y(double(p.y)), parts_of_turn(double(world.angle(body)), body_turn)});
-        frame_.awake[id] = world.type(body) == BodyType::static_body || world.is_awake(body) ? 1 : 0;
-    }
+    const BodyId body = world.body_at(shapes.front()->style.slot);
+    const Vec2 p = world.position(body);
+    const std::uint32_t id = id_of(shapes, body);
+    frame_.bodies.put(id, {scale_.x(double(p.x)), scale_.y(double(p.y)), parts_of_turn(double(world.angle(body)), body_turn)});
+    const auto solid = std::find_if(shapes.begin(), shapes.end(), [](const Stroke* shape) { return shape->style.solid; });
+    frame_.looks[id] = solid != shapes.end() ? look_of((*solid)->style.color) : BodyLook::static_body;
+    looks_.insert(frame_.looks[id]);
+    if (world.type(body) != BodyType::static_body && world.is_awake(body)) ++numbers.awake_bodies;
 }
 
-/// The body's id in the recording: a new one if the slot has another body now, or if its type or shapes have changed.
-std::uint32_t Recorder::id_of(std::uint32_t slot, BodyId body) {
-    const World& world = run_.engine.world();
-    Known& known = known_[slot];
-    const BodyType type = world.type(body);
-    const std::span<const ShapeId> shapes(shapes_.data(), world.shapes(body, shapes_));
-    if (known.body == body && known.type == type && std::equal(shapes.begin(), shapes.end(), known.shapes.begin(), known.shapes.end()))
-        return known.id;
+/// The body's id in the recording: a new one if the slot has another body now, or if the one it had would no longer show what was drawn.
+std::uint32_t Recorder::id_of(Strokes shapes, BodyId body) {
+    Known& known = known_[shapes.front()->style.slot];
+    if (known.body == body && shows(models_[known.model], shapes, run_.engine.world().transform(body))) return known.id;
     const auto id = static_cast<std::uint32_t>(frame_.bodies.size());
-    known = {body, type, {shapes.begin(), shapes.end()}, id};
+    known = {body, model_of(shapes, body), id};
     frame_.bodies.resize(id + 1);
-    frame_.awake.resize(id + 1);
-    frame_.kinds.push_back({static_cast<std::uint32_t>(type), model_of(known.shapes)});
+    frame_.looks.resize(id + 1);
+    frame_.models.push_back(known.model);
     return id;
 }
 
-/// Bodies of the same shapes share a model.
-std::uint32_t Recorder::model_of(const std::vector<ShapeId>& shapes) {
+bool Recorder::shows(const Model& model, Strokes shapes, const Transform& pose) const {
+    const auto is_shown = [&](const Outline& known, const Stroke* shape) {
+        const Outline drawn = outline_of(drawing_, *shape);
+        const auto is_there = [&](Vec2 a, Vec2 b) { return double(distance(transform_point(pose, a), b)) <= scale_.quantum; };
+        return known.radius == drawn.radius && known.solid == drawn.solid &&
+               std::equal(known.points.begin(), known.points.end(), drawn.points.begin(), drawn.points.end(), is_there);
+    };
+    return std::equal(model.begin(), model.end(), shapes.begin(), shapes.end(), is_shown);
+}
+
+/// The shapes drawn in the body's frame, without the rounding of where it is. Bodies of the same shapes share a model.
+std::uint32_t Recorder::model_of(Strokes shapes, BodyId body) {
+    const World& world = run_.engine.world();
+    std::vector<ShapeId> ids(shapes_.begin(), shapes_.begin() + world.shapes(body, shapes_));
+    std::sort(ids.begin(), ids.end(), [](ShapeId a, ShapeId b) { return a.index1 < b.index1; });  // as World::draw goes
+    Drawing local;
+    for (const ShapeId shape : ids) local.add_shape(world, shape);
     Model model;
-    // A body tells its newest shape first; drawn in the order they were made, later ones lie on top.
-    for (auto shape = shapes.rbegin(); shape != shapes.rend(); ++shape) model.push_back(outline_of(run_.engine.world(), *shape));
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        model.push_back(outline_of(local, local.strokes()[i]));
+        model.back().solid = shapes[i]->style.solid;
+    }
     const auto [entry, is_new] = model_index_.try_emplace(key_of(model), static_cast<std::uint32_t>(models_.size()));
     if (is_new) models_.push_back(std::move(model));
     return entry->second;
 }
 
-/// A contact has the same slot for as long as it lasts: its points have two ids of their own.
-void Recorder::read_contacts(FrameNumbers& numbers) {
-    const World& world = run_.engine.world();
-    frame_.contacts.clear();
-    ContactInfo contact;
-    for (std::uint32_t slot = 0; slot < world.capacity().contacts; ++slot) {
-        if (!world.contact_at(slot, contact)) continue;
-        bool touches = false;
-        for (std::uint32_t i = 0; i < contact.point_count; ++i) {
-            const ContactPoint& point = contact.points[i];
-            numbers.max_penetration = std::max(numbers.max_penetration, -double(point.separation));
-            if (point.separation >= touching) continue;
-            touches = true;
-            if (!has_contacts_) continue;
-            const double angle = std::atan2(double(contact.normal.y), double(contact.normal.x));
-            const std::int32_t x = scale_.quanta((double(point.point.x) - scale_.origin_x) / contact_quanta);
-            const std::int32_t y = scale_.quanta((double(point.point.y) - scale_.origin_y) / contact_quanta);
-            frame_.contacts.put(2 * std::size_t{slot} + i, {x, y, parts_of_turn(angle, contact_turn)});
+/// Of each point a dot is drawn and then, if the surfaces touch there, its normal. A contact has the same slot for as long as it lasts: its points have two
+/// ids of their own.
+void Recorder::read_contact(Strokes dots_and_normals, FrameNumbers& numbers) {
+    std::size_t next = 2 * std::size_t{dots_and_normals.front()->style.slot};  // id of the next point
+    bool touches = false;
+    for (const Stroke* stroke : dots_and_normals) {
+        if (stroke->style.part == DrawPart::contact) {
+            ++next;
+            continue;
         }
-        if (touches) ++numbers.touching;
+        touches = true;
+        if (!has_contacts_) break;
+        const Vec2 from = drawing_.points(*stroke)[0], way = drawing_.points(*stroke)[1] - from;
+        const std::int32_t x = scale_.quanta((double(from.x) - scale_.origin_x) / contact_quanta);
+        const std::int32_t y = scale_.quanta((double(from.y) - scale_.origin_y) / contact_quanta);
+        frame_.contacts.put(next - 1, {x, y, parts_of_turn(std::atan2(double(way.y), double(way.x)), contact_turn)});
     }
+    if (touches) ++numbers.touching;
 }
 
-JointPoint Recorder::quantised(const RecordedJoint::Point& point) const {
-    if (!point.body) return {0, point.is_anchor, scale_.x(double(point.place.x)), scale_.y(double(point.place.y))};
-    const Vec2 local = inv_transform_point(run_.engine.world().transform(point.body), point.place);
-    return {known_[point.body.index1 - 1].id + 1, point.is_anchor, scale_.quanta(double(local.x)), scale_.quanta(double(local.y))};
+QuantaPoint Recorder::exact_quanta(Vec2 place) const {
+    return {(double(place.x) - scale_.origin_x) / scale_.quantum, (double(place.y) - scale_.origin_y) / scale_.quantum};
 }
 
-void Recorder::read_joints(FrameNumbers& numbers) {
+std::uint32_t Recorder::frame_of(BodyId body, QuantaPose& pose) const {
+    if (!body) return 0;
+    const Known& known = known_[body.index1 - 1];
+    if (known.body != body || !frame_.bodies.has(known.id)) return 0;
     const World& world = run_.engine.world();
-    Table<JointLine>& joints = frame_.joints;
-    joints.clear();
-    JointLine line;
-    for (const RecordedJoint& joint : collect_joints(world)) {
-        line.clear();
-        for (const RecordedJoint::Point& point : joint.line) line.push_back(quantised(point));
-        // What is fixed to a body comes back from the world with its last digits shaken: only a real move is written.
-        if (joint.slot < joints.size() && nearly_same(joints.entries[joint.slot], line))
-            joints.live[joint.slot] = 1;
-        else
-            joints.put(joint.slot, line);
-        ++numbers.joints;
-        numbers.max_joint_error = std::max(numbers.max_joint_error, joint.linear_error);
+    const double angle = double(world.angle(body));
+    pose = {exact_quanta(world.position(body)), std::cos(angle), std::sin(angle)};
+    return known.id + 1;
+}
+
+void Recorder::read_joint(Strokes marks) {
+    const World& world = run_.engine.world();
+    const std::uint32_t slot = marks.front()->style.slot;
+    const JointId joint = world.joint_at(slot);
+    JointFrames frames;
+    frames.id_a = frame_of(world.body_a(joint), frames.a);
+    frames.id_b = frame_of(world.body_b(joint), frames.b);
+    drawn_joint_.marks.clear();
+    drawn_joint_.points.clear();
+    for (const Stroke* stroke : marks) {
+        const JointMark::Kind kind = kind_of(stroke->figure);
+        // A ring does not show how it turns.
+        const std::span<const Vec2> points = drawing_.points(*stroke).first(kind == JointMark::ring ? 1 : stroke->point_count);
+        const std::int32_t radius = kind == JointMark::ring ? scale_.quanta(double(stroke->radius)) : 0;
+        drawn_joint_.marks.push_back({kind, joint_look_of(stroke->style.color), radius, static_cast<std::uint32_t>(points.size())});
+        for (const Vec2 p : points) drawn_joint_.points.push_back(exact_quanta(p));
     }
+    find_ends(drawn_joint_, frames);
+    frame_.joints.put(slot, figures_.entry_of(slot, drawn_joint_, frames));
 }
 
 bool Recorder::keeps(int step) const { return step % stride_ == 0 || step == run_.scene.steps; }
@@ -198,7 +253,7 @@ void Recorder::thin() {
         if (!keeps(numbers.step)) continue;
         Frame frame = reader.frame();
         if (!has_contacts_) frame.contacts.clear();
-        thinner.add(frame);
+        thinner.add(frame, reader.figures());
         kept.push_back(numbers);
     }
     writer_ = std::move(thinner);

@@ -1,18 +1,21 @@
-// Records a run, step by step, for the player: see recording.hpp for the bytes, html.hpp for the page around them.
+// Records a run, step by step, for the player, from what World::draw hands out: see recording.hpp for the bytes, html.hpp for the page around them.
 #pragma once
 
 #include <map>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "recorded_joints.hpp"
+#include "drawing.hpp"
+#include "joint_figures.hpp"
 #include "recording.hpp"
 #include "runner.hpp"
 
 namespace islet::samples {
 
 /// How metres become whole quanta. A body is drawn within half a quantum, on either axis, of where it was, and turned within half a
-/// 65536th of a turn; a contact is within half of contact_quanta.
+/// 65536th of a turn; a contact is within half of contact_quanta, what is drawn of a joint within JointFigures::tolerance.
 struct Scale {
     double quantum = 1;  // m, a power of two: at most a 65536th of what the picture shows, if that is no smaller than 2^-20 m
     double origin_x = 0, origin_y = 0;  // m
@@ -38,7 +41,8 @@ struct FrameNumbers {
 /// A shape as the player draws it: points in the body's frame, rounded by the radius. One point is a circle, two are a capsule; a negative
 /// radius means lines from point to point with nothing inside.
 struct Outline {
-    float radius = 0;  // m
+    float radius = 0;   // m
+    bool solid = true;  // false: a sensor
     std::vector<Vec2> points;
 };
 using Model = std::vector<Outline>;
@@ -61,31 +65,40 @@ public:
     /// Every so many steps are recorded.
     int stride() const { return stride_; }
     bool has_contacts() const { return has_contacts_; }
+    /// What is drawn of each step.
+    const DebugDraw& drawn() const { return what_; }
+    /// Those that bodies had at any time.
+    const std::set<BodyLook>& looks() const { return looks_; }
 
 private:
     /// What is known of the body in a slot, to see when it has become another.
     struct Known {
         BodyId body;
-        BodyType type = BodyType::static_body;
-        std::vector<ShapeId> shapes;
-        std::uint32_t id = 0;  // in the recording
+        std::uint32_t model = 0, id = 0;  // in the recording
     };
+    /// Strokes that belong together.
+    using Strokes = std::span<const Stroke* const>;
 
     void record(const StepRecord& record);
-    void read_bodies();
-    void read_contacts(FrameNumbers& numbers);
-    void read_joints(FrameNumbers& numbers);
-    JointPoint quantised(const RecordedJoint::Point& point) const;
-    std::uint32_t id_of(std::uint32_t slot, BodyId body);
-    std::uint32_t model_of(const std::vector<ShapeId>& shapes);
+    void read_body(Strokes shapes, FrameNumbers& numbers);
+    void read_contact(Strokes dots_and_normals, FrameNumbers& numbers);
+    void read_joint(Strokes marks);
+    std::uint32_t id_of(Strokes shapes, BodyId body);
+    bool shows(const Model& model, Strokes shapes, const Transform& pose) const;
+    std::uint32_t model_of(Strokes shapes, BodyId body);
+    /// A body's id in the recording + 1, or 0 if nothing of it is drawn; and where it is.
+    std::uint32_t frame_of(BodyId body, QuantaPose& pose) const;
+    QuantaPoint exact_quanta(Vec2 place) const;
     void thin();
     bool keeps(int step) const;
 
     const Run& run_;
     const std::size_t budget_;
     const Scale scale_;
+    DebugDraw what_;
     int stride_ = 1;
     bool has_contacts_ = true;
+    Drawing drawing_;
     Frame frame_;
     RecordingWriter writer_;
     std::vector<FrameNumbers> numbers_;
@@ -93,6 +106,9 @@ private:
     std::vector<ShapeId> shapes_;
     std::vector<Model> models_;
     std::map<std::string, std::uint32_t> model_index_;  // by the models' bytes
+    std::set<BodyLook> looks_;
+    JointFigures figures_;
+    DrawnJoint drawn_joint_;
 };
 
 }  // namespace islet::samples

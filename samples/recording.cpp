@@ -12,9 +12,11 @@ void put_number(std::string& bytes, std::uint32_t n) {
     bytes += static_cast<char>(n);
 }
 
-void put_signed(std::string& bytes, std::int32_t n) {
-    put_number(bytes, (static_cast<std::uint32_t>(n) << 1) ^ static_cast<std::uint32_t>(n >> 31));
-}
+/// 0, -1, 1, -2, ... as 0, 1, 2, 3, ...
+std::uint32_t folded(std::int32_t n) { return (static_cast<std::uint32_t>(n) << 1) ^ static_cast<std::uint32_t>(n >> 31); }
+std::int32_t unfolded(std::uint32_t n) { return static_cast<std::int32_t>((n >> 1) ^ (0u - (n & 1))); }
+
+void put_signed(std::string& bytes, std::int32_t n) { put_number(bytes, folded(n)); }
 
 std::uint32_t take_number(std::string_view& bytes) {
     std::uint32_t n = 0;
@@ -27,10 +29,7 @@ std::uint32_t take_number(std::string_view& bytes) {
     return n;
 }
 
-std::int32_t take_signed(std::string_view& bytes) {
-    const std::uint32_t n = take_number(bytes);
-    return static_cast<std::int32_t>((n >> 1) ^ (0u - (n & 1)));
-}
+std::int32_t take_signed(std::string_view& bytes) { return unfolded(take_number(bytes)); }
 
 /// Writes the ids for which `is_in` holds, and returns them.
 template <class IsIn>
@@ -132,61 +131,110 @@ void take_table(std::string_view& bytes, Table<Place>& table, Motion& motion, co
     motion.changes = std::move(changes);
 }
 
-void put_joints(std::string& bytes, const Table<JointLine>& was, const Table<JointLine>& now) {
-    const auto same = [&](std::size_t id) { return was.has(id) && now.has(id) && was.entries[id] == now.entries[id]; };
-    put_set(bytes, now.size(), [&](std::size_t id) { return was.has(id) && !same(id); });
-    for (const std::uint32_t id : put_set(bytes, now.size(), [&](std::size_t i) { return now.has(i) && !same(i); })) {
-        put_number(bytes, static_cast<std::uint32_t>(now.entries[id].size()));
-        for (const JointPoint& point : now.entries[id]) {
-            put_number(bytes, 2 * point.frame + (point.is_dot ? 1 : 0));
-            put_signed(bytes, point.x);
-            put_signed(bytes, point.y);
+void put_figure(std::string& bytes, const JointFigure& figure) {
+    put_number(bytes, static_cast<std::uint32_t>(figure.size()));
+    JointPoint last;
+    for (const JointMark& mark : figure) {
+        put_number(bytes, 16 * static_cast<std::uint32_t>(mark.points.size()) + 4u * mark.look + mark.kind);
+        if (mark.kind == JointMark::ring) put_signed(bytes, mark.radius);
+        for (const JointPoint& point : mark.points) {
+            if (point.frame != last.frame) last = {};
+            put_number(bytes, 8 * folded(point.x - last.x) + point.frame);
+            put_signed(bytes, point.y - last.y);
+            last = point;
         }
     }
 }
 
-void take_joints(std::string_view& bytes, Table<JointLine>& joints) {
-    for (const std::uint32_t id : take_set(bytes)) joints.live[id] = 0;
-    for (const std::uint32_t id : take_set(bytes)) {
-        JointLine line;
-        for (std::uint32_t count = take_number(bytes); count > 0 && !bytes.empty(); --count) {
-            const std::uint32_t frame = take_number(bytes);
-            const std::int32_t x = take_signed(bytes), y = take_signed(bytes);
-            line.push_back({frame / 2, frame % 2 != 0, x, y});
+JointFigure take_figure(std::string_view& bytes) {
+    JointFigure figure;
+    JointPoint last;
+    for (std::uint32_t marks = take_number(bytes); marks > 0 && !bytes.empty(); --marks) {
+        const std::uint32_t head = take_number(bytes);
+        JointMark mark{static_cast<JointMark::Kind>(head % 4), static_cast<JointMark::Look>(head / 4 % 4), 0, {}};
+        if (mark.kind == JointMark::ring) mark.radius = take_signed(bytes);
+        for (std::uint32_t points = head / 16; points > 0 && !bytes.empty(); --points) {
+            const std::uint32_t x = take_number(bytes);
+            const std::int32_t y = take_signed(bytes);
+            const auto frame = static_cast<JointPoint::Frame>(x % 8);
+            if (frame != last.frame) last = {};
+            last = {frame, last.x + unfolded(x / 8), last.y + y};
+            mark.points.push_back(last);
         }
-        joints.put(id, line);
+        figure.push_back(std::move(mark));
     }
+    return figure;
 }
 
 }  // namespace
 
-void RecordingWriter::add(const Frame& frame) {
-    last_.awake.resize(frame.bodies.size());
+void RecordingWriter::add(const Frame& frame, const std::vector<JointFigure>& figures) {
+    last_.looks.resize(frame.bodies.size());
     put_table(bytes_, last_.bodies, frame.bodies, bodies_, [&](std::uint32_t id) {
-        put_number(bytes_, frame.kinds[id].type);
-        put_number(bytes_, frame.kinds[id].model);
-        last_.awake[id] = 1;
+        put_number(bytes_, static_cast<std::uint32_t>(frame.looks[id]));
+        put_number(bytes_, frame.models[id]);
+        last_.looks[id] = frame.looks[id];
     });
-    put_set(bytes_, frame.bodies.size(), [&](std::size_t id) { return frame.bodies.has(id) && frame.awake[id] != last_.awake[id]; });
+    const auto looks_otherwise = [&](std::size_t id) { return frame.bodies.has(id) && frame.looks[id] != last_.looks[id]; };
+    for (const std::uint32_t id : put_set(bytes_, frame.bodies.size(), looks_otherwise)) put_number(bytes_, static_cast<std::uint32_t>(frame.looks[id]));
     put_table(bytes_, last_.contacts, frame.contacts, contacts_, [](std::uint32_t) {});
-    put_joints(bytes_, last_.joints, frame.joints);
+    put_joints(frame.joints, figures);
     last_ = frame;
     ++frames_;
 }
 
+void RecordingWriter::put_joints(const Table<JointEntry>& joints, const std::vector<JointFigure>& figures) {
+    const Table<JointEntry>& was = last_.joints;
+    const auto same = [&](std::size_t id) { return was.has(id) && joints.has(id) && was.entries[id] == joints.entries[id]; };
+    put_set(bytes_, joints.size(), [&](std::size_t id) { return was.has(id) && !same(id); });
+    numbers_.resize(figures.size());
+    for (const std::uint32_t id : put_set(bytes_, joints.size(), [&](std::size_t i) { return joints.has(i) && !same(i); })) {
+        const JointEntry& entry = joints.entries[id];
+        std::uint32_t& number = numbers_[entry.figure];
+        if (number != 0) {
+            put_number(bytes_, number - 1);
+        } else {
+            put_number(bytes_, written_);
+            put_figure(bytes_, figures[entry.figure]);
+            number = ++written_;
+        }
+        put_number(bytes_, entry.body_b);
+        put_number(bytes_, entry.body_a);
+        if (entry.body_a != 0) continue;
+        put_signed(bytes_, entry.x);
+        put_signed(bytes_, entry.y);
+    }
+}
+
 bool RecordingReader::next() {
     if (bytes_.empty()) return false;
+    const auto take_look = [this] { return static_cast<BodyLook>(take_number(bytes_)); };
     take_table(bytes_, frame_.bodies, bodies_, [&](std::uint32_t id) {
-        frame_.kinds.resize(frame_.bodies.size());
-        frame_.awake.resize(frame_.bodies.size());
-        frame_.kinds[id].type = take_number(bytes_);
-        frame_.kinds[id].model = take_number(bytes_);
-        frame_.awake[id] = 1;
+        frame_.models.resize(frame_.bodies.size());
+        frame_.looks.resize(frame_.bodies.size());
+        frame_.looks[id] = take_look();
+        frame_.models[id] = take_number(bytes_);
     });
-    for (const std::uint32_t id : take_set(bytes_)) frame_.awake[id] ^= 1;
+    for (const std::uint32_t id : take_set(bytes_)) frame_.looks[id] = take_look();
     take_table(bytes_, frame_.contacts, contacts_, [](std::uint32_t) {});
-    take_joints(bytes_, frame_.joints);
+    take_joints();
     return true;
+}
+
+void RecordingReader::take_joints() {
+    for (const std::uint32_t id : take_set(bytes_)) frame_.joints.live[id] = 0;
+    for (const std::uint32_t id : take_set(bytes_)) {
+        JointEntry entry;
+        entry.figure = take_number(bytes_);
+        if (entry.figure == figures_.size()) figures_.push_back(take_figure(bytes_));
+        entry.body_b = take_number(bytes_);
+        entry.body_a = take_number(bytes_);
+        if (entry.body_a == 0) {
+            entry.x = take_signed(bytes_);
+            entry.y = take_signed(bytes_);
+        }
+        frame_.joints.put(id, entry);
+    }
 }
 
 }  // namespace islet::samples

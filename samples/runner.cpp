@@ -78,6 +78,7 @@ RunResult Run::run(const std::function<void(const StepRecord&)>& observer) {
     result.world_bytes = engine.world_bytes();
     result.snapshot_bytes = engine.snapshot_bytes();
     result.hash = engine.world().hash();
+    result.has_check = static_cast<bool>(scene.check);
     result.checked = check_applies_;
     if (check_applies_) result.check = scene.check(engine);
     return result;

@@ -57,7 +57,8 @@ struct RunResult {
     std::size_t world_bytes = 0, snapshot_bytes = 0;
     std::uint64_t hash = 0;
     std::vector<HashRecord> hashes;
-    bool checked = false;  // false: the run differed from what the scene's check expects
+    bool has_check = true;  // of scenes in files: false
+    bool checked = false;   // false: the run differed from what the scene's check expects
     std::vector<CheckLine> check;
 
     bool passed() const;

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "drawing.hpp"
 #include "svg_path.hpp"
 
 namespace islet::samples {
@@ -46,95 +47,13 @@ constexpr const char* trail_color = "#d98a3d";
 constexpr const char* ink = "#2c3440";
 constexpr const char* pale_ink = "#77808d";
 
-/// A solid shape: one point is a circle, with a point on its axis behind it; two are a capsule, more a polygon. Or a line of two points.
-struct Shape {
-    std::vector<Vec2> points;
-    float radius = 0;
-    bool is_circle = false, is_line = false;
-    DrawColor color = 0;
-    std::uint32_t body = 0;
-};
+using Figure = Stroke::Figure;
 
-/// What is not a shape is drawn over the shapes, as lines and dots of a colour.
+/// Lines and dots of a colour.
 struct Marks {
     PathWriter lines, dots;
 };
-
-struct Word {
-    Vec2 at;
-    std::string text;
-    DrawColor color = 0;
-};
-
-/// A line whose length says how strong an impulse is.
-struct Arrow {
-    Vec2 from, way;
-    DrawColor color = 0;
-};
-
-/// Takes what World::draw hands out.
-class Drawing {
-public:
-    explicit Drawing(const Camera& camera) : camera_(camera) {}
-    Drawing(const Drawing&) = delete;
-    Drawing& operator=(const Drawing&) = delete;
-
-    /// What `options` ask for, drawn into this; if told so without the rings of joints.
-    void take(const World& world, DebugDraw options, bool rings = true) {
-        options.view = camera_.view;
-        options.context = this;
-        options.polygon = [](std::span<const Vec2> corners, float radius, const DrawStyle& style, void* self) {
-            of(self).add_polygon(corners, radius, style);
-        };
-        options.circle = [](Vec2 center, float radius, Vec2 axis, const DrawStyle& style, void* self) {
-            of(self).add_circle(center, radius, axis, style);
-        };
-        options.capsule = [](Vec2 a, Vec2 b, float radius, const DrawStyle& style, void* self) { of(self).add_polygon({{a, b}}, radius, style); };
-        options.segment = [](Vec2 a, Vec2 b, const DrawStyle& style, void* self) { of(self).add_segment(a, b, style); };
-        if (!rings) options.circle = nullptr;
-        options.point = [](Vec2 p, const DrawStyle& style, void* self) { of(self).add_point(p, style); };
-        options.text = [](Vec2 p, const char* text, const DrawStyle& style, void* self) { of(self).words.push_back({p, text, style.color}); };
-        world.draw(options);
-    }
-
-    std::vector<Shape> shapes;
-    std::map<std::pair<DrawPart, DrawColor>, Marks> marks;
-    std::vector<Arrow> arrows;
-    std::vector<Word> words;
-    bool dark_marks = false;  // they have the colours of a row that is made for areas: lines need darker ones
-
-private:
-    static Drawing& of(void* self) { return *static_cast<Drawing*>(self); }
-
-    Marks& marks_of(const DrawStyle& style) { return marks[{style.part, style.color}]; }
-
-    void add_polygon(std::span<const Vec2> corners, float radius, const DrawStyle& style) {
-        if (style.part == DrawPart::shape)
-            shapes.push_back({{corners.begin(), corners.end()}, radius, false, false, style.color, style.slot});
-        else
-            draw_rounded(marks_of(style).lines, camera_, corners, radius);
-    }
-    void add_circle(Vec2 center, float radius, Vec2 axis, const DrawStyle& style) {
-        if (style.part == DrawPart::shape)
-            shapes.push_back({{center, center + radius * axis}, radius, true, false, style.color, style.slot});
-        else
-            draw_circle(marks_of(style).lines, camera_, center, radius);
-    }
-    void add_segment(Vec2 a, Vec2 b, const DrawStyle& style) {
-        if (style.part == DrawPart::shape)
-            shapes.push_back({{a, b}, 0, false, true, style.color, style.slot});
-        else if (style.part == DrawPart::impulse)
-            arrows.push_back({a, b - a, style.color});
-        else
-            draw_line(marks_of(style).lines, camera_, a, b);
-    }
-    void add_point(Vec2 p, const DrawStyle& style) {
-        if (style.part == DrawPart::contact && style.color == draw_color::speculative) return;
-        draw_dot(marks_of(style).dots, camera_, p);
-    }
-
-    const Camera& camera_;
-};
+using MarkLayers = std::map<std::pair<DrawPart, DrawColor>, Marks>;
 
 /// A round number of metres, 1, 2 or 5 times a power of ten, that is at least `pixels` wide.
 double round_length(const Camera& camera, double pixels) {
@@ -144,33 +63,6 @@ double round_length(const Camera& camera, double pixels) {
         if (digit * power >= least) return digit * power;
     }
     return 10 * power;
-}
-
-/// About the diameter, px: the middle of height and width, seen along the first edge.
-double size_of(const Shape& shape, const Camera& camera) {
-    const double pixels = camera.scale / units_per_pixel;
-    if (shape.is_circle) return 2 * double(shape.radius) * pixels;
-    const Vec2 along = normalize(shape.points[1] - shape.points[0]), across = left_perp(along);
-    Aabb box = {{3e30f, 3e30f}, {-3e30f, -3e30f}};
-    for (const Vec2 p : shape.points) {
-        const Vec2 turned = {dot(p, along), dot(p, across)};
-        box = merge(box, {turned, turned});
-    }
-    return 0.25 * double(perimeter(expand(box, shape.radius))) * pixels;
-}
-
-/// The middling size of the moving bodies, each by its largest shape, in pixels: lines and dots are drawn in proportion to it.
-double typical_size(const std::vector<Shape>& shapes, const Camera& camera) {
-    std::map<std::uint32_t, double> largest;
-    for (const Shape& shape : shapes) {
-        if (shape.color != draw_color::static_body) largest[shape.body] = std::max(largest[shape.body], size_of(shape, camera));
-    }
-    if (largest.empty()) return 30;
-    std::vector<double> sizes;
-    for (const auto& [body, size] : largest) sizes.push_back(size);
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return *middle;
 }
 
 /// One of a few tints, scattered so that neighbours differ without a pattern.
@@ -209,9 +101,9 @@ std::string grid(const Camera& camera) {
 }
 
 /// A line that turns with the shape.
-void draw_turn_hint(PathWriter& path, const Camera& camera, const Shape& shape) {
-    const std::vector<Vec2>& p = shape.points;
-    if (shape.is_circle) return draw_line(path, camera, p[0], lerp(p[0], p[1], 0.85f));
+void draw_turn_hint(PathWriter& path, const Camera& camera, const Drawing& drawing, const Stroke& shape) {
+    const std::span<const Vec2> p = drawing.points(shape);
+    if (shape.figure == Figure::circle) return draw_line(path, camera, p[0], lerp(p[0], p[1], 0.85f));
     Vec2 middle = {};
     for (const Vec2 corner : p) middle += (1 / static_cast<float>(p.size())) * corner;
     draw_line(path, camera, middle, p.size() == 2 ? p[1] : lerp(middle, lerp(p[0], p[1], 0.5f), 0.6f));
@@ -223,21 +115,31 @@ std::size_t rank_of(DrawColor color) {
     return static_cast<std::size_t>(style - styles.begin());
 }
 
+/// Draws a stroke's outline, or a line if it is one.
+void draw_outline(PathWriter& path, const Camera& camera, const Drawing& drawing, const Stroke& stroke) {
+    const std::span<const Vec2> p = drawing.points(stroke);
+    switch (stroke.figure) {
+    case Figure::circle: return draw_circle(path, camera, p[0], stroke.radius);
+    case Figure::segment: return draw_line(path, camera, p[0], p[1]);
+    case Figure::point: return draw_dot(path, camera, p[0]);
+    default: return draw_rounded(path, camera, p, stroke.radius);
+    }
+}
+
 /// All shapes of one colour and tint are one path: thousands of boxes then cost 30 bytes each.
-std::string shapes(const std::vector<Shape>& list, const Camera& camera, double size) {
+std::string shapes(const Drawing& drawing, const Camera& camera, double size) {
     struct Layer {
         PathWriter solids, lines, hints;
     };
     std::map<std::tuple<std::size_t, DrawColor, int>, Layer> layers;
-    for (const Shape& shape : list) {
-        Layer& layer = layers[{rank_of(shape.color), shape.color, tint_of(shape.body)}];
-        if (shape.is_line)
-            draw_line(layer.lines, camera, shape.points[0], shape.points[1]);
-        else if (shape.is_circle)
-            draw_circle(layer.solids, camera, shape.points[0], shape.radius);
-        else
-            draw_rounded(layer.solids, camera, shape.points, shape.radius);
-        if (!shape.is_line && shape.color != draw_color::static_body && size_of(shape, camera) >= 9) draw_turn_hint(layer.hints, camera, shape);
+    for (const Stroke& shape : drawing.strokes()) {
+        const DrawStyle& style = shape.style;
+        if (style.part != DrawPart::shape) continue;
+        Layer& layer = layers[{rank_of(style.color), style.color, tint_of(style.slot)}];
+        const bool is_line = shape.figure == Figure::segment;
+        draw_outline(is_line ? layer.lines : layer.solids, camera, drawing, shape);
+        if (!is_line && style.color != draw_color::static_body && size_of(drawing, shape) * camera.scale / units_per_pixel >= 9)
+            draw_turn_hint(layer.hints, camera, drawing, shape);
     }
     const double stroke = std::clamp(0.045 * size, 0.35, 1.6);
     std::string text;
@@ -280,11 +182,26 @@ Widths widths_of(DrawPart part, double size) {
     }
 }
 
-std::string marks(const Drawing& drawing, double size) {
+/// What is not a shape is drawn over the shapes, part by part and colour by colour.
+MarkLayers layers_of(const Drawing& drawing, const Camera& camera, bool with_rings) {
+    MarkLayers layers;
+    for (const Stroke& stroke : drawing.strokes()) {
+        const DrawStyle& style = stroke.style;
+        if (style.part == DrawPart::shape || style.part == DrawPart::impulse) continue;
+        if (style.part == DrawPart::joint && stroke.figure == Figure::circle && !with_rings) continue;
+        if (style.part == DrawPart::contact && style.color == draw_color::speculative) continue;
+        Marks& marks = layers[{style.part, style.color}];
+        draw_outline(stroke.figure == Figure::point ? marks.dots : marks.lines, camera, drawing, stroke);
+    }
+    return layers;
+}
+
+/// `dark`: they have the colours of a row that is made for areas, and lines need darker ones.
+std::string marks(const MarkLayers& layers, double size, bool dark) {
     std::string text;
-    for (const auto& [key, m] : drawing.marks) {
+    for (const auto& [key, m] : layers) {
         const Widths widths = widths_of(key.first, size);
-        const std::string color = css(drawing.dark_marks ? shaded(key.second, -0.3) : key.second);
+        const std::string color = css(dark ? shaded(key.second, -0.3) : key.second);
         if (!m.lines.empty()) {
             text += fmt::format("<path stroke=\"{}\" stroke-opacity=\"{:g}\" stroke-width=\"{}\" d=\"{}\"/>\n", color, widths.opacity,
                                 units(widths.line), m.lines.text());
@@ -295,13 +212,19 @@ std::string marks(const Drawing& drawing, double size) {
 }
 
 /// The strongest impulse is as long as two bodies, and the others in proportion.
-std::string impulses(const std::vector<Arrow>& arrows, const Camera& camera, double size) {
+std::string impulses(const Drawing& drawing, const Camera& camera, double size) {
+    const auto for_each = [&](const auto& visit) {
+        for (const Stroke& stroke : drawing.strokes()) {
+            const std::span<const Vec2> p = drawing.points(stroke);
+            if (stroke.style.part == DrawPart::impulse) visit(p[0], p[1] - p[0], stroke.style.color);
+        }
+    };
     float strongest = 0;
-    for (const Arrow& arrow : arrows) strongest = std::max(strongest, length(arrow.way));
+    for_each([&](Vec2, Vec2 way, DrawColor) { strongest = std::max(strongest, length(way)); });
     if (!(strongest > 0)) return {};
     const auto scale = static_cast<float>(std::clamp(2 * size, 20.0, 160.0) * units_per_pixel / camera.scale / double(strongest));
     std::map<DrawColor, PathWriter> paths;
-    for (const Arrow& arrow : arrows) draw_line(paths[arrow.color], camera, arrow.from, arrow.from + scale * arrow.way);
+    for_each([&](Vec2 from, Vec2 way, DrawColor color) { draw_line(paths[color], camera, from, from + scale * way); });
     std::string text;
     for (const auto& [color, path] : paths) text += fmt::format("<path stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"/>\n", css(color), units(1.4), path.text());
     return text;
@@ -323,7 +246,7 @@ std::string words(const std::vector<Word>& list, const Camera& camera) {
 }
 
 /// The strip below: title, numbers, what the colours mean, and a bar of a round number of metres.
-std::string caption(const std::string& title, const std::string& details, const Drawing& drawing, const Camera& camera) {
+std::string caption(const std::string& title, const std::string& details, const Drawing& drawing, const MarkLayers& layers, const Camera& camera) {
     const int top = camera.height, middle = top + units(0.5 * caption_height), base = middle + units(6);
     std::string text =
         fmt::format("<path fill=\"#fff\" d=\"M0 {}h{}v{}H0z\"/>\n<path stroke=\"#e3dfd6\" stroke-width=\"{}\" d=\"M0 {}h{}\"/>\n", top,
@@ -352,13 +275,14 @@ std::string caption(const std::string& title, const std::string& details, const 
     };
     const auto dot = [](DrawColor color) { return fmt::format("stroke=\"{}\" stroke-width=\"{}\" d=\"M0 0h0\"", css(color), units(6)); };
     const auto has = [&](DrawPart part) {
-        return std::any_of(drawing.marks.begin(), drawing.marks.end(), [part](const auto& entry) { return entry.first.first == part; });
+        return std::any_of(layers.begin(), layers.end(), [part](const auto& entry) { return entry.first.first == part; });
     };
     if (has(DrawPart::joint)) legend("joint", dot(draw_color::joint));
     if (has(DrawPart::contact)) legend("contact", dot(draw_color::pressing));
     for (auto style = styles.rbegin(); style != styles.rend(); ++style) {
         const bool used =
-            std::any_of(drawing.shapes.begin(), drawing.shapes.end(), [style](const Shape& s) { return s.color == style->color; });
+            std::any_of(drawing.strokes().begin(), drawing.strokes().end(),
+                        [style](const Stroke& s) { return s.style.part == DrawPart::shape && s.style.color == style->color; });
         if (used)
             legend(style->name, fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\" d=\"M-55-55h110v110h-110z\"", style->fills[0],
                                             style->stroke, units(1.2)));
@@ -366,21 +290,23 @@ std::string caption(const std::string& title, const std::string& details, const 
     return text;
 }
 
-/// Draws the marks of joints and contacts in sizes that go with the bodies'.
-void take_marks(Drawing& drawing, const World& world, const DebugDraw& what, const Camera& camera, double size) {
-    const auto metres = [&](double pixels) { return static_cast<float>(pixels * units_per_pixel / camera.scale); };
+/// Adds the marks of joints and contacts, in sizes that go with the bodies'.
+void add_marks(Drawing& drawing, const World& world, const DebugDraw& what, const Camera& camera, double size) {
+    const double pixels_per_metre = camera.scale / units_per_pixel;
     DebugDraw rest = what;
+    rest.view = camera.view;
     rest.shapes = rest.contacts = rest.normals = rest.impulses = false;
-    rest.size = metres(std::clamp(0.4 * size, 3.0, 18.0));
-    drawing.take(world, rest, size >= smallest_ringed);
+    rest.size = joint_mark_size(size / pixels_per_metre, pixels_per_metre);
+    drawing.add(world, rest);
     // Of specks of bodies the contacts would hide everything.
     const std::size_t contacts = world.contact_count();
     if (size < 5 || contacts > most_contacts) return;
     DebugDraw touches = what;
+    touches.view = camera.view;
     touches.shapes = touches.joints = touches.boxes = touches.fat_boxes = touches.tree = touches.centers = touches.names = false;
     touches.normals = what.normals && contacts <= most_normals;
-    touches.size = metres(std::clamp(0.2 * size, 2.0, 14.0));
-    drawing.take(world, touches);
+    touches.size = static_cast<float>(std::clamp(0.2 * size, 2.0, 14.0) / pixels_per_metre);
+    drawing.add(world, touches);
 }
 
 }  // namespace
@@ -394,14 +320,15 @@ DebugDraw usual_drawing() {
 std::string draw_svg(const Run& run, const DebugDraw& what) {
     const World& world = run.engine.world();
     const Camera camera(run.scene.view, picture_width);
-    Drawing drawing(camera);
+    Drawing drawing;
     DebugDraw only_shapes;
+    only_shapes.view = camera.view;
     only_shapes.joints = false;
     only_shapes.body_colors = what.body_colors;
-    drawing.take(world, only_shapes);
-    const double size = typical_size(drawing.shapes, camera);
-    take_marks(drawing, world, what, camera, size);
-    drawing.dark_marks = what.constraint_colors;
+    drawing.add(world, only_shapes);
+    const double typical = typical_size(drawing) * camera.scale / units_per_pixel, size = typical > 0 ? typical : 30;  // px
+    add_marks(drawing, world, what, camera, size);
+    const MarkLayers layers = layers_of(drawing, camera, size >= smallest_ringed);
 
     const EngineCounts counts = run.engine.counts();
     std::string details = fmt::format("step {}  ·  {:.4g} s  ·  {} bodies  ·  {} contacts", world.step_count(),
@@ -416,13 +343,13 @@ std::string draw_svg(const Run& run, const DebugDraw& what) {
     text += "<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     text += grid(camera);
     text += trails(run.trails, camera);
-    text += shapes(drawing.shapes, camera, size);
-    text += marks(drawing, size);
-    text += impulses(drawing.arrows, camera, size);
+    text += shapes(drawing, camera, size);
+    text += marks(layers, size, what.constraint_colors);
+    text += impulses(drawing, camera, size);
     text += "</g>\n";
-    text += words(drawing.words, camera);
+    text += words(drawing.words(), camera);
     text += "<g stroke-linecap=\"round\">\n";
-    text += caption(run.scene.name, details, drawing, camera);
+    text += caption(run.scene.name, details, drawing, layers, camera);
     text += "</g>\n</svg>\n";
     return text;
 }

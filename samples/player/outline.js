@@ -1,9 +1,11 @@
 // The shapes of bodies, and how they become paths on a canvas.
 
-/// From [radius, x, y, x, y, ...]: one point is a disc, two are a capsule, more a convex polygon whose corners the radius rounds; a
+/// From [radius, x, y, x, y, ...], for a sensor with a word before them: one point is a disc, two are a capsule, more a convex polygon whose corners the radius rounds; a
 /// negative radius means lines from point to point.
 export class Outline {
-    constructor([radius, ...numbers]) {
+    constructor(told) {
+        this.isSensor = typeof told[0] === "string";
+        const [radius, ...numbers] = this.isSensor ? told.slice(1) : told;
         this.radius = radius;
         this.points = [];
         for (let i = 0; i < numbers.length; i += 2) this.points.push({ x: numbers[i], y: numbers[i + 1] });
@@ -28,7 +30,7 @@ export class Outline {
             const py = y - (s * points[i].x + c * points[i].y) * scale;
             if (this.isDisc) {
                 context.moveTo(px + radius, py);
-                context.arc(px, py, radius, 0, 2 * Math.PI);
+                context.arc(px, py, radius, 0, 2 * Math.PI, true); // the way polygons go, or where both lie would be a hole
             } else if (rounded) {
                 // Angles grow against the clock in the world and with it on the screen.
                 const from = -(angle + this.edges[(i + points.length - 1) % points.length]);

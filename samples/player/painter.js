@@ -1,9 +1,10 @@
 // Draws a state of the recording on the canvas.
 import { roundLength } from "./camera.js";
+import { jointLooks, looks } from "./recording.js";
 
-const types = ["static", "kinematic", "dynamic"];
 const tints = 3;
 const bodiesPerPath = 200; // longer paths take longer to fill than many short ones
+const smallestRinged = 8; // pixels; on smaller bodies a hinge's ring is no more than its dot
 const smallestWithMarks = 4; // pixels; on smaller bodies contacts and joints would hide what they lie on
 const tau = 2 * Math.PI;
 
@@ -33,9 +34,9 @@ export class Painter {
         const style = getComputedStyle(document.documentElement);
         const colour = (name) => style.getPropertyValue(`--${name}`).trim();
         this.colours = {};
-        for (const name of ["paper", "grid", "axis", "trail", "contact", "joint"]) this.colours[name] = colour(name);
+        for (const name of ["paper", "grid", "axis", "trail", "contact", ...jointLooks]) this.colours[name] = colour(name);
         this.looks = {};
-        for (const look of ["static", "kinematic", "awake", "asleep"]) {
+        for (const look of [...looks, "sensor"]) {
             const fills = Array.from({ length: tints }, (_, i) => colour(`${look}-${i + 1}`) || colour(look));
             this.looks[look] = { fills, stroke: colour(`${look}-line`) };
         }
@@ -114,7 +115,7 @@ export class Painter {
     #typicalSize(state) {
         const sizes = [];
         for (let id = 0; id < state.bodies.size; ++id) {
-            if (!state.bodies.live[id] || types[state.types[id]] === "static") continue;
+            if (!state.bodies.live[id] || looks[state.looks[id]] === "static") continue;
             sizes.push(Math.max(0, ...this.models[state.models[id]].map((outline) => outline.size)));
             if (sizes.length >= 200) break;
         }
@@ -132,21 +133,26 @@ export class Painter {
     }
 
     #bodies(state, size) {
+        const sensors = [];
         const groups = new Map(); // ids by how they look, static ones first
-        for (const look of ["static", "kinematic", "asleep", "awake"]) {
+        for (const look of ["disabled", "static", "kinematic", "asleep", "awake", "bullet"]) {
             for (let tint = 0; tint < tints; ++tint) groups.set(look + tint, { look: this.looks[look], tint, ids: [] });
         }
         for (let id = 0; id < state.bodies.size; ++id) {
             if (!state.bodies.live[id]) continue;
             this.#place(state.bodies, id, this.run.quantum);
             if (!this.#sees(this.reach[state.models[id]] * this.camera.scale + 2)) continue;
-            const type = types[state.types[id]];
-            const look = type === "dynamic" ? (state.awake[id] ? "awake" : "asleep") : type;
-            groups.get(look + tintOf(id)).ids.push(id);
+            groups.get(looks[state.looks[id]] + tintOf(id)).ids.push(id);
+            if (this.models[state.models[id]].some((outline) => outline.isSensor)) sensors.push(id);
         }
         for (const { look, tint, ids } of groups.values()) {
             for (let i = 0; i < ids.length; i += bodiesPerPath) this.#paint(state, ids.slice(i, i + bodiesPerPath), look, tint, size);
         }
+        this.context.strokeStyle = this.looks.sensor.stroke;
+        this.context.lineWidth = 1;
+        this.context.beginPath();
+        this.#trace(state, sensors, (outline) => outline.isSensor);
+        this.context.stroke();
     }
 
     #paint(state, ids, look, tint, size) {
@@ -156,11 +162,11 @@ export class Painter {
         context.fillStyle = look.fills[tint];
         context.lineWidth = stroke;
         context.beginPath();
-        this.#trace(state, ids, (outline) => !outline.isLine);
+        this.#trace(state, ids, (outline) => !outline.isLine && !outline.isSensor);
         context.fill();
         if (size > 2.5) context.stroke();
         context.beginPath();
-        this.#trace(state, ids, (outline) => outline.isLine);
+        this.#trace(state, ids, (outline) => outline.isLine && !outline.isSensor);
         context.lineWidth = Math.max(1.5, stroke);
         context.stroke();
         if (size > 7) this.#spokes(state, ids);
@@ -185,7 +191,7 @@ export class Painter {
         context.beginPath();
         for (const id of ids) {
             for (const outline of this.models[state.models[id]]) {
-                if (!outline.isDisc || types[state.types[id]] === "static") continue;
+                if (!outline.isDisc || outline.isSensor || looks[state.looks[id]] === "static") continue;
                 const [from] = outline.points;
                 const to = { x: from.x + 0.8 * outline.radius, y: from.y };
                 const [x, y] = this.#pointOf(state, id, from);
@@ -208,29 +214,67 @@ export class Painter {
         return [this.x + (c * p.x - s * p.y) * scale, this.y - (s * p.x + c * p.y) * scale];
     }
 
-    /// A line through each joint's points, and a dot at each of its anchors.
+    /// What DebugDraw drew of each joint, in its colours: lines and rings, and dots where it holds its bodies.
     #joints(state, size) {
         const { context, run, camera } = this;
-        const dots = [];
-        context.beginPath();
-        for (const points of state.joints.values()) {
-            for (const [i, { body, isDot, x, y }] of points.entries()) {
-                const p = { x: x * run.quantum, y: y * run.quantum };
-                const place =
-                    body >= 0
-                        ? this.#pointOf(state, body, p)
-                        : [camera.screenX(run.origin[0] + p.x), camera.screenY(run.origin[1] + p.y)];
-                if (isDot) dots.push(place);
-                if (i === 0) context.moveTo(...place);
-                else context.lineTo(...place);
+        const paths = Object.fromEntries(jointLooks.map((look) => [look, { lines: new Path2D(), dots: [] }]));
+        for (const joint of state.joints.values()) {
+            // The ends first, which other marks may lie between: dots, or rings where there are none.
+            const dots = joint.figure.filter(({ kind }) => kind === "dot");
+            const endMarks = dots.length > 0 ? dots : joint.figure.filter(({ kind }) => kind === "ring").slice(0, 2);
+            const ends = endMarks.map(({ points }) => this.#jointPoint(state, joint, [], points[0]));
+            dots.forEach(({ look }, i) => paths[look].dots.push(ends[i]));
+            for (const { kind, look, points, radius } of joint.figure) {
+                if (kind === "dot" || (kind === "ring" && size < smallestRinged)) continue;
+                const { lines } = paths[look];
+                const places = points.map((point) => this.#jointPoint(state, joint, ends, point));
+                if (kind === "ring") {
+                    const onScreen = radius * run.quantum * camera.scale;
+                    lines.moveTo(places[0][0] + onScreen, places[0][1]);
+                    lines.arc(...places[0], onScreen, 0, tau);
+                } else {
+                    places.forEach((place, i) => (i === 0 ? lines.moveTo(...place) : lines.lineTo(...place)));
+                    if (kind === "loop") lines.closePath();
+                }
             }
         }
-        context.strokeStyle = this.colours.joint;
-        context.lineWidth = clamp(0.04 * size, 0.5, 1.6);
-        context.globalAlpha = 0.75;
-        context.stroke();
-        context.globalAlpha = 1;
-        this.#dots(dots, clamp(0.075 * size, 0.6, 3.2), this.colours.joint);
+        for (const [look, { lines, dots }] of Object.entries(paths)) {
+            context.strokeStyle = this.colours[look];
+            context.lineWidth = clamp(0.04 * size, 0.5, 1.6);
+            context.globalAlpha = 0.75;
+            context.stroke(lines);
+            context.globalAlpha = 1;
+            this.#dots(dots, clamp(0.075 * size, 0.6, 3.2), this.colours[look]);
+        }
+    }
+
+    /// Where a point of a joint's figure is on the screen.
+    #jointPoint(state, { a, b, x: freeX, y: freeY }, ends, { frame, x, y }) {
+        const { run, camera } = this;
+        const p = { x: x * run.quantum, y: y * run.quantum };
+        if (frame === "a" && a < 0) {
+            p.x += freeX * run.quantum;
+            p.y += freeY * run.quantum;
+        }
+        if (frame === "world" || (frame === "a" && a < 0)) return [camera.screenX(run.origin[0] + p.x), camera.screenY(run.origin[1] + p.y)];
+        if (frame === "a" || frame === "b") return this.#pointOf(state, frame === "a" ? a : b, p);
+        const [fromX, fromY] = ends[frame.startsWith("endB") ? 1 : 0];
+        let c, s; // of the way's angle in the world
+        let along = p.x * camera.scale;
+        const across = p.y * camera.scale;
+        if (frame.endsWith("-a") || frame.endsWith("-b")) {
+            const body = frame.endsWith("-a") ? a : b;
+            const angle = body < 0 ? 0 : (state.bodies.angle[body] / run.bodyTurn) * tau;
+            c = Math.cos(angle);
+            s = Math.sin(angle);
+        } else {
+            const dx = ends[1][0] - ends[0][0], dy = ends[0][1] - ends[1][1];
+            const far = Math.hypot(dx, dy) || 1;
+            c = dx / far;
+            s = dy / far;
+            if (frame === "between") along = (x / run.betweenParts) * far;
+        }
+        return [fromX + c * along - s * across, fromY - (s * along + c * across)];
     }
 
     /// A dot at each touching point, and a short line along its normal.

@@ -1,5 +1,5 @@
 // Puts the player together: reads what the page holds, and lets buttons, keys and time change what is shown.
-import { Recording, bytesOf } from "./recording.js";
+import { Recording, bytesOf, looks } from "./recording.js";
 import { Camera, roundLength } from "./camera.js";
 import { Outline } from "./outline.js";
 import { Painter } from "./painter.js";
@@ -142,6 +142,9 @@ function introduce() {
     }
     element("verdict").textContent = run.checked ? (run.passed ? "check passed" : "check failed") : "";
     element("verdict").classList.toggle("failed", run.checked && !run.passed);
+    const seen = run.looks.map((look) => looks[look]);
+    if (models.flat().some((outline) => outline.isSensor)) seen.push("sensor");
+    for (const entry of element("legend").children) entry.hidden = !seen.includes(entry.className);
     if (!run.contacts) document.documentElement.classList.add("no-contacts");
     if (columns.joints.every((n) => n === 0)) document.documentElement.classList.add("no-joints");
     if (window.innerWidth < 700 || window.innerHeight < 500) element("numbers-panel").open = false;

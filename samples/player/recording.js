@@ -3,6 +3,14 @@
 
 const framesPerCopy = 50;
 
+/// What the numbers in a recording stand for.
+export const looks = ["static", "kinematic", "awake", "asleep", "bullet", "disabled"];
+export const jointLooks = ["joint", "idle-joint", "limit"];
+const kinds = ["dot", "line", "loop", "ring"];
+const frames = ["world", "a", "b", "endA-b", "endB-a", "endA-way", "endB-way", "between"];
+
+const unfolded = (n) => (n >>> 1) ^ -(n & 1);
+
 /// Rows of whole numbers by id. A row's change counts only if it was made in the frame before.
 class Table {
     constructor(turn) {
@@ -34,19 +42,18 @@ class State {
     constructor(bodyTurn, contactTurn) {
         this.position = 0; // in the bytes
         this.bodies = new Table(bodyTurn);
-        this.types = []; // by body
+        this.looks = []; // by body, an index of `looks`
         this.models = []; // by body
-        this.awake = []; // by body
         this.contacts = new Table(contactTurn);
-        this.joints = new Map(); // by id; points of a line, whose body is -1 where they are fixed in the world
+        this.figures = 0; // how many the bytes have told so far
+        this.joints = new Map(); // by id: what is drawn of each, and its bodies, -1 for none; without a body a, where its first end is
     }
 
     copy() {
         const copy = Object.assign(new State(), this);
         copy.bodies = this.bodies.copy();
-        copy.types = this.types.slice();
+        copy.looks = this.looks.slice();
         copy.models = this.models.slice();
-        copy.awake = this.awake.slice();
         copy.contacts = this.contacts.copy();
         copy.joints = new Map(this.joints);
         return copy;
@@ -59,6 +66,7 @@ export class Recording {
         this.bytes = bytes;
         this.frames = run.frames;
         this.state = new State(run.bodyTurn, run.contactTurn);
+        this.figures = []; // by number; read again where frames are
         this.frame = -1; // that `state` is of; -1 before the first
         this.copies = [this.state.copy()]; // entry i is of frame i * framesPerCopy - 1
     }
@@ -86,21 +94,41 @@ export class Recording {
     #advance() {
         const { state } = this;
         this.#table(state.bodies, (id) => {
-            state.types[id] = this.#number();
+            state.looks[id] = this.#number();
             state.models[id] = this.#number();
-            state.awake[id] = 1;
         });
-        this.#set((id) => (state.awake[id] ^= 1));
+        for (const id of this.#ids()) state.looks[id] = this.#number();
         this.#table(state.contacts, () => {});
         this.#set((id) => state.joints.delete(id));
         for (const id of this.#ids()) {
-            const points = [];
-            for (let count = this.#number(); count > 0; --count) {
-                const frame = this.#number();
-                points.push({ body: (frame >> 1) - 1, isDot: (frame & 1) === 1, x: this.#signed(), y: this.#signed() });
+            const number = this.#number();
+            if (number === state.figures) {
+                state.figures += 1;
+                this.figures[number] = this.#figure();
             }
-            state.joints.set(id, points);
+            const joint = { figure: this.figures[number], b: this.#number() - 1, a: this.#number() - 1 };
+            if (joint.a < 0) Object.assign(joint, { x: this.#signed(), y: this.#signed() });
+            state.joints.set(id, joint);
         }
+    }
+
+    /// The marks of a joint, by the names above.
+    #figure() {
+        const marks = [];
+        let last = {};
+        for (let count = this.#number(); count > 0; --count) {
+            const head = this.#number();
+            const mark = { kind: kinds[head & 3], look: jointLooks[(head >> 2) & 3], points: [] };
+            if (mark.kind === "ring") mark.radius = this.#signed();
+            for (let points = head >> 4; points > 0; --points) {
+                const x = this.#number();
+                const frame = frames[x & 7], from = frame === last.frame ? last : { x: 0, y: 0 };
+                last = { frame, x: from.x + unfolded(x >>> 3), y: from.y + this.#signed() };
+                mark.points.push(last);
+            }
+            marks.push(mark);
+        }
+        return marks;
     }
 
     #table(table, readMore) {
@@ -160,8 +188,7 @@ export class Recording {
     }
 
     #signed() {
-        const n = this.#number();
-        return (n >>> 1) ^ -(n & 1);
+        return unfolded(this.#number());
     }
 
     #number() {

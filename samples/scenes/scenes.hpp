@@ -66,6 +66,9 @@ Scene make_explosion();
 Scene make_wind();
 Scene make_conveyor();
 Scene make_platformer();
+Scene make_bullets();
+Scene make_pinball();
+Scene make_merge();
 
 // benchmark
 Scene make_large_pyramid();

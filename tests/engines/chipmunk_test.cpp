@@ -299,6 +299,9 @@ TEST_F(Chipmunk, WhatItLacksIsSaid) {
     material.filter.group = 1;
     EXPECT_EQ(lacks(), "Chipmunk 7 has no groups of shapes that always collide");
     material = {};
+    scene.bodies[1].def.bullet = true;
+    EXPECT_EQ(lacks(), "Chipmunk 7 has no continuous collision, without which bullets pass through things");
+    scene.bodies[1].def.bullet = false;
     scene.bodies[1].def.sleep_threshold = 0.1f;  // of all that may sleep, so of the space
     EXPECT_EQ(lacks(), "");
     add(dynamic({5, 0}, Circle{}));

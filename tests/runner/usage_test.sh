@@ -23,6 +23,17 @@ if [ -e /dev/full ]; then
     expect 2 'cannot write all' run hello --html /dev/full
 fi
 
+"$program" scene pyramid >"$scratch/pyramid.json"
+expect 0 "$("$program" run pyramid --json | grep '"hash"')" run "$scratch/pyramid.json" --json
+expect 0 'bodies        4' run "$(dirname "$0")/../../samples/scenes/swing.json" --svg "$scratch/swing.svg"
+expect 2 'has a script' scene pinball
+expect 2 'near names: hello' scene helo
+expect 2 "cannot be read" run "$scratch/missing.json"
+printf '{"bodies": [{"shapes": [{"circle": {}, "friction": -1}]}]}' >"$scratch/rough.json"
+expect 2 "rough.json': cannot make body 0 of the scene: A number is outside its range" run "$scratch/rough.json"
+printf '{"steps": 5,\n "bodies": [}' >"$scratch/torn.json"
+expect 2 "torn.json': line 2, column 13" run "$scratch/torn.json"
+
 complain() {
     printf '%s\n' "$*"
     failures=$((failures + 1))

@@ -104,6 +104,7 @@ std::size_t Box2dEngine::create_body(const SceneBody& wanted) {
     def.gravityScale = body.def.gravity_scale;
     def.allowSleep = body.def.enable_sleep;
     def.fixedRotation = body.def.fixed_rotation;
+    def.bullet = body.def.bullet;
     b2Body* made = m.world->CreateBody(&def);
     for (const SceneShape& shape : body.shapes) m.attach(*made, shape);
 

@@ -78,6 +78,7 @@ std::string shape_lacks(const SceneShape& shape) {
 std::string body_lacks(const SceneBody& body) {
     if (body.def.lock_x || body.def.lock_y) return "locks of an axis";
     if (!body.def.enabled) return "disabled bodies";
+    if (body.def.bullet) return "continuous collision, without which bullets pass through things";
     for (const SceneShape& shape : body.shapes) {
         if (std::string what = shape_lacks(shape); !what.empty()) return what;
     }

@@ -1,0 +1,152 @@
+// Scenes as files: what is written is the same scene when it is read, to the bit, and what is no scene is refused with its place.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "engine.hpp"
+#include "scene_file.hpp"
+
+namespace {
+
+using namespace islet;
+using namespace islet::samples;
+
+std::uint64_t hash_after(const Scene& scene, int steps) {
+    IsletEngine engine;
+    engine.load(scene);
+    for (int i = 0; i < steps; ++i) engine.advance(scene, i, scene.dt);
+    return engine.world().hash();
+}
+
+class SceneFile : public testing::TestWithParam<SceneInfo> {};
+
+// Of scenes with a script the start alone: every type of joint and every field that a scene of the catalogue sets is in one of them.
+TEST_P(SceneFile, GivesTheSameBitsWhenItIsReadBack) {
+    const Scene scene = GetParam().make();
+    const std::string text = write_scene(scene);
+    const Scene read = read_scene(text);
+    EXPECT_EQ(write_scene(read), text);
+    EXPECT_EQ(read.name, scene.name);
+    EXPECT_EQ(read.steps, scene.steps);
+    EXPECT_EQ(read.traced, scene.traced);
+    EXPECT_EQ(capacity_of(read).contacts, capacity_of(scene).contacts - 7 * scene.extra_shapes);
+    const bool is_large = std::string(GetParam().group) == "benchmark";
+    if (!has_script(scene)) {
+        EXPECT_EQ(hash_after(read, is_large ? 2 : 60), hash_after(scene, is_large ? 2 : 60));
+        return;
+    }
+    // Room for what a script makes is no part of the state, nor is it in the file.
+    Scene bare = scene;
+    bare.before_step = nullptr;
+    bare.after_step = nullptr;
+    bare.world.hooks = {};
+    EXPECT_EQ(hash_after(read, 2), hash_after(bare, 2));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneFile, testing::ValuesIn(catalogue()), [](const auto& test) { return std::string(test.param.name); });
+
+/// What read_scene says of a text that is no scene.
+std::string refusal(const std::string& text) {
+    try {
+        read_scene(text);
+    } catch (const SceneFileError& error) {
+        return error.what();
+    }
+    return "it is a scene";
+}
+
+TEST(SceneFiles, TellTheDefaultsWhereTheyAreSilent) {
+    const Scene scene = read_scene("{}");
+    EXPECT_EQ(scene.steps, Scene{}.steps);
+    EXPECT_EQ(scene.world.gravity, WorldDef{}.gravity);
+    EXPECT_TRUE(scene.bodies.empty());
+    EXPECT_EQ(refusal("{}"), "it is a scene");
+}
+
+TEST(SceneFiles, TakeFieldsByTheirNames) {
+    const Scene scene = read_scene(R"({
+        "dt": 0.01, "view": [-1, -2, 3, 4], "world": {"gravity": [0, -3], "solver": {"substeps": 8, "sweep_order": "upward"}},
+        "bodies": [{"type": "kinematic", "position": [1, 2], "bullet": true,
+                    "shapes": [{"polygon": {"points": [[0, 0], [1, 1], [1, 0]], "radius": 0.1}, "filter": {"mask": 6, "group": -2}, "sensor": true}]},
+                   {"shapes": [{"chain": {"points": [[0, 0], [1, 0], [1, 1]], "loop": true}}]}, {"type": "dynamic"}],
+        "joints": [{"type": "mouse", "body": 2, "target": [5, 6], "max_force": 7}, {"type": "wheel", "body_a": 0, "body_b": 2, "spring": {"hertz": 9}}]})");
+    EXPECT_EQ(scene.dt, 0.01f);
+    EXPECT_EQ(scene.view.upper, (Vec2{3, 4}));
+    EXPECT_EQ(scene.world.gravity, (Vec2{0, -3}));
+    EXPECT_EQ(scene.world.solver.substeps, 8u);
+    EXPECT_EQ(scene.world.solver.sweep_order, SweepOrder::upward);
+    EXPECT_EQ(scene.bodies[0].def.type, BodyType::kinematic);
+    EXPECT_TRUE(scene.bodies[0].def.bullet);
+    const SceneShape& shape = scene.bodies[0].shapes[0];
+    EXPECT_EQ(std::get<Polygon>(shape.geometry).count, 3u);
+    EXPECT_EQ(std::get<Polygon>(shape.geometry).radius, 0.1f);
+    EXPECT_EQ(shape.def.filter.mask, 6u);
+    EXPECT_EQ(shape.def.filter.group, -2);
+    EXPECT_TRUE(shape.def.sensor);
+    EXPECT_TRUE(std::get<Chain>(scene.bodies[1].shapes[0].geometry).loop);
+    EXPECT_EQ(scene.joints[0].body_b, 2u);
+    EXPECT_EQ(std::get<MouseJointDef>(scene.joints[0].def).max_force, 7);
+    EXPECT_EQ(std::get<WheelJointDef>(scene.joints[1].def).spring.hertz, 9);
+    EXPECT_TRUE(std::get<WheelJointDef>(scene.joints[1].def).spring.enable) << "a wheel's own default";
+}
+
+TEST(SceneFiles, AreRefusedWithThePlaceThatIsWrong) {
+    struct Case {
+        const char *text, *refusal;
+    };
+    constexpr Case cases[] = {
+        {"", "line 1, column 1: here it ceases to be JSON"},
+        {"{\n \"steps\": 3,,\n}", "line 2, column 13: here it ceases to be JSON"},
+        {"[]", "the file: must be an object, not a list"},
+        {R"({"step": 3})", "step: there is no such field; near names: steps"},
+        {R"({"steps": 3.5})", "steps: must be a whole number, not a number like 3.5"},
+        {R"({"steps": -1})", "steps: must be from 0 to 100000000"},
+        {R"({"steps": 99999999999999999999})", "steps: must be a whole number, not a number like 1e+20"},
+        {R"({"dt": 0})", "dt: must be above 0 and at most 1 s"},
+        {R"({"view": [0, 0, 1]})", "view: must be a list of 4 numbers"},
+        {R"({"view": [1, 0, 0, 1]})", "view: must be [left, bottom, right, top]"},
+        {R"({"traced": [0]})", "traced: there is no body 0; there are 0, and the first is 0"},
+        {R"({"traced": [-1]})", "traced[0]: must be from 0 to 18446744073709551615"},
+        {R"({"world": {"gravity": [0, "down"]}})", "world.gravity[1]: must be a number, not a word"},
+        {R"({"world": {"gravity": [0, 1e39]}})", "world.gravity[1]: is too large a number"},
+        {R"({"world": {"solver": {"sweep_order": "sideways"}}})", "world.solver.sweep_order: must be colored, as_found, upward or downward"},
+        {R"({"bodies": {}})", "bodies: must be a list, not an object"},
+        {R"({"bodies": [{}, {"type": "heavy"}]})", "bodies[1].type: must be static, kinematic or dynamic"},
+        {R"({"bodies": [{"awake": 1}]})", "bodies[0].awake: must be true or false, not a number like 1"},
+        {R"({"bodies": [{"shapes": [{}]}]})", "bodies[0].shapes[0]: must have one geometry: a circle, capsule, segment, box, polygon or chain"},
+        {R"({"bodies": [{"shapes": [{"circle": {}, "box": [1, 1]}]}]})",
+         "bodies[0].shapes[0]: must have one geometry: a circle, capsule, segment, box, polygon or chain"},
+        {R"({"bodies": [{"shapes": [{"circle": {"radius": 0}}]}]})",
+         "bodies[0].shapes[0].circle: is no sound geometry: sizes must be above 0, points apart, and corners those of a convex polygon"},
+        {R"({"bodies": [{"shapes": [{"polygon": {"points": [[0, 0], [1, 0]]}}]}]})", "bodies[0].shapes[0].polygon.points: must be 3 to 8 corners"},
+        {R"({"bodies": [{"shapes": [{"polygon": {}}]}]})", "bodies[0].shapes[0].polygon: \"points\" is missing"},
+        {R"({"bodies": [{"shapes": [{"polygon": {"points": [[0, 0], [1, 0], [0, 1]], "normals": [[0, -1]]}}]}]})",
+         "bodies[0].shapes[0].polygon.normals: must be as many as there are points"},
+        {R"({"bodies": [{"shapes": [{"polygon": {"points": [[0, 0], [1, 0], [0, 1]], "normals": [[0, 1], [1, 0], [0, 0]]}}]}]})",
+         "bodies[0].shapes[0].polygon: is no sound geometry: sizes must be above 0, points apart, and corners those of a convex polygon"},
+        {R"({"bodies": [{}], "joints": [{"type": "weld", "body_a": 0, "body_b": 1}]})", "joints[0].body_b: there is no body 1; there are 1, and the first is 0"},
+        {R"({"bodies": [{}], "joints": [{"type": "glue"}]})",
+         "joints[0].type: must be revolute, prismatic, distance, weld, wheel, motor, mouse, pulley or gear"},
+        {R"({"bodies": [{}], "joints": [{"type": "gear", "joint1": 0, "joint2": 1}]})",
+         "joints[0].joint1: there is no joint before this one 0; there are 0, and the first is 0"},
+        {R"({"bodies": [{}, {}], "joints": [{"type": "weld", "body_a": 0, "body_b": 1, "motor": {}}]})", "joints[0].motor: there is no such field"},
+    };
+    for (const Case& c : cases) EXPECT_EQ(refusal(c.text), c.refusal) << c.text;
+}
+
+// Whatever is cut off or changed, a file is read or refused: nothing else happens. Sanitizers watch.
+TEST(SceneFiles, TornAndScribbledOnesAreReadOrRefused) {
+    std::string whole = write_scene(find_scene("seesaw")->make());
+    whole.pop_back();  // the last line's end
+    for (std::size_t size = 0; size < whole.size(); ++size) ASSERT_NE(refusal(whole.substr(0, size)), "it is a scene") << size;
+    EXPECT_EQ(refusal(whole), "it is a scene");
+    for (std::size_t at = 0; at < whole.size(); at += 3) {
+        for (const char c : {'"', '-', '9', '{', ']'}) {
+            std::string scribbled = whole;
+            scribbled[at] = c;
+            refusal(scribbled);
+        }
+    }
+}
+
+}  // namespace
