@@ -11,12 +11,12 @@ set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"
 
-targets=(cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 riscv32)
+targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 riscv32)  # -lto: the engine optimised as a whole at the link (ISLET_LTO)
 
 # Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
 declare -A most_flash=(
-    [cortex-m3]='183700 85200 53700' [cortex-m4f]='167300 72000 45500' [cortex-m7]='166900 71800 45300'
-    [cortex-m33]='166900 71800 45300' [cortex-m55]='167400 72000 45400' [riscv32]='178200 76700 48900'
+    [cortex-m3]='183700 82500 52000' [cortex-m4f]='167300 69900 43500' [cortex-m4f-lto]='- 65536 41200' [cortex-m7]='166900 69700 43300'
+    [cortex-m33]='166900 69700 43300' [cortex-m55]='167400 69900 43400' [riscv32]='178200 74500 46900'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
@@ -48,19 +48,16 @@ build_firmware() {
     cmake --build "$folder" --parallel "$(jobs)" >&2
 }
 
-# flash FOLDER PROGRAM: bytes of code and constants that the engine and the compiler's runtime put into the image.
-flash() {
-    local sum=0 library
-    for library in libislet.a libgcc.a; do
-        sum=$((sum + $(awk -v library="$library" -f "$root/tools/footprint/share.awk" "$1/$2.elf.map")))
-    done
-    echo "$sum"
-}
+# share FOLDER PROGRAM LIBRARY [AWK ARGUMENT...]: bytes of code and constants that it puts into the image.
+share() { awk -v library="$3" "${@:4}" -f "$root/tools/footprint/share.awk" "$1/$2.elf.map"; }
+
+# flash FOLDER PROGRAM: the engine's and the compiler's runtime's. Of what is optimised at the link nothing but the engine is.
+flash() { echo $(($(share "$1" "$2" libislet.a -v optimised=1) + $(share "$1" "$2" libgcc.a))); }
 
 # What a program on the host prints, without what only a board can tell.
 hashes() { sed -n 's/^\([a-z]*\) steps \([0-9]*\) hash \([0-9a-f]*\).*/\1 \2 \3/p'; }
 
-# deepest_stack FOLDER...: bytes that any function compiled there needs, and through which calls.
+# deepest_stack PLACE...: bytes that any function compiled there needs, and through which calls.
 deepest_stack() {
     find "$@" -name '*.ci' -print0 | sort -z | xargs -0 awk -v root="$root" -f "$root/tools/footprint/stack.awk"
 }
@@ -105,7 +102,20 @@ worlds=
 for target in "${targets[@]}"; do
     say "$target"
     folder=$root/build/firmware/$target
-    build_firmware "$target" "$target"
+    case $target in
+    *-lto)
+        build_firmware "$target" "${target%-lto}" -DISLET_LTO=ON
+        programs=(firmware smallest)
+        graphs=$folder/firmware.elf.ltrans0.ltrans.ci
+        sizes=(-)
+        ;;
+    *)
+        build_firmware "$target" "$target"
+        programs=(whole firmware smallest)
+        graphs=$folder/engine
+        sizes=()
+        ;;
+    esac
 
     # "firmware" prints what its scenes came to; ctest knows how to run it.
     status=0
@@ -115,14 +125,13 @@ for target in "${targets[@]}"; do
     [ "$(hashes <<<"$printed")" = "$wanted" ] || complain "$target: the hashes are not the host's: $(hashes <<<"$printed" | tr '\n' ' ')"
 
     read -r -a limits <<<"${most_flash[$target]}"
-    sizes=()
-    for program in whole firmware smallest; do
+    for program in "${programs[@]}"; do
         at_most "$target" "flash of $program" "$(flash "$folder" "$program")" "${limits[${#sizes[@]}]}"
         sizes+=("$(flash "$folder" "$program")")
     done
-    stack=$(deepest_stack "$folder/engine") || complain "$target: nothing bounds the engine's stack"
+    stack=$(deepest_stack "$graphs") || complain "$target: nothing bounds the engine's stack"
     deepest=${stack%% *}
-    stack=$(deepest_stack "$folder/engine" "$folder/CMakeFiles/firmware.dir") || complain "$target: nothing bounds the firmware's stack"
+    stack=$(deepest_stack "$graphs" "$folder/CMakeFiles/firmware.dir") || complain "$target: nothing bounds the firmware's stack"
     bound=${stack%% *}
     per_step() { sed -n "s/^$1 .* instructions \([0-9]*\) .*/\1/p" <<<"$printed"; }
     pyramid=$(per_step pyramid) ragdoll=$(per_step ragdoll) circles=$(per_step circles)
@@ -134,9 +143,9 @@ for target in "${targets[@]}"; do
     if [ "$target" = cortex-m3 ]; then scale=10; else scale=1; fi
     at_most "$target" 'instructions a step of the pyramid' "$pyramid" $((scale * most_instructions))
 
-    rows+=("$(printf '%-11s %9d %8d %9d %7d %9d %9d %9d' "$target" "${sizes[@]}" "$deepest" "$pyramid" "$ragdoll" "$circles")")
-    items+=("$(printf '{"target": "%s", "flash": {"every_function": %d, "every_feature": %d, "smallest": %d}, "stack": %d, ' \
-        "$target" "${sizes[@]}" "$deepest")$(printf '"instructions": {"pyramid": %d, "ragdoll": %d, "circles": %d}}' \
+    rows+=("$(printf '%-14s %9s %8d %9d %7d %9d %9d %9d' "$target" "${sizes[@]}" "$deepest" "$pyramid" "$ragdoll" "$circles")")
+    items+=("$(printf '{"target": "%s", "flash": {"every_function": %s, "every_feature": %d, "smallest": %d}, "stack": %d, ' \
+        "$target" "${sizes[@]/-/null}" "$deepest")$(printf '"instructions": {"pyramid": %d, "ragdoll": %d, "circles": %d}}' \
         "$pyramid" "$ragdoll" "$circles")")
 done
 
@@ -166,9 +175,9 @@ if [ "$mode" = json ]; then
     done <<<"$worlds"
     printf ']}\n'
 else
-    printf '%-11s %28s %7s %29s\n' '' 'flash, bytes' 'stack,' 'instructions a step'
-    printf '%-11s %9s %8s %9s %7s %9s %9s %9s\n' '' 'every' 'every' 'boxes,' '' '' '' '64'
-    printf '%-11s %9s %8s %9s %7s %9s %9s %9s\n' 'target' 'function' 'feature' 'balls' 'bytes' 'pyramid' 'ragdoll' 'balls'
+    printf '%-14s %28s %7s %29s\n' '' 'flash, bytes' 'stack,' 'instructions a step'
+    printf '%-14s %9s %8s %9s %7s %9s %9s %9s\n' '' 'every' 'every' 'boxes,' '' '' '' '64'
+    printf '%-14s %9s %8s %9s %7s %9s %9s %9s\n' 'target' 'function' 'feature' 'balls' 'bytes' 'pyramid' 'ragdoll' 'balls'
     printf '%s\n' "${rows[@]}"
     printf 'Boxes and balls with all left out that can be (ISLET_WITHOUT), on the Cortex-M4F: %d bytes.\n' "$cut"
     printf '\n%8s %8s %8s %8s %10s %14s\n' 'bodies' 'shapes' 'contacts' 'joints' 'geometries' 'memory, bytes'

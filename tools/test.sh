@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang and sanitizers; hashes of unoptimised code, on other processors and of the firmware in
-#                              microcontrollers, both emulated; pages played in a browser, and the scripts checked: what CI runs
+#   tools/test.sh --all        the same once more with clang and sanitizers, and five minutes of fuzzing under them; hashes of unoptimised code, on
+#                              other processors and of the firmware in microcontrollers, both emulated; pages played in a browser, and the scripts
+#                              checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk, GoogleTest and gnuplot with apt if they are missing (and for the options: clang, gcovr, shellcheck,
 # Node.js, npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
@@ -11,6 +12,7 @@ set -euo pipefail
 . "$(dirname "$0")/lib.sh"
 
 least_coverage=90  # %
+fuzz_seconds=300
 
 all=false
 coverage=false
@@ -19,7 +21,7 @@ for argument in "$@"; do
     --all) all=true ;;
     --coverage) coverage=true ;;
     -h | --help)
-        sed -n '2,8s/^# \{0,1\}//p' "$0"
+        sed -n '2,9s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
     *) die "$0: unknown option $argument; there are --all and --coverage" ;;
@@ -45,19 +47,70 @@ failed=false
 tools=ON    # whether run_tests builds the adapters of other engines and the comparison
 targets=()  # what it builds; everything if empty
 
-# run_tests PRESET [CTEST ARGUMENT...]: configures, builds, tests; remembers the closing lines and whether a test failed.
-run_tests() {
-    local preset=$1 log=$root/build/$1/tests.log status=0
-    shift
+# What each part took. (`times` in a subshell would tell the subshell's own.)
+laps=()
+lap_seconds=0
+lap_processor=0
+lap() {
+    local times processor
+    times=$(mktemp)
+    times >"$times"
+    processor=$(awk 'NR == 2 { gsub(/s/, ""); split($1, u, "m"); split($2, s, "m"); print int(60 * (u[1] + s[1]) + u[2] + s[2]) }' "$times")
+    rm -f "$times"
+    laps+=("$(printf '%-22s %6d s, %6d s of processor time' "$1" $((SECONDS - lap_seconds)) $((processor - lap_processor)))")
+    lap_seconds=$SECONDS
+    lap_processor=$processor
+}
+
+# build_tests PRESET
+build_tests() {
+    local preset=$1
     say "$preset: building"
     configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON \
         -DISLET_BROWSER_TESTS="$([ "$preset" = release ] && $all && echo ON || echo OFF)"
     build "$preset" "${targets[@]}"
+    lap "$preset: build"
+}
+
+# run_tests PRESET [CTEST ARGUMENT...]: remembers the closing lines and whether a test failed.
+run_tests() {
+    local preset=$1 log=$root/build/$1/tests.log status=0
+    shift
     say "$preset: testing"
     # A failed test must not end the script here: the other builds are tested too.
     ctest --test-dir "$root/build/$preset" --parallel "$(jobs)" --output-on-failure --no-tests=error "$@" | tee "$log" || status=$?
     [ "$status" -eq 0 ] || failed=true
     results+=("$preset: $(grep -E 'tests passed|No tests' "$log" || echo 'no result')$(sed -n 's/^Total Test time (real) = */, /p' "$log")")
+    lap "$preset: tests"
+}
+
+# The fuzzer that calls all of the public API, with the sanitizers' build, beside what comes next: much of that has work for one core only. An input
+# that breaks something stays in build/findings.
+fuzzing=0  # its process
+start_fuzzer() {
+    say "fuzzing in the background for $fuzz_seconds s"
+    mkdir -p "$root/build/findings"
+    "$root/build/asan-ubsan/tests/fuzz/islet_fuzz_api" -max_total_time="$fuzz_seconds" -max_len=1500 -len_control=0 -timeout=60 \
+        -artifact_prefix="$root/build/findings/api-" >"$root/build/fuzz.log" 2>&1 &
+    fuzzing=$!
+    # Should the script end early, the fuzzer must not go on alone.
+    trap 'kill "$fuzzing" 2>/dev/null || true' EXIT
+}
+finish_fuzzer() {
+    local status=0
+    say "waiting for the fuzzer"
+    wait "$fuzzing" || status=$?
+    trap - EXIT
+    if [ "$status" -eq 0 ]; then
+        results+=("fuzz: $(sed -n 's/^Done \([0-9]*\) runs in \([0-9]*\) second.*/\1 runs in \2 s/p' "$root/build/fuzz.log"), $(
+            sed -n 's/^#[0-9]*\tDONE .* ft: \([0-9]*\) .*/\1 features covered/p' "$root/build/fuzz.log"), nothing found")
+    else
+        failed=true
+        grep -v -E '^(#[0-9]+|\s*NEW_FUNC)' "$root/build/fuzz.log" | tail -n 40
+        results+=("fuzz: $(grep -m 1 -E '^islet_fuzz_api: |ERROR: |runtime error' "$root/build/fuzz.log" || echo "ended with status $status"); $(
+            sed -n 's/.*Test unit written to /see /p' "$root/build/fuzz.log")")
+    fi
+    lap "fuzzing"
 }
 
 # Line coverage of engine/ by the tests just run under the coverage preset.
@@ -107,26 +160,42 @@ fetch_browser_driver() {
 
 if $coverage; then
     find "$root/build/coverage" -name '*.gcda' -delete 2>/dev/null || true
+    build_tests coverage
     run_tests coverage
     measure_coverage
 fi
 if $all; then fetch_browser_driver; fi
-if $all || ! $coverage; then run_tests release; fi
+lap "preparing"
+if $all || ! $coverage; then
+    build_tests release
+    run_tests release
+fi
 if $all; then
+    # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
+    targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,rollback,runner,lab}_tests)
+    targets+=(islet_runner islet-lab islet_hashes islet_fuzz_api)
+    build_tests asan-ubsan
+    start_fuzzer
     check_scripts
     check_firmware
+    lap "firmware"
     check_targets
-    # Everything once more by the other compiler; but what is compared with other engines has been.
-    run_tests asan-ubsan --exclude-regex '^(reference|engines)\.'
+    lap "other processors"
+    run_tests asan-ubsan --exclude-regex '^(islet_)?(reference|engines)|fast_math'
     tools=OFF
     # Unoptimised code must give the same bits; what else the tests say, the builds above have said.
-    targets=(--target islet_determinism_tests islet_hashes islet_hashes_fast_math)
-    run_tests debug --tests-regex '^determinism\.'
+    targets=(--target islet_determinism_tests)
+    build_tests debug
+    run_tests debug --tests-regex '^determinism\.Scenes/Golden'
     # What two workers share by mistake.
     targets=(--target islet_hashes)
+    build_tests tsan
     run_tests tsan --tests-regex '^determinism\.workers_share'
+    finish_fuzzer
 fi
 
+printf '\n'
+printf '%s\n' "${laps[@]}"
 printf '\n'
 printf '%s\n' "${results[@]}"
 if $failed; then

@@ -47,13 +47,19 @@ bool play(const char* name) {
     return false;
 }
 
+struct Size {
+    islet::Capacity capacity;
+    std::size_t bytes = islet::world_bytes(capacity);
+};
+
 /// What worlds of some capacities need, all included: "world <bodies> <shapes> <contacts> <joints> <geometries> <bytes>".
 void print_sizes() {
-    constexpr islet::Capacity capacities[] = {
-        {16, 16, 48, 0, 4}, {32, 32, 96, 8, 8}, {64, 64, 192, 0, 8}, {64, 64, 192, 16, 8}, {64, 64, 192, 16, 64}, {256, 256, 1024, 16, 16}};
-    for (const islet::Capacity& c : capacities) {
+    static constexpr Size sizes[] = {
+        {{16, 16, 48, 0, 4}}, {{32, 32, 96, 8, 8}}, {{64, 64, 192, 0, 8}}, {{64, 64, 192, 16, 8}}, {{64, 64, 192, 16, 64}}, {{256, 256, 1024, 16, 16}}};
+    for (const Size& s : sizes) {
+        const islet::Capacity& c = s.capacity;
         print("world");
-        for (const std::uint32_t n : {c.bodies, c.shapes, c.contacts, c.joints, c.geometries, static_cast<std::uint32_t>(islet::world_bytes(c))}) {
+        for (const std::uint32_t n : {c.bodies, c.shapes, c.contacts, c.joints, c.geometries, static_cast<std::uint32_t>(s.bytes)}) {
             print(" ");
             print_decimal(n);
         }

@@ -37,10 +37,10 @@ Vec2 meet(Vec2 a, float from_a, Vec2 b, float from_b) {
 //         knee--ankle              top, side, hip: upper plate; ankle, knee, foot: lower plate
 //            \  /
 //            foot
-struct Leg {
+struct WalkerLeg {
     Vec2 pin, hip, top, side, ankle, knee, foot;
 
-    explicit Leg(float angle) {
+    explicit WalkerLeg(float angle) {
         const Rot q = make_rot(angle);
         pin = {crank * q.c, crank * q.s};
         hip = {-axle_x, -axle_y};
@@ -56,8 +56,8 @@ struct Leg {
 Vec2 to_side(Vec2 p, bool right) { return {right ? -p.x : p.x, p.y}; }
 
 /// The leg that a pin at `angle` drives on one side.
-Leg leg_on(bool right, float angle) {
-    Leg leg(right ? pi - angle : angle);
+WalkerLeg leg_on(bool right, float angle) {
+    WalkerLeg leg(right ? pi - angle : angle);
     for (Vec2* p : {&leg.pin, &leg.hip, &leg.top, &leg.side, &leg.ankle, &leg.knee, &leg.foot}) *p = to_side(*p, right);
     return leg;
 }
@@ -139,7 +139,7 @@ Scene make_walker() {
     scene.traced = {frame};
     for (std::size_t pin = 0; pin < pins; ++pin) {
         for (const bool right : {false, true}) {
-            const Leg leg = leg_on(right, pin_angle(0, pin));
+            const WalkerLeg leg = leg_on(right, pin_angle(0, pin));
             const std::size_t upper = add_plate(scene, axle + leg.hip, axle + leg.top, axle + leg.side, steel);
             const std::size_t lower =
                 add_plate(scene, axle + leg.ankle, axle + leg.knee, axle + leg.foot, steel, {{Circle{axle + leg.foot, sole}, rubber}});

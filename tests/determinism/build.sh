@@ -31,7 +31,7 @@ compile() {
             case $processor in x86_64 | amd64) flags+=(-mavx2) ;; esac
             ;;
         "$root"/engine/*) flags=("${engine[@]}") ;;
-        "$root"/samples/*) flags=("${exact[@]}" -I"$root/samples" -include "$folder/common.hpp") ;;
+        "$root"/samples/* | "$folder"/*) flags=("${exact[@]}" -I"$root/samples") ;;
         *) flags=(-I"$root/samples") ;; # the program is the user's: no flags but the user's own
         esac
         printf '%s\0' "$compiler -std=c++20 $* ${flags[*]} -I$root/engine/include -c $source -o $object"
@@ -40,21 +40,23 @@ compile() {
 }
 
 # build_scenes FOLDER PROCESSOR COMPILER FLAG...: the scenes and what loads them, unless they are there. Where bodies start is the same at every
-# level of optimisation, so they are built with none, and what they all include is compiled once.
+# level of optimisation, so they are built with none; and since that leaves little to do but to read what they all include, as two files.
 build_scenes() {
-    local folder=$1 processor=$2 exact
+    local folder=$1 processor=$2 sources
     shift 2
     [ ! -e "$folder/built" ] || return 0
     mkdir -p "$folder"
-    mapfile -t exact < <(exact_flags "$processor")
-    printf '#include <%s>\n' algorithm cmath functional string variant vector >"$folder/common.hpp"
-    printf '#include "engine.hpp"\n' >>"$folder/common.hpp"
-    "$@" -O0 -std=c++20 "${exact[@]}" -I"$root/samples" -I"$root/engine/include" -x c++-header "$folder/common.hpp" -o "$folder/common.hpp.gch" || return
+    mapfile -t sources < <(
+        find "$root"/samples/{scenes,prefabs} -name '*.cpp' | sort
+        printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,joint_measure,near_names,spawn}.cpp
+    )
+    local half=$((${#sources[@]} / 2))
+    printf '#include "%s"\n' "${sources[@]:0:half}" >"$folder/scenes_1.cpp"
+    printf '#include "%s"\n' "${sources[@]:half}" >"$folder/scenes_2.cpp"
     {
-        find "$root"/samples/{scenes,prefabs} -name '*.cpp' && printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,joint_measure,near_names,spawn}.cpp &&
-            case $processor in wasm*) ;; *) printf '%s\n' "$root/samples/thread_pool.cpp" ;; esac
-    } |
-        compile "$folder" "$processor" "$@" -O0 || return
+        printf '%s\n' "$folder"/scenes_{1,2}.cpp
+        case $processor in wasm*) ;; *) printf '%s\n' "$root/samples/thread_pool.cpp" ;; esac
+    } | compile "$folder" "$processor" "$@" -O0 || return
     touch "$folder/built"
 }
 

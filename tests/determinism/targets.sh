@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The same bits on every processor: builds the engine, the scenes and the program that compares hashes with golden.txt for other processors, runs it
-# there under an emulator, and prints one line per target.
+# there under an emulator, and prints one line per target, as they end.
 #   tests/determinism/targets.sh [--steps N] [WORK_FOLDER]
 # Emulators are slow, so the scenes run to their checkpoints of at most N steps (60 unless given), and the benchmark scenes are left out. Exit status 1
 # if a hash differs or a build fails. A target whose compiler or emulator is missing is left out by name. (Microcontrollers: tools/footprint.sh; other
@@ -14,16 +14,36 @@ if [ "${1:-}" = --steps ]; then
     shift 2
 fi
 work=${1:-$(mktemp -d)}
-[ $# -ge 1 ] || trap 'rm -rf "$work"' EXIT
+temporary=$([ $# -ge 1 ] && echo false || echo true)
+tidy() {
+    mapfile -t started < <(jobs -p)
+    [ ${#started[@]} -eq 0 ] || kill "${started[@]}" 2>/dev/null || true
+    if $temporary; then rm -rf "$work"; fi
+}
+trap tidy EXIT
 mkdir -p "$work"
 # shellcheck source=tests/determinism/build.sh
 . "$root/tests/determinism/build.sh"
 
-failed=false
+# Running is work for one core, compiling for many: a core each for as many targets at once keeps all of them busy.
+at_once=$jobs
+jobs=1
+running=0
+rm -f "$work/failed"
 report() { printf '%-12s %-30s %-6s %s\n' "$@"; }
 
-# check NAME PROCESSOR LANES RUN... -- COMPILER FLAG... [-- LINK_FLAG...]: RUN is what the program is started by, and may be nothing.
+# check ...: check_one in the background. (What ended before `wait -n` began has left no status, so a failure is a file.)
 check() {
+    if [ "$running" -ge "$at_once" ]; then
+        wait -n || true
+        running=$((running - 1))
+    fi
+    { check_one "$@" || touch "$work/failed"; } &
+    running=$((running + 1))
+}
+
+# check_one NAME PROCESSOR LANES RUN... -- COMPILER FLAG... [-- LINK_FLAG...]: RUN is what the program is started by, and may be nothing.
+check_one() {
     local name=$1 processor=$2 lanes=$3 run=() link=() result status=0 folder=$work/$1
     shift 3
     while [ "$1" != -- ]; do
@@ -56,16 +76,12 @@ check() {
         result="does not build: $(grep -m 1 -E 'error|undefined' "$work/$name.log" || tail -n 1 "$work/$name.log")"
         status=1
     fi
-    [ "$status" -eq 0 ] || failed=true
     report "$name" "$(basename "${command[0]}") $(printf '%s\n' "${command[@]}" | grep -m 1 -E '^-O')" "$lanes" "$result"
+    return "$status"
 }
 
 report target compiler lanes "scenes up to $steps steps, without the benchmark scenes"
-# With the instructions of this very machine at hand, and without them.
-check x86-64 x86_64 1,4,8 -- g++ -O2 -march=native
-check x86-64-clang x86_64 1,4,8 -- clang++ -O2 -march=native
-# (The 32-bit library alone, without the package that clashes with cross compilers, leaves <asm/...> where the 64-bit one has it.)
-check x86-32 i686 1,4 -- g++-12 -m32 -O2 -msse2 -idirafter /usr/include/x86_64-linux-gnu
+# The slowest emulators first.
 check aarch64 aarch64 1,4 qemu-aarch64 -- aarch64-linux-gnu-g++ -O2 -- -static
 check armhf armv7l 1 qemu-arm -- arm-linux-gnueabihf-g++ -O2 -- -static
 check riscv64 riscv64 1 qemu-riscv64 -- riscv64-linux-gnu-g++ -O2 -- -static
@@ -75,4 +91,10 @@ wasm=(clang++-16 --target=wasm32-wasi -O2 -cxx-isystem "$llvm/include/wasm32-was
 wasm_link=(-std=c++20 "-L$llvm/lib/wasm32-wasi" "$root/tests/determinism/wasm_throw.cpp" "-Wl,-z,stack-size=1048576")
 check wasm wasm32 1 node --no-warnings "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -- "${wasm_link[@]}"
 check wasm-simd wasm32 1,4 node --no-warnings "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -msimd128 -- "${wasm_link[@]}"
-if $failed; then exit 1; fi
+# With the instructions of this very machine at hand, and without them.
+check x86-64 x86_64 1,4,8 -- g++ -O2 -march=native
+check x86-64-clang x86_64 1,4,8 -- clang++ -O2 -march=native
+# (The 32-bit library alone, without the package that clashes with cross compilers, leaves <asm/...> where the 64-bit one has it.)
+check x86-32 i686 1,4 -- g++-12 -m32 -O2 -msse2 -idirafter /usr/include/x86_64-linux-gnu
+wait
+if [ -e "$work/failed" ]; then exit 1; fi

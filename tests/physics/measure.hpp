@@ -3,16 +3,10 @@
 
 #include <cmath>
 
+#include "support/effort.hpp"
 #include "support/test_world.hpp"
 
 namespace islet::test {
-
-// Asserts, sanitizers and coverage make a step several times slower: such builds (all that leave NDEBUG out) run the large scenes shorter.
-#ifdef NDEBUG
-inline constexpr bool slow_build = false;
-#else
-inline constexpr bool slow_build = true;
-#endif
 
 inline constexpr float step_time = 1.0f / 60;   // s
 inline constexpr double g = 10;                 // m/s^2, the default gravity

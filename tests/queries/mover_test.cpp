@@ -8,10 +8,12 @@
 #include <cstring>
 
 #include "known.hpp"
+#include "support/effort.hpp"
 
 namespace {
 
 using namespace islet;
+using test::cases;
 using test::TestWorld;
 
 constexpr float dt = 1.0f / 60;
@@ -674,7 +676,7 @@ TEST(Mover, NoFiniteInputGivesANaN) {
     const float sizes[] = {0, 1e-30f, 1e-6f, 0.3f, 1, 50, 1e3f, 1e6f, 1e7f, 1e30f};
     const auto number = [&] { return sizes[r.below(10)] * (r.below(2) == 0 ? 1.0f : -1.0f); };
     int steps = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < cases(20000); ++i) {
         static TestWorld w;
         if (i == 0) {
             w.add_ground(0);
@@ -701,7 +703,7 @@ TEST(Mover, NoFiniteInputGivesANaN) {
         if (i % 50 == 0) w.step();
         ASSERT_TRUE(w.is_finite()) << i;
     }
-    EXPECT_GT(steps, 2000);
+    EXPECT_GT(steps, cases(2000));
 }
 
 TEST(Mover, WhatItStoodOnMayGo) {

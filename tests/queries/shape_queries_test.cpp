@@ -4,12 +4,14 @@
 
 #include "oracle.hpp"
 #include "shapes.hpp"
+#include "support/effort.hpp"
 
 namespace {
 
 using namespace islet;
 using exact::Point;
 using oracle::Solid;
+using test::cases;
 
 constexpr double relative_error = 1e-6;
 
@@ -40,7 +42,7 @@ TEST(ShapeQueries, SeparationIsThatOfTheExactFormulasFor200000RandomPairs) {
     exact::Random r;
     double worst = 0;
     int overlapping = 0;
-    for (int i = 0; i < 200000; ++i) {
+    for (int i = 0; i < cases(200000); ++i) {
         const Pair c = random_pair(r, true);
         const double scale = oracle::scale_of(c.exact_a, c.exact_b), tolerance = relative_error * scale;
         const double want = oracle::signed_distance(c.exact_a, c.exact_b);
@@ -58,7 +60,7 @@ TEST(ShapeQueries, SeparationIsThatOfTheExactFormulasFor200000RandomPairs) {
         ASSERT_EQ(overlaps(c.a, c.b), got.distance <= 0);
         overlapping += want < 0 ? 1 : 0;
     }
-    EXPECT_GT(overlapping, 20000);
+    EXPECT_GT(overlapping, cases(20000));
     EXPECT_LT(overlapping, 180000);
     std::printf("separation: worst error %.2g of the size\n", worst);
 }
@@ -118,7 +120,7 @@ TEST(ShapeQueries, RaysMeetWhatTheExactFormulasMeetIn200000RandomCases) {
     exact::Random r;
     int hits = 0;
     double worst = 0;
-    for (int i = 0; i < 200000; ++i) {
+    for (int i = 0; i < cases(200000); ++i) {
         const Pair c = random_pair(r, true);
         const Vec2 o{r.in(-4 * c.size, 4 * c.size), r.in(-4 * c.size, 4 * c.size)};
         const Vec2 aim = c.b.points[0] + Vec2{r.in(-0.7 * c.size, 0.7 * c.size), r.in(-0.7 * c.size, 0.7 * c.size)};
@@ -127,7 +129,7 @@ TEST(ShapeQueries, RaysMeetWhatTheExactFormulasMeetIn200000RandomCases) {
         check_cast(i, {{exact::of(o)}, 0, false}, exact::of(d), c.exact_b, got, text(c.b), hits, worst);
         if (HasFatalFailure()) return;
     }
-    EXPECT_GT(hits, 20000);
+    EXPECT_GT(hits, cases(20000));
     std::printf("rays: %d hits, worst error %.2g of the size\n", hits, worst);
 }
 
@@ -135,7 +137,7 @@ TEST(ShapeQueries, MovingShapesMeetWhatTheExactSweepMeetsIn200000RandomCases) {
     exact::Random r;
     int hits = 0;
     double worst = 0;
-    for (int i = 0; i < 200000; ++i) {
+    for (int i = 0; i < cases(200000); ++i) {
         Pair c = random_pair(r, true);
         const Vec2 from{r.in(-3 * c.size, 3 * c.size), r.in(-3 * c.size, 3 * c.size)};
         const ShapeProxy a = transform_proxy({from, {}}, c.a);
@@ -145,7 +147,7 @@ TEST(ShapeQueries, MovingShapesMeetWhatTheExactSweepMeetsIn200000RandomCases) {
         check_cast(i, oracle::solid_of(a), exact::of(d), c.exact_b, got, text(a) + " against " + text(c.b), hits, worst);
         if (HasFatalFailure()) return;
     }
-    EXPECT_GT(hits, 40000);
+    EXPECT_GT(hits, cases(40000));
     std::printf("moving shapes: %d hits, worst error %.2g of the size\n", hits, worst);
 }
 
@@ -173,7 +175,7 @@ TEST(ShapeQueries, ARayFromTheSurfaceMeetsItOnlyOnTheWayIn) {
 
 TEST(ShapeQueries, NoRaySlipsThroughTheCornerThatTwoSegmentsShare) {
     exact::Random r;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < cases(100000); ++i) {
         const Vec2 left{r.in(-20, -5), r.in(-2, 2)}, middle{r.in(-1, 1), r.in(-1, 1)}, right{r.in(5, 20), r.in(-2, 2)};
         const ShapeProxy one = make_proxy(Segment{left, middle}), two = make_proxy(Segment{middle, right});
         // Aimed at the very corner, from above and from below.
@@ -223,7 +225,7 @@ TEST(ShapeQueries, NoFiniteInputGivesANaN) {
     const float sizes[] = {1e-30f, 1e-9f, 1e-3f, 1, 1e3f, 1e7f};
     const auto number = [&] { return sizes[r.below(6)] * static_cast<float>(static_cast<int>(r.below(5)) - 2); };
     int hits = 0;
-    for (int i = 0; i < 200000; ++i) {
+    for (int i = 0; i < cases(200000); ++i) {
         // Corners in any order: mostly invalid ones, which must be refused; of one and two points, all alike as well.
         ShapeProxy p[2];
         for (ShapeProxy& s : p) {
@@ -239,7 +241,7 @@ TEST(ShapeQueries, NoFiniteInputGivesANaN) {
         ASSERT_TRUE(is_finite(apart.distance) && is_finite(apart.point_a) && is_finite(apart.point_b) && is_finite(apart.normal)) << i;
         hits += ray.hit || cast.hit ? 1 : 0;
     }
-    EXPECT_GT(hits, 10000);
+    EXPECT_GT(hits, cases(10000));
 }
 
 TEST(ShapeQueries, WhatIsNotValidIsMetByNothing) {

@@ -6,6 +6,7 @@
 
 #include "collide/manifold.hpp"
 #include "exact_geometry.hpp"
+#include "support/effort.hpp"
 
 namespace {
 
@@ -13,6 +14,8 @@ using namespace islet;
 using exact::Core;
 using exact::Point;
 using islet::detail::Manifold;
+using test::cases;
+using test::stride;
 
 constexpr float margin = islet::detail::speculative_distance;
 constexpr double tie = 0.1 * 0.005;         // m: face contact is preferred to corners where it is no more than this worse
@@ -135,7 +138,7 @@ TEST(FlatChain, WhateverIsDraggedAcrossFeelsOnlyTheNormalUp) {
         for (float angle : {0.0f, 0.001f, -0.02f, 0.3f, 1.0f, -1.5f, 1.5707963f}) {
             const float rest = resting_pose(chain, body.shape, 0.3f, angle).p.y;
             for (float height : {-0.01f, -0.004f, 0.0f, 0.01f}) {
-                for (float x = -4; x < 4; x += 0.0137f) {
+                for (float x = -4; x < 4; x += stride * 0.0137f) {
                     const Transform t = {{x, rest + height}, make_rot(angle)};
                     double least = 1e9;
                     for (std::size_t i = 0; i < chain.links(); ++i) {
@@ -153,7 +156,7 @@ TEST(FlatChain, WhateverIsDraggedAcrossFeelsOnlyTheNormalUp) {
             }
         }
     }
-    EXPECT_GT(contacts, 10000);
+    EXPECT_GT(contacts, cases(10000));
 }
 
 TEST(HillyChain, OnlyNormalsBetweenTheNeighboursAreUsed) {
@@ -161,7 +164,7 @@ TEST(HillyChain, OnlyNormalsBetweenTheNeighboursAreUsed) {
     int contacts = 0;
     for (const Body& body : bodies()) {
         for (float angle : {0.0f, 0.1f, -0.7854f, 1.2f, 2.0f}) {
-            for (float x = -6; x < 6; x += 0.0731f) {
+            for (float x = -6; x < 6; x += stride * 0.0731f) {
                 const Transform rest = resting_pose(chain, body.shape, x, angle);
                 for (float height : {-0.005f, -0.001f, 0.003f, 0.015f}) {
                     const Transform t = {{x, rest.p.y + height}, rest.q};
@@ -177,14 +180,14 @@ TEST(HillyChain, OnlyNormalsBetweenTheNeighboursAreUsed) {
             }
         }
     }
-    EXPECT_GT(contacts, 10000);
+    EXPECT_GT(contacts, cases(10000));
 }
 
 TEST(HillyChain, TheNearestLinkReportsTheExactDistance) {
     const Chain chain = hilly_chain();
     for (const Body& body : bodies()) {
         for (float angle : {0.0f, 0.1f, -0.7854f, 1.2f, 2.0f}) {
-            for (float x = -6; x < 6; x += 0.0531f) {
+            for (float x = -6; x < 6; x += stride * 0.0531f) {
                 Transform t = resting_pose(chain, body.shape, x, angle);
                 t.p.y += 0.006f;
                 const double want = distance_to(chain, body.shape, t);

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "exact_geometry.hpp"
+#include "support/effort.hpp"
 
 namespace {
 
 using exact::Core;
 using exact::Point;
+using islet::test::cases;
 using islet::Transform;
 using islet::Vec2;
 using islet::detail::ConvexProxy;
@@ -56,7 +58,7 @@ TEST(Distance, AgreesWithTheExactSearchFor200000RandomPairs) {
     exact::Random r;
     double worst = 0;
     int apart = 0;
-    for (int i = 0; i < 200000; ++i) {
+    for (int i = 0; i < cases(200000); ++i) {
         const Case c = random_case(r);
         const DistanceResult got = islet::detail::distance(c.a, c.b, c.pose);
         const double want = exact::distance(c.exact_a, c.exact_b);
@@ -65,14 +67,14 @@ TEST(Distance, AgreesWithTheExactSearchFor200000RandomPairs) {
         apart += want > 0 ? 1 : 0;
         ASSERT_LT(error, relative_error) << "case " << i << ": got " << got.distance << ", exact " << want;
     }
-    EXPECT_GT(apart, 50000);
-    EXPECT_LT(apart, 190000);
+    EXPECT_GT(apart, cases(50000));
+    EXPECT_LT(apart, cases(190000));
     RecordProperty("worst_relative_error_e9", static_cast<int>(worst * 1e9));
 }
 
 TEST(Distance, ClosestPointsLieOnTheShapesAndAreThatFarApart) {
     exact::Random r;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < cases(100000); ++i) {
         const Case c = random_case(r);
         const DistanceResult got = islet::detail::distance(c.a, c.b, c.pose);
         const double tolerance = relative_error * c.scale;

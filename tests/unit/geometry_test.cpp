@@ -11,9 +11,12 @@
 #include <random>
 #include <vector>
 
+#include "support/effort.hpp"
+
 namespace {
 
 using namespace islet;
+using test::cases;
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -73,7 +76,7 @@ TEST(Hull, HasExactlyTheCornersOfTheDefinition) {
     // Points on a coarse grid: all arithmetic is exact, and duplicates and collinear triples are plenty.
     std::mt19937 random(1);
     int with_hull = 0;
-    for (int trial = 0; trial < 12000; ++trial) {
+    for (int trial = 0; trial < cases(12000); ++trial) {
         const auto count = 3 + random() % 6;
         const auto size = 2 + random() % 6;
         std::vector<Vec2> points(count);
@@ -89,13 +92,13 @@ TEST(Hull, HasExactlyTheCornersOfTheDefinition) {
         ASSERT_EQ(found, expected) << "trial " << trial;
         with_hull += hull.count > 0;
     }
-    EXPECT_GT(with_hull, 8000);
+    EXPECT_GT(with_hull, cases(8000));
 }
 
 TEST(Hull, HoldsEveryPointUpToTheDroppedCornersAtAnyScaleAndPlace) {
     std::mt19937 random(2);
     std::uniform_real_distribution<float> unit(-1, 1), exponent(-6, 6);
-    for (int trial = 0; trial < 20000; ++trial) {
+    for (int trial = 0; trial < cases(20000); ++trial) {
         const float size = std::exp2(exponent(random));
         const Vec2 place{unit(random) * 1000, unit(random) * 1000};
         std::vector<Vec2> points(3 + random() % 6);
@@ -408,7 +411,7 @@ TEST(Bounds, AreTightAroundTheMovedOutlineOfEveryShape) {
 TEST(Validity, AcceptsWhatTheMakersMake) {
     std::mt19937 random(8);
     std::uniform_real_distribution<float> number(-1, 1), exponent(-8, 10);
-    for (int trial = 0; trial < 20000; ++trial) {
+    for (int trial = 0; trial < cases(20000); ++trial) {
         const Vec2 place{1000 * number(random), 1000 * number(random)};
         const Hull hull = [&] {
             const float size = std::exp2(exponent(random));

@@ -9,12 +9,14 @@
 
 #include "collide/outline.hpp"
 #include "exact_geometry.hpp"
+#include "support/effort.hpp"
 
 namespace {
 
 using namespace islet;
 using exact::Core;
 using exact::Point;
+using islet::test::cases;
 using islet::detail::collide;
 using islet::detail::linear_slop;
 using islet::detail::Manifold;
@@ -97,7 +99,7 @@ TEST(PolygonManifold, SeparationIsTheExactDistanceWhenTheCoresAreApart) {
     // Face contact is preferred where it is at most 0.5 mm worse than the true closest points: that is the tolerance.
     exact::Random r;
     int in_contact = 0;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < cases(100000); ++i) {
         const Pair p = random_pair(r, 0.05);
         const double core = exact::distance(p.core_a, p.core_b);
         if (core <= tie) continue;
@@ -119,13 +121,13 @@ TEST(PolygonManifold, SeparationIsTheExactDistanceWhenTheCoresAreApart) {
             ASSERT_LE(exact::to_core(p.core_b, on_b(m, k)), as_double(p.b.radius) + rounding) << what;
         }
     }
-    EXPECT_GT(in_contact, 20000);
+    EXPECT_GT(in_contact, cases(20000));
 }
 
 TEST(PolygonManifold, ShallowOverlapIsMeasuredAlongTheAxisOfLeastPenetration) {
     exact::Random r;
     int measured = 0, other_depth = 0;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < cases(100000); ++i) {
         Pair p = random_pair(r, 0.05);
         p.radii = as_double(p.a.radius = 0) + as_double(p.b.radius = 0);
         const double bound = std::max(exact::best_face_gap(p.core_a, p.core_b), exact::best_face_gap(p.core_b, p.core_a));
@@ -144,14 +146,14 @@ TEST(PolygonManifold, ShallowOverlapIsMeasuredAlongTheAxisOfLeastPenetration) {
             ASSERT_LE(exact::to_outline(p.core_b, on_b(m, k)), rounding) << what;
         }
     }
-    EXPECT_GT(measured, 10000);
+    EXPECT_GT(measured, cases(10000));
     // The deepest corner may lie beside the reference face when shapes are smaller than their overlap; then the clipped points say less.
     EXPECT_LT(other_depth, measured / 100);
 }
 
 TEST(PolygonManifold, DeepOverlapUsesTheAxisOfLeastPenetration) {
     exact::Random r;
-    for (int i = 0; i < 50000; ++i) {
+    for (int i = 0; i < cases(50000); ++i) {
         Pair p = random_pair(r, 0.05);
         p.pose.p = {r.in(-0.5, 0.5), r.in(-0.5, 0.5)};
         p.core_b = exact::core_of(p.b, p.pose);
@@ -169,7 +171,7 @@ TEST(PolygonManifold, DeepOverlapUsesTheAxisOfLeastPenetration) {
 TEST(PolygonManifold, SwappingTheShapesMirrorsTheManifold) {
     exact::Random r;
     int compared = 0;
-    for (int i = 0; i < 60000; ++i) {
+    for (int i = 0; i < cases(60000); ++i) {
         const Pair p = random_pair(r, 0.03);
         const Transform back = {inv_rotate(p.pose.q, -p.pose.p), inverse(p.pose.q)};
         const Manifold m = collide(p.a, p.b, p.pose, margin);
@@ -202,13 +204,13 @@ TEST(PolygonManifold, SwappingTheShapesMirrorsTheManifold) {
             ASSERT_TRUE(found) << "case " << i << " point " << k;
         }
     }
-    EXPECT_GT(compared, 20000);
+    EXPECT_GT(compared, cases(20000));
 }
 
 TEST(PolygonManifold, TheFastPathForBoxesAgreesWithTheGeneralOne) {
     exact::Random r;
     int compared = 0;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < cases(100000); ++i) {
         const Polygon a = make_offset_box(r.in(0.1, 1), r.in(0.1, 1), r.pose(1), r.below(2) ? 0.0f : r.in(0.01, 0.1));
         const Polygon b = make_offset_box(r.in(0.1, 1), r.in(0.1, 1), r.pose(1), r.below(2) ? 0.0f : r.in(0.01, 0.1));
         ASSERT_TRUE(detail::is_box(a) && detail::is_box(b));
@@ -234,7 +236,7 @@ TEST(PolygonManifold, TheFastPathForBoxesAgreesWithTheGeneralOne) {
         }
         compared += fast.count > 0 ? 1 : 0;
     }
-    EXPECT_GT(compared, 20000);
+    EXPECT_GT(compared, cases(20000));
 }
 
 TEST(PolygonManifold, FarFromTheBodysOriginItStaysAccurate) {
@@ -365,7 +367,7 @@ TEST(Capsules, EndToEndTouchInOnePoint) {
 TEST(Capsules, SeparationIsTheExactDistanceOfTheAxes) {
     exact::Random r;
     int in_contact = 0;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < cases(100000); ++i) {
         const Capsule a = {{r.in(-1, 1), r.in(-1, 1)}, {r.in(-1, 1), r.in(-1, 1)}, r.in(0.05, 0.5)};
         const Capsule b = {{r.in(-1, 1), r.in(-1, 1)}, {r.in(-1, 1), r.in(-1, 1)}, r.in(0.05, 0.5)};
         if (!is_valid(a) || !is_valid(b)) continue;
@@ -394,13 +396,13 @@ TEST(Capsules, SeparationIsTheExactDistanceOfTheAxes) {
             ASSERT_LE(deepest(m), gap + 2 * tie + rounding) << what;
         }
     }
-    EXPECT_GT(in_contact, 20000);
+    EXPECT_GT(in_contact, cases(20000));
 }
 
 TEST(CircleManifold, SeparationIsTheExactDistanceFromEveryShape) {
     exact::Random r;
     int in_contact = 0;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < cases(100000); ++i) {
         const Polygon polygon = exact::random_polygon(r, 1, r.below(2) ? 0.0f : r.in(0.01, 0.2));
         const Capsule capsule = {{r.in(-1, 0), r.in(-1, 1)}, {r.in(0.1, 1), r.in(-1, 1)}, r.in(0.05, 0.5)};
         const Circle circle = {{r.in(-1, 1), r.in(-1, 1)}, r.in(0.05, 0.5)};
@@ -413,7 +415,7 @@ TEST(CircleManifold, SeparationIsTheExactDistanceFromEveryShape) {
         } cases[] = {
             {collide(polygon, circle, pose, margin), exact::core_of(polygon), polygon.radius},
             {collide(capsule, circle, pose, margin), {exact::of(capsule.point1), exact::of(capsule.point2)}, capsule.radius},
-            {collide(Segment{capsule.point1, capsule.point2}, circle, pose, margin),
+            {collide(Capsule{capsule.point1, capsule.point2, 0}, circle, pose, margin),
              {exact::of(capsule.point1), exact::of(capsule.point2)},
              0},
             {collide(Circle{capsule.point1, capsule.radius}, circle, pose, margin), {exact::of(capsule.point1)}, capsule.radius},
@@ -432,7 +434,7 @@ TEST(CircleManifold, SeparationIsTheExactDistanceFromEveryShape) {
             if (core > 0.01) { ASSERT_NEAR(exact::to_core(c.core, on_a(c.m, 0)), as_double(c.radius), rounding) << what; }
         }
     }
-    EXPECT_GT(in_contact, 50000);
+    EXPECT_GT(in_contact, cases(50000));
 }
 
 // -- every pair at the same four poses ---------------------------------------------------------------------------------------------------
@@ -452,12 +454,12 @@ NamedPair named(const char* name, float height, A a, B b) {
 std::vector<NamedPair> all_pairs() {
     const Circle circle = {{}, 0.5f};
     const Capsule capsule = {{-0.5f, 0}, {0.5f, 0}, 0.25f};
-    const Segment segment = {{1, 0}, {-1, 0}};
+    const Capsule segment = {{1, 0}, {-1, 0}, 0};
     const Polygon box = make_box(1, 0.5f);
     const Polygon round_box = make_rounded_box(0.9f, 0.4f, 0.1f);
     const Vec2 corners[] = {{-1, -0.5f}, {1, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}, {0, 0.75f}};
     const Polygon house = make_polygon(compute_hull(corners));
-    const ChainSegment link = {{3, 0}, segment, {-3, 0}};
+    const ChainSegment link = {{3, 0}, {segment.point1, segment.point2}, {-3, 0}};
     return {
         named("circle-circle", 1.0f, circle, circle),         named("capsule-circle", 0.75f, capsule, circle),
         named("capsule-capsule", 0.5f, capsule, capsule),     named("segment-circle", 0.5f, segment, circle),
@@ -505,7 +507,7 @@ TEST(EveryPair, PushesADeepOverlapApart) {
 TEST(EveryPair, IsFiniteAndUnitHoweverTheShapesCoincide) {
     exact::Random r;
     for (const NamedPair& pair : all_pairs()) {
-        for (int i = 0; i < 20000; ++i) {
+        for (int i = 0; i < cases(20000); ++i) {
             // Coincident, nearly coincident (down to denormal), quarter turns, and anything.
             Transform t = r.pose(std::pow(10.0, as_double(r.in(-45, 1))));
             if (i % 3 == 0) t.p = {};

@@ -9,11 +9,13 @@
 #include <random>
 
 #include "islet/math.hpp"
+#include "support/effort.hpp"
 
 namespace {
 
 using islet::Rot;
 using islet::Vec2;
+using islet::test::cases;
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -130,7 +132,7 @@ TEST(Atan2, IsWithin13e8InTheRightHalfPlaneAnd19e8InTheLeft) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> angle(-3.1415, 3.1415), exponent(-30, 30);
     long double worst_right = 0, worst_left = 0;
-    for (int i = 0; i < 1000000; ++i) {
+    for (int i = 0; i < cases(1000000); ++i) {
         const double a = angle(random), r = std::exp2(exponent(random));
         const float x = static_cast<float>(r * std::cos(a)), y = static_cast<float>(r * std::sin(a));
         const long double error = std::fabs(islet::atan2(y, x) - std::atan2(static_cast<long double>(y), static_cast<long double>(x)));
@@ -142,7 +144,7 @@ TEST(Atan2, IsWithin13e8InTheRightHalfPlaneAnd19e8InTheLeft) {
 
 TEST(Atan2, HoldsForEveryMagnitudeFromDenormalsToTheLargestFloat) {
     std::mt19937 random(2);
-    for (int i = 0; i < 1000000; ++i) {
+    for (int i = 0; i < cases(1000000); ++i) {
         const float y = std::bit_cast<float>(static_cast<std::uint32_t>(random())),
                     x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
         if (!std::isfinite(x) || !std::isfinite(y)) continue;
@@ -220,7 +222,7 @@ TEST(Integrate, KeepsUnitLengthOverAMillionSteps) {
     for (const float step : {1e-6f, 0.001f, -0.05f, 0.3f}) {
         Rot q;
         long double worst = 0;
-        for (int i = 0; i < 1000000; ++i) {
+        for (int i = 0; i < cases(1000000); ++i) {
             q = islet::integrate(q, step);
             worst = std::fmax(worst, unit_error(q));
         }

@@ -1,6 +1,8 @@
 # Bytes of flash that one library has in an image, from GNU ld's map:
 #
-#   awk -v library=NAME.a -f share.awk FILE.map
+#   awk -v library=NAME.a [-v optimised=1] -f share.awk FILE.map
+#
+# optimised: whatever was made at the link (-flto) is the library's.
 
 function number(hex,    i, n) {
     n = 0
@@ -12,7 +14,7 @@ function number(hex,    i, n) {
 /^\.bss|^\.stack|^\/DISCARD\// { mapped = 0 }
 
 # A section's name may stand on a line of its own; then come address, size and file.
-mapped && index($0, library "(") {
+mapped && (index($0, library "(") || (optimised && /\.ltrans\.o$/)) {
     for (i = 1; i < NF; ++i) {
         if ($i ~ /^0x/ && $(i + 1) ~ /^0x/) {
             sum += number($(i + 1))

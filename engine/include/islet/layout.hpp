@@ -21,6 +21,12 @@ inline constexpr std::size_t world_alignment = 64;
 /// No capacity may exceed this.
 inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u << 18;
 
+/// Whether a world can be made with such a capacity.
+constexpr bool is_valid(const Capacity& c) {
+    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= max_capacity && c.shapes <= max_capacity && c.contacts <= max_capacity &&
+           c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity;
+}
+
 namespace detail {
 
 inline constexpr std::size_t core_bytes = 640;  // room for Core inside World

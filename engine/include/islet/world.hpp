@@ -16,8 +16,12 @@ struct DebugDraw;      // debug_draw.hpp
 struct DrawStyle;
 struct IslandProblem;  // island.hpp
 
+class World;
+
 namespace detail {
 struct Core;
+/// StaticWorld::create: for a valid capacity, its layout, and a block of that size.
+World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& def);
 }
 
 /// A world lives at the start of the block of memory it was created in and never moves, allocates or frees. Not copyable.
@@ -43,7 +47,8 @@ public:
     Vec2 gravity() const;
     void set_gravity(Vec2 gravity);
     SolverDef solver() const;
-    /// Out of range values are refused (out_of_range) and nothing changes.
+    /// Out of range values are refused (out_of_range) and nothing changes. (In a lean build, ISLET_LEAN, only programs that call this function can sweep
+    /// contacts in another order or as blocks, and have shock propagation; World::create refuses them in others.)
     void set_solver(const SolverDef& solver);
     /// m/s: how far the impulses of the body's island were from solving its constraints when the last step ended: the most by which solving any one contact
     /// or joint alone would still change the velocity of a body (its turning at its radius of gyration). 0 at a solution and nowhere else; and for what
@@ -438,6 +443,7 @@ public:
 
 private:
     friend struct detail::Core;
+    friend World& detail::create_static(std::byte* block, const Capacity& capacity, const detail::Layout& layout, const WorldDef& def);
     World() = default;
     ~World() = default;
     detail::Core& core();
@@ -448,26 +454,22 @@ private:
 
 static_assert(sizeof(World) <= detail::host_bytes);
 
-namespace detail {
-/// The world that StaticWorld falls back to: default definition, last_error() already set to `error`.
-World& create_default(std::span<std::byte> block, const Capacity& capacity, Error error);
-}
-
 /// A world with its memory inside: for static storage, the stack or a member. world() may be called after create().
 template <Capacity C>
 class StaticWorld {
+    static_assert(is_valid(C), "bodies, shapes and contacts must be above 0, and nothing above max_capacity");
+
 public:
     /// Makes the world anew, dropping whatever it held. A definition that breaks its rules falls back to the default one with the error set:
     /// see World::last_error.
     World& create(const WorldDef& def = {}) {
-        Error error = Error::none;
-        World* world = World::create(block_, C, def, &error);
-        return world != nullptr ? *world : detail::create_default(block_, C, error);
+        return detail::create_static(block_, C, layout, def);
     }
     static constexpr std::size_t bytes = world_bytes(C);
 
 private:
-    alignas(world_alignment) std::byte block_[world_bytes(C)];
+    static constexpr detail::Layout layout = detail::layout_of(C);
+    alignas(world_alignment) std::byte block_[bytes];
 };
 
 }  // namespace islet

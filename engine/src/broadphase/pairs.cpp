@@ -178,6 +178,28 @@ void sweep(PairBuffer& out, const Columns& all, const Columns& moved) {
     }
 }
 
+inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are worth a task
+inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness: who may move more in a step looks ahead for contacts
+
+Aabb surroundings_of(const Pose& pose) {
+    const float reach = pose.max_extent + surroundings(pose);
+    return expand({pose.center, pose.center}, reach);
+}
+
+// Notes whether the body is fast, and then whether it is alone: that spares it up to three looks at the tree. (A lean build does without, and
+// notes who is fast as it looks ahead.)
+bool note_fast(Core& core, std::uint32_t body, float dt) {
+    const Motion& motion = core.motions[body];
+    Pose& pose = core.poses[body];
+    const bool fast = dt * (length_inline(motion.v) + abs(motion.w) * pose.max_extent) > fast_fraction * core.bodies[body].min_extent;
+    pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
+    if (!is_lean && fast && TreeWalk(Tree{&core.state->tree, core.tree}, surroundings_of(pose)).next() == null_index) pose.flags |= pose_alone;
+    return fast;
+}
+
+// True if it is known that nothing at rest overlaps a box near the body.
+bool is_clear(const Pose& pose, const Aabb& box) { return !is_lean && (pose.flags & pose_alone) != 0 && contains(surroundings_of(pose), box); }
+
 // Every pair in which a fat box changed.
 void find_moved_pairs(Core& core) {
     Arena arena = core.arena();
@@ -188,9 +210,11 @@ void find_moved_pairs(Core& core) {
     sweep(out, all, moved);
 
     const Tree tree{&core.state->tree, core.tree};
-    for (std::uint32_t i = 0; i < moved.count; ++i)
-        tree_query(tree, core.boxes[moved.shape[i]], [&](std::uint32_t other) { out.push(moved.shape[i], other); });
-
+    for (std::uint32_t i = 0; i < moved.count; ++i) {
+        const std::uint32_t shape = moved.shape[i];
+        if (is_clear(core.poses[core.shapes[shape].body], core.boxes[shape])) continue;
+        tree_query(tree, core.boxes[shape], [&](std::uint32_t other) { out.push(shape, other); });
+    }
 
     // Shapes at rest whose boxes changed: just created, teleported, or fallen asleep as they moved. Each pair is looked at once, so that each one
     // dropped counts once.
@@ -198,7 +222,7 @@ void find_moved_pairs(Core& core) {
         if (core.is_awake(core.shapes[shape].body)) return;
         for (std::uint32_t i = 0; i < all.count; ++i) {
             const std::uint32_t other = all.shape[i];
-            if (overlaps(core.boxes[other], core.boxes[shape]) && !core.moved_shapes.test(other)) out.push(shape, other);
+            if (meet(core.boxes[other], core.boxes[shape]) && !core.moved_shapes.test(other)) out.push(shape, other);
         }
         tree_query(tree, core.boxes[shape], [&](std::uint32_t other) {
             if (other > shape || !core.moved_shapes.test(other)) out.push(shape, other);
@@ -207,46 +231,18 @@ void find_moved_pairs(Core& core) {
     out.flush();
 }
 
-inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness: who may move more in a step looks ahead for contacts
-
-// Notes whether the body is fast.
-bool note_fast(Core& core, std::uint32_t body, float dt) {
-    const Motion& motion = core.motions[body];
-    Pose& pose = core.poses[body];
-    const bool fast = dt * (length(motion.v) + abs(motion.w) * pose.max_extent) > fast_fraction * core.bodies[body].min_extent;
-    pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
-    return fast;
-}
-
 // Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step.
 void look_ahead(Core& core, std::uint32_t body, float dt) {
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-        tree_query(tree, box_ahead(core, s, dt), [&](std::uint32_t other) {
+        const Aabb ahead = box_ahead(core, s, dt);
+        if (is_clear(core.poses[body], ahead)) continue;
+        tree_query(tree, ahead, [&](std::uint32_t other) {
             // Where the fat boxes overlap the contact is there already, or was dropped and counted.
             const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
-            if (is_static && !overlaps(core.boxes[s], core.boxes[other])) add_pair(core, s, other);
+            if (is_static && !meet(core.boxes[s], core.boxes[other])) add_pair(core, s, other);
         });
     }
-}
-
-void find_pairs_ahead(Core& core, float dt) {
-    if (!has_workers(core)) {
-        core.awake_bodies.for_each([&](std::uint32_t body) {
-            if (note_fast(core, body, dt)) look_ahead(core, body, dt);
-        });
-        return;
-    }
-    // Who is fast is noted side by side; then they look ahead in order.
-    const std::uint32_t words = core.awake_bodies.word_count;
-    const BitSet fast{core.arena().take<std::uint64_t>(words), words};
-    for_ranges(core, words, 8, [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t w = first; w < end; ++w) fast.words[w] = 0;
-        core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) {
-            if (note_fast(core, body, dt)) fast.set(body);
-        });
-    });
-    fast.for_each([&](std::uint32_t body) { look_ahead(core, body, dt); });
 }
 
 }  // namespace
@@ -268,8 +264,15 @@ Aabb box_ahead(const Core& core, std::uint32_t shape, float dt) {
 
 void find_pairs(Core& core, float dt) {
     core.report.dropped_contacts = 0;
+    if (!is_lean) {
+        for_ranges(core, core.awake_bodies.word_count, note_grain, [&](std::uint32_t first, std::uint32_t end) {
+            core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { note_fast(core, body, dt); });
+        });
+    }
     if (core.state->moved_count != 0) find_moved_pairs(core);
-    find_pairs_ahead(core, dt);
+    core.awake_bodies.for_each([&](std::uint32_t body) {
+        if (is_lean ? note_fast(core, body, dt) : (core.poses[body].flags & pose_fast) != 0) look_ahead(core, body, dt);
+    });
     if (core.report.dropped_contacts != 0) {
         core.fail(Error::contacts_full);  // what moved stays marked, so the same pairs are tried again in the next step
         return;

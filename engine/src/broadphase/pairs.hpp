@@ -13,6 +13,9 @@ void find_pairs(Core& core, float dt);
 /// The fat box of a shape of a fast body, grown by as far as the body may come in dt.
 Aabb box_ahead(const Core& core, std::uint32_t shape, float dt);
 
+/// A fast body is alone (pose_alone) if nothing at rest is so near to its shapes, m: while it goes no farther there is nothing it could pass through.
+inline float surroundings(const Pose& pose) { return 4.0f * pose.max_extent; }
+
 /// Marks a shape's fat box as changed.
 void mark_moved(Core& core, std::uint32_t shape);
 

@@ -5,6 +5,7 @@
 // are found by sorting (pairs.hpp). So nothing in the tree changes while bodies sleep.
 #pragma once
 
+#include "math/boxes.hpp"
 #include "math/copies.hpp"
 #include "memory/records.hpp"
 
@@ -31,7 +32,7 @@ struct TreeWalk {
     std::uint32_t top = 0;
     std::uint32_t stack[tree_stack];
 
-    TreeWalk(Tree tree, const Aabb& over) : nodes(tree.nodes), box(over) {
+    ISLET_SHARED TreeWalk(Tree tree, const Aabb& over) : nodes(tree.nodes), box(over) {
         if (tree.state->root != null_index) stack[top++] = tree.state->root;
     }
 
@@ -39,7 +40,7 @@ struct TreeWalk {
     ISLET_COPIED std::uint32_t next() {
         while (top > 0) {
             const TreeNode& node = nodes[stack[--top]];
-            if (!overlaps(node.box, box)) continue;
+            if (!meet(node.box, box)) continue;
             if (node.child1 == null_index) return node.child2;
             stack[top++] = node.child2;
             stack[top++] = node.child1;

@@ -21,8 +21,6 @@ namespace {
 constexpr std::uint32_t max_iterations = 24;
 
 struct Corner {
-    Vec2 a;
-    Vec2 b;
     Vec2 w;  // b - a
     std::uint8_t index_a = 0;
     std::uint8_t index_b = 0;
@@ -80,14 +78,6 @@ bool is_among(const Corner& c, const Feature& f) {
            (c.index_a == f.corner[1].index_a && c.index_b == f.corner[1].index_b);
 }
 
-void name_corners(DistanceResult& result, const Feature& f) {
-    result.count = f.count;
-    for (std::uint32_t i = 0; i < f.count; ++i) {
-        result.index_a[i] = f.corner[i].index_a;
-        result.index_b[i] = f.corner[i].index_b;
-    }
-}
-
 // Where on the edge the point closest to the origin is; 0 for a vertex.
 float fraction_along(const Feature& f) {
     if (f.count == 1) { return 0.0f; }
@@ -95,47 +85,65 @@ float fraction_along(const Feature& f) {
     return clamp(-dot(f.corner[0].w, edge) / dot(edge, edge), 0.0f, 1.0f);
 }
 
-DistanceResult separated(const Feature& f) {
-    DistanceResult result;
-    name_corners(result, f);
-    const Corner& p = f.corner[0];
-    const Corner& q = f.corner[1];
-    const float t = fraction_along(f);
-    result.point_a = lerp(p.a, q.a, t);
-    result.point_b = lerp(p.b, q.b, t);
-    // The normal comes from the longer of two vectors that lie along and across it, the one that rounding turns less.
-    const Vec2 across = result.point_b - result.point_a;
-    const bool edge_is_longer = f.count == 2 && length_squared(q.w - p.w) > length_squared(across);
-    const Vec2 n = edge_is_longer ? -towards_origin(f) : across;
-    result.normal = (1.0f / sqrt(length_squared(n))) * n;
-    result.distance = max(0.0f, dot(across, result.normal));
-    return result;
-}
+// The two cores that are searched, in one frame.
+struct Cores {
+    const Vec2* a;
+    std::uint32_t count_a;
+    const Vec2* b;
+    std::uint32_t count_b;
 
-// Touching cores: one shared point and no direction.
-DistanceResult touching(const Feature& f) {
-    DistanceResult result;
-    name_corners(result, f);
-    result.point_a = lerp(f.corner[0].a, f.corner[1].a, fraction_along(f));
-    result.point_b = result.point_a;
-    return result;
-}
+    Corner corner(std::uint8_t index_a, std::uint8_t index_b) const { return {b[index_b] - a[index_a], index_a, index_b}; }
+    Corner furthest(Vec2 d) const { return corner(support(a, count_a, -d), support(b, count_b, d)); }
 
-// Overlapping cores: the triangle's barycentric weights of the origin give a point that both cores contain.
-DistanceResult overlapping(const Feature& f, const Corner& third) {
-    DistanceResult result;
-    name_corners(result, f);
-    result.count = 3;
-    result.index_a[2] = third.index_a;
-    result.index_b[2] = third.index_b;
-    const float w0 = cross(f.corner[1].w, third.w);
-    const float w1 = cross(third.w, f.corner[0].w);
-    const float w2 = cross(f.corner[0].w, f.corner[1].w);
-    const float scale = 1.0f / (w0 + w1 + w2);
-    result.point_a = scale * (w0 * f.corner[0].a + w1 * f.corner[1].a + w2 * third.a);
-    result.point_b = result.point_a;
-    return result;
-}
+    // The feature's corners, and its points closest to the origin. Normal and distance are for cores that neither touch nor overlap.
+    DistanceResult at(const Feature& f) const {
+        DistanceResult result;
+        result.count = f.count;
+        for (std::uint32_t i = 0; i < f.count; ++i) {
+            result.index_a[i] = f.corner[i].index_a;
+            result.index_b[i] = f.corner[i].index_b;
+        }
+        const Corner& p = f.corner[0];
+        const Corner& q = f.corner[1];
+        const float t = fraction_along(f);
+        result.point_a = lerp(a[p.index_a], a[q.index_a], t);
+        result.point_b = lerp(b[p.index_b], b[q.index_b], t);
+        return result;
+    }
+
+    DistanceResult separated(const Feature& f) const {
+        DistanceResult result = at(f);
+        // The normal comes from the longer of two vectors that lie along and across it, the one that rounding turns less.
+        const Vec2 across = result.point_b - result.point_a;
+        const bool edge_is_longer = f.count == 2 && length_squared(f.corner[1].w - f.corner[0].w) > length_squared(across);
+        const Vec2 n = edge_is_longer ? -towards_origin(f) : across;
+        result.normal = (1.0f / sqrt(length_squared(n))) * n;
+        result.distance = max(0.0f, dot(across, result.normal));
+        return result;
+    }
+
+    // One shared point and no direction.
+    DistanceResult touching(const Feature& f) const {
+        DistanceResult result = at(f);
+        result.point_b = result.point_a;
+        return result;
+    }
+
+    // The triangle's barycentric weights of the origin give a point that both cores contain.
+    DistanceResult overlapping(const Feature& f, const Corner& third) const {
+        DistanceResult result = at(f);
+        result.count = 3;
+        result.index_a[2] = third.index_a;
+        result.index_b[2] = third.index_b;
+        const float w0 = cross(f.corner[1].w, third.w);
+        const float w1 = cross(third.w, f.corner[0].w);
+        const float w2 = cross(f.corner[0].w, f.corner[1].w);
+        const float scale = 1.0f / (w0 + w1 + w2);
+        result.point_a = scale * (w0 * a[f.corner[0].index_a] + w1 * a[f.corner[1].index_a] + w2 * a[third.index_a]);
+        result.point_b = result.point_a;
+        return result;
+    }
+};
 
 }  // namespace
 
@@ -143,20 +151,15 @@ DistanceResult core_distance(const Vec2* a, std::uint32_t count_a, const Vec2* b
     // Shorter than this the direction of a vector can no longer be trusted (and its square would soon underflow).
     constexpr float touching_squared = 1e-16f;  // (1e-8 m)^2
 
-    Feature nearest = vertex_feature({a[0], b[0], b[0] - a[0], 0, 0});
+    const Cores cores = {a, count_a, b, count_b};
+    Feature nearest = vertex_feature(cores.corner(0, 0));
     for (std::uint32_t pass = 0; pass < max_iterations; ++pass) {
-        if (nearest.distance_squared <= touching_squared) { return touching(nearest); }
-        const Vec2 d = towards_origin(nearest);
-        Corner next;
-        next.index_a = support(a, count_a, -d);
-        next.index_b = support(b, count_b, d);
-        next.a = a[next.index_a];
-        next.b = b[next.index_b];
-        next.w = next.b - next.a;
+        if (nearest.distance_squared <= touching_squared) { return cores.touching(nearest); }
+        const Corner next = cores.furthest(towards_origin(nearest));
         if (is_among(next, nearest)) { break; }
         Feature closer = edge_feature(nearest.corner[0], next);
         if (nearest.count == 2) {
-            if (triangle_holds_origin(nearest.corner[0].w, nearest.corner[1].w, next.w)) { return overlapping(nearest, next); }
+            if (triangle_holds_origin(nearest.corner[0].w, nearest.corner[1].w, next.w)) { return cores.overlapping(nearest, next); }
             const Feature other = edge_feature(nearest.corner[1], next);
             if (other.distance_squared < closer.distance_squared) { closer = other; }
         }
@@ -165,7 +168,7 @@ DistanceResult core_distance(const Vec2* a, std::uint32_t count_a, const Vec2* b
         if (!gained_edge && !(closer.distance_squared < nearest.distance_squared)) { break; }
         nearest = closer;
     }
-    return separated(nearest);
+    return cores.separated(nearest);
 }
 
 DistanceResult distance(const ConvexProxy& a, const ConvexProxy& b, const Transform& b_in_a) {

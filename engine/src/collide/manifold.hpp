@@ -28,13 +28,11 @@ struct Manifold {
 };
 
 // Each returns the manifold of shapes a and b, where b_in_a is the pose of B's body frame in A's body frame. Points with separation above
-// `margin` (m, >= speculative_distance) are left out.
+// `margin` (m, >= speculative_distance) are left out. A segment is a capsule of radius 0.
 Manifold collide(const Circle& a, const Circle& b, const Transform& b_in_a, float margin);
 Manifold collide(const Capsule& a, const Circle& b, const Transform& b_in_a, float margin);
 Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, float margin);
-Manifold collide(const Segment& a, const Circle& b, const Transform& b_in_a, float margin);
-Manifold collide(const Segment& a, const Capsule& b, const Transform& b_in_a, float margin);
-Manifold collide(const Segment& a, const Polygon& b, const Transform& b_in_a, float margin);
+Manifold collide(const Capsule& a, const Polygon& b, const Transform& b_in_a, float margin);
 Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, float margin);
 Manifold collide(const Polygon& a, const Capsule& b, const Transform& b_in_a, float margin);
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin);

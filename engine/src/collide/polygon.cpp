@@ -93,9 +93,9 @@ Manifold collide(const Polygon& a, const Capsule& b, const Transform& b_in_a, fl
                             margin);
 }
 
-Manifold collide(const Segment& a, const Polygon& b, const Transform& b_in_a, float margin) {
+Manifold collide(const Capsule& a, const Polygon& b, const Transform& b_in_a, float margin) {
     const Vec2 origin = a.point1;
-    return collide_outlines(outline_of({}, a.point2 - origin, 0), outline_of(b, b_in_a, origin), origin, margin);
+    return collide_outlines(outline_of({}, a.point2 - origin, a.radius), outline_of(b, b_in_a, origin), origin, margin);
 }
 
 Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, float margin) {
@@ -108,10 +108,6 @@ Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, fl
     const float limit = margin + a.radius + b.radius;
     if (!overlaps(expand({min({}, end), max({}, end)}, limit), {min(b1, b2), max(b1, b2)})) { return {}; }
     return collide_outlines(outline_of({}, end, a.radius), outline_of(b1, b2, b.radius), origin, margin);
-}
-
-Manifold collide(const Segment& a, const Capsule& b, const Transform& b_in_a, float margin) {
-    return collide(Capsule{a.point1, a.point2, 0}, b, b_in_a, margin);
 }
 
 }  // namespace islet::detail

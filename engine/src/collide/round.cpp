@@ -30,10 +30,6 @@ Manifold collide(const Capsule& a, const Circle& b, const Transform& b_in_a, flo
     return collide_point(a.point1 + t * axis, a.radius, center, b.radius, fallback, margin, 0);
 }
 
-Manifold collide(const Segment& a, const Circle& b, const Transform& b_in_a, float margin) {
-    return collide(Capsule{a.point1, a.point2, 0}, b, b_in_a, margin);
-}
-
 Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, float margin) {
     const Vec2 center = transform_point(b_in_a, b.center);
     const float limit = margin + a.radius + b.radius;

@@ -34,28 +34,37 @@ inline std::uint32_t coordinate_parts(const Joint& j) {
            (j.friction > 0 ? std::uint32_t{part_friction} : 0u) | ((j.flags & joint_limit) != 0 ? std::uint32_t{part_limit} : 0u);
 }
 
-/// The sum of the impulses, which warm starting applies.
+/// Fills rows that hold zeros. Returns the sum of the impulses, which warm starting applies.
 template <std::uint32_t W>
 float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n) {
     const std::uint32_t parts = coordinate_parts(j);
-    const bool spring = (parts & part_spring) != 0, motor = (parts & part_motor) != 0, limit = (parts & part_limit) != 0;
-    // A lane without a part that its neighbours have must come out as if there were none, whatever its numbers.
-    constexpr float infinity = __builtin_inff();
-    const Softness soft = spring ? make_spring(j.spring_hertz, j.spring_damping_ratio, n.h) : Softness{-1, 0, 0};
-    r.spring_rate[lane] = soft.rate;
-    r.spring_mass_scale[lane] = soft.mass_scale;
-    r.spring_impulse_scale[lane] = soft.impulse_scale;
-    r.target[lane] = within_bound(j.target);
-    r.speed[lane] = within_bound(j.motor_speed);
-    r.max_motor[lane] = motor ? n.h * j.motor_max : 0;
-    r.max_friction[lane] = n.h * j.friction;
-    r.lower[lane] = limit ? within_bound(j.lower) : -infinity;
-    r.upper[lane] = limit ? within_bound(j.upper) : infinity;
-    r.spring[lane] = spring ? n.warm * j.spring_impulse : 0;
-    r.motor[lane] = motor ? n.warm * j.motor_impulse : 0;
-    r.friction[lane] = j.friction > 0 ? n.warm * j.friction_impulse : 0;
-    r.low[lane] = limit ? n.warm * j.lower_impulse : 0;
-    r.high[lane] = limit ? n.warm * j.upper_impulse : 0;
+    // A lane without a part that its neighbours have must come out as if there were none.
+    r.spring_rate[lane] = -1;
+    r.lower[lane] = -__builtin_inff();
+    r.upper[lane] = __builtin_inff();
+    if ((parts & part_spring) != 0) {
+        const Softness soft = make_spring(j.spring_hertz, j.spring_damping_ratio, n.h);
+        r.spring_rate[lane] = soft.rate;
+        r.spring_mass_scale[lane] = soft.mass_scale;
+        r.spring_impulse_scale[lane] = soft.impulse_scale;
+        r.target[lane] = within_bound(j.target);
+        r.spring[lane] = n.warm * j.spring_impulse;
+    }
+    if ((parts & part_motor) != 0) {
+        r.speed[lane] = within_bound(j.motor_speed);
+        r.max_motor[lane] = n.h * j.motor_max;
+        r.motor[lane] = n.warm * j.motor_impulse;
+    }
+    if ((parts & part_friction) != 0) {
+        r.max_friction[lane] = n.h * j.friction;
+        r.friction[lane] = n.warm * j.friction_impulse;
+    }
+    if ((parts & part_limit) != 0) {
+        r.lower[lane] = within_bound(j.lower);
+        r.upper[lane] = within_bound(j.upper);
+        r.low[lane] = n.warm * j.lower_impulse;
+        r.high[lane] = n.warm * j.upper_impulse;
+    }
     return r.spring[lane] + r.motor[lane] + r.friction[lane] + r.low[lane] - r.high[lane];
 }
 

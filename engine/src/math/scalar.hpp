@@ -11,6 +11,15 @@ namespace islet::detail {
 /// Never call it with a negative number: without -fno-math-errno the compiler leaves that case to the C library's sqrtf.
 [[gnu::always_inline]] inline float sqrt(float a) { return __builtin_sqrtf(a); }
 
+/// length(a) for the loops over all bodies: without a call, unless the build is for size.
+[[gnu::always_inline]] inline float length_inline(const Vec2& a) {
+#if defined(__OPTIMIZE_SIZE__)
+    return length(a);
+#else
+    return sqrt(dot(a, a));
+#endif
+}
+
 inline std::uint32_t bits_of(float a) { return __builtin_bit_cast(std::uint32_t, a); }
 
 /// An unsigned integer that sorts as the float does.

@@ -46,9 +46,8 @@ struct BitSet {
     /// The same for the words first <= w < end only.
     template <class Visit>
     [[gnu::always_inline]] void for_each_in(std::uint32_t first, std::uint32_t end, Visit&& visit) const {
-        for (std::uint32_t w = first; w < end; ++w)
-            for (std::uint64_t bits = words[w]; bits != 0;)
-                visit(w * 64 + take_lowest(bits));
+        Walk walk{words, first, end};
+        for (std::uint32_t i = walk.next(); i != none; i = walk.next()) visit(i);
     }
 
 private:
@@ -63,15 +62,30 @@ private:
 
     Part& part(std::uint32_t i) const { return reinterpret_cast<Part*>(words)[(i / part_bits) ^ first_part]; }
 
-    // Place of the lowest bit, which is cleared. Without a call of the compiler's runtime where registers have 32 bits.
-    ISLET_COPIED static std::uint32_t take_lowest(std::uint64_t& bits) {
-        const std::uint64_t all = bits;
-        bits &= bits - 1;
-        if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(all));
-        const auto low = static_cast<std::uint32_t>(all);
-        const auto high = static_cast<std::uint32_t>(all >> 32);
-        return static_cast<std::uint32_t>(low != 0 ? __builtin_ctz(low) : 32 + __builtin_ctz(high));
-    }
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    struct Walk {
+        const std::uint64_t* words;
+        std::uint32_t word, end;  // the next to look into
+        std::uint64_t bits = 0;   // left of the one before
+
+        ISLET_COPIED std::uint32_t next() {
+            while (bits == 0) {
+                if (word >= end) return none;
+                bits = words[word++];
+            }
+            const std::uint64_t all = bits;
+            bits &= bits - 1;
+            return (word - 1) * 64 + lowest(all);
+        }
+        // Without a call of the compiler's runtime where registers have 32 bits.
+        static std::uint32_t lowest(std::uint64_t all) {
+            if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(all));
+            const auto low = static_cast<std::uint32_t>(all);
+            const auto high = static_cast<std::uint32_t>(all >> 32);
+            return static_cast<std::uint32_t>(low != 0 ? __builtin_ctz(low) : 32 + __builtin_ctz(high));
+        }
+    };
 };
 
 }  // namespace islet::detail

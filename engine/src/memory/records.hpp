@@ -16,6 +16,7 @@ namespace islet::detail {
 enum PoseFlags : std::uint32_t {
     pose_fast = 1u,   // may move so far in this step that its contacts look further ahead
     pose_moved = 2u,  // a fat box of it changed since contacts were last updated
+    pose_alone = 4u,  // within a step: nothing at rest is in its surroundings (broadphase/pairs.hpp)
 };
 
 /// Where a body is and how heavy: eight words, loaded at once by the narrow phase and the solver.
@@ -265,9 +266,8 @@ inline bool is_ordered(const SolverState& s) {  // contacts are solved one by on
 }
 inline bool has_shock(const SolverState& s) { return has_tuning && s.shock > 0; }
 inline bool measures_residual(const SolverState& s) { return has_tuning && (s.measure_residual != 0 || s.tolerance > 0); }
-inline bool needs_tuning(const SolverDef& d) {
-    return d.sweep_order != SweepOrder::colored || d.block_contacts || d.shock > 0 || d.measure_residual || d.tolerance > 0;
-}
+inline bool needs_ordering(const SolverDef& d) { return d.sweep_order != SweepOrder::colored || d.block_contacts || d.shock > 0; }
+inline bool needs_tuning(const SolverDef& d) { return needs_ordering(d) || d.measure_residual || d.tolerance > 0; }
 
 /// Everything persistent that is not in an array.
 struct State {

@@ -1,6 +1,7 @@
 #include "solver/ordered_sweep.hpp"
 
 #include "constraint/contact.hpp"
+#include "island/heights.hpp"
 #include "math/copies.hpp"
 
 namespace islet::detail {
@@ -71,6 +72,8 @@ void solve_one(SolverBody* bodies, ContactRows<1>& r, const SweepNumbers& number
 }
 
 }  // namespace
+
+void link_ordering() { link_heights(); }
 
 void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground, bool block) {
     for (std::uint32_t i = 0; i < count; ++i) {

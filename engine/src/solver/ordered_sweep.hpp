@@ -8,10 +8,14 @@
 
 #include "constraint/contact_rows.hpp"
 #include "constraint/solver_body.hpp"
+#include "memory/features.hpp"
 
 namespace islet::detail {
 
+/// Takes all of this, and heights.hpp: linked only by programs that ask for it.
+void link_ordering();
+
 /// One sweep over the rows in their order. `ground`: for contacts of bodies that cannot be pushed.
-void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground, bool block);
+ISLET_OPTIONAL void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground, bool block);
 
 }  // namespace islet::detail

@@ -38,15 +38,16 @@ Vec2 middle_of(const Geometry& g) {
 
 namespace {
 
+// Rounding keeps the order of numbers, so the place of the body may be added last.
 Aabb aabb_of(const Geometry& g, const Transform& t) {
     const Corners corners = corners_of(g);
-    const Vec2 first = transform_point(t, corners.points[0]);
+    const Vec2 first = rotate(t.q, corners.points[0]);
     Aabb box{first, first};
     for (std::uint32_t i = 1; i < corners.count; ++i) {
-        const Vec2 v = transform_point(t, corners.points[i]);
+        const Vec2 v = rotate(t.q, corners.points[i]);
         box = {min(box.lower, v), max(box.upper, v)};
     }
-    return expand(box, corners.radius);
+    return expand({box.lower + t.p, box.upper + t.p}, corners.radius);
 }
 
 MassData mass_of(const Geometry& g, float density) {
@@ -101,7 +102,8 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
         Aabb& fat = core.boxes[s];
         const bool leaves = force || !contains(fat, tight);
         if (leaves) {
-            shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
+            const bool is_new = force || fat.lower.x > fat.upper.x;  // else the margin is what it was
+            if (is_new) shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
             fat = expand(tight, shape.margin);
         }
         if (changed != nullptr) {

@@ -38,7 +38,7 @@ Impact first_impact(const Core& core, std::uint32_t body, const Sweep& way, cons
     Impact first;
     const Pose& pose = core.poses[body];
     const float far_enough = swept_fraction * core.bodies[body].min_extent;
-    const Aabb box = box_of_way(way, pose.max_extent);
+    const Aabb box = box_of_way(way.center, way.way, pose.max_extent);
     const float turned = abs(way.turn) * pose.max_extent;
     for (std::uint32_t i = 1; i < slot_count; ++i) {
         const std::uint32_t other = body_of[i];

@@ -10,6 +10,7 @@
 #include "broadphase/pairs.hpp"
 #include "broadphase/sensors.hpp"
 #include "collide/manifold.hpp"
+#include "math/boxes.hpp"
 #include "math/copies.hpp"
 #include "math/scalar.hpp"
 #include "memory/colors.hpp"
@@ -28,8 +29,11 @@ inline constexpr std::uint32_t update_grain = 4;                // words of 64 c
 inline constexpr std::uint32_t clear_grain = 16;                // words of 64 bodies that are worth a task
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
+// One of the two is not dynamic.
+ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return a.inv_mass == 0 || b.inv_mass == 0; }
+
 // Against what cannot be pushed, a fast body looks as far ahead as it may come in this step.
-ISLET_SHARED bool looks_ahead(const Pose& a, const Pose& b) { return ((a.flags | b.flags) & pose_fast) != 0 && (a.inv_mass == 0 || b.inv_mass == 0); }
+ISLET_SHARED bool looks_ahead(const Pose& a, const Pose& b) { return ((a.flags | b.flags) & pose_fast) != 0 && has_floor(a, b); }
 
 bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
     if ((m.flags & contact_posed) == 0 || looks_ahead(a, b)) return false;
@@ -66,10 +70,9 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
     };
     switch (a.shape_type()) {
         case ShapeType::circle: return collide(a.circle, b.circle, b_in_a, margin);
-        case ShapeType::capsule:
-            return type_b == ShapeType::circle ? collide(a.capsule, b.circle, b_in_a, margin) : collide(a.capsule, b.capsule, b_in_a, margin);
+        case ShapeType::capsule: return against(a.capsule);
+        case ShapeType::segment: return against(Capsule{a.segment.point1, a.segment.point2, 0});
         case ShapeType::polygon: return against(a.polygon);
-        case ShapeType::segment: return against(a.segment);
         case ShapeType::chain_segment: return against(a.chain);
     }
     return {};
@@ -97,7 +100,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
     const Transform b_in_a = pose_between(core, m.body_a, m.body_b, stand);
     Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
                               speculative_distance);
-    if (fresh.count > 0) drop_inner_edges(core, c, b_in_a, fresh);
+    if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) drop_inner_edges(core, c, b_in_a, fresh);
 
     const ContactManifold old = m;
     m.normal = rotate(stand.a, fresh.normal);
@@ -128,7 +131,7 @@ bool has_parted(const Core& core, std::uint32_t index, float dt) {
     const Contact& c = core.contacts[index];
     const ContactManifold& m = core.manifolds[index];
     Aabb a = core.boxes[c.shape_a], b = core.boxes[c.shape_b];
-    if (overlaps(a, b)) return false;
+    if (meet(a, b)) return false;
     const bool fast_a = (core.poses[m.body_a].flags & pose_fast) != 0 && core.bodies[m.body_b].type() == BodyType::static_body;
     const bool fast_b = (core.poses[m.body_b].flags & pose_fast) != 0 && core.bodies[m.body_a].type() == BodyType::static_body;
     if (!fast_a && !fast_b) return true;
@@ -137,7 +140,7 @@ bool has_parted(const Core& core, std::uint32_t index, float dt) {
     } else {
         b = box_ahead(core, c.shape_b, dt);
     }
-    return !overlaps(a, b);
+    return !meet(a, b);
 }
 
 enum class Change : std::uint8_t { none, changes, parts };

@@ -108,9 +108,9 @@ float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::ui
     return touching > 0 && touching < passing ? touching : passing;
 }
 
-Aabb box_of_way(const Sweep& way, float reach) {
-    const Vec2 end = way.center + way.way;
-    return expand({min(way.center, end), max(way.center, end)}, reach);
+Aabb box_of_way(Vec2 start, Vec2 way, float reach) {
+    const Vec2 end = start + way;
+    return expand({min(start, end), max(start, end)}, reach);
 }
 
 void place_at_end(Core& core, std::uint32_t body, const Sweep& way, SolverBody& out) {
@@ -122,14 +122,17 @@ void place_at_end(Core& core, std::uint32_t body, const Sweep& way, SolverBody& 
 
 void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     if (!core.is_dynamic(body)) return;
+    TreeWalk walk(Tree{&core.state->tree, core.tree}, box_of_way(core.poses[body].center - way.dp, way.dp, core.poses[body].max_extent));
+    std::uint32_t other = walk.next();
+    if (other == null_index) return;  // so it is for most that fall or fly
     Sweep sweep = sweep_of(core, body, way);
     float end = 1;
-    tree_query(Tree{&core.state->tree, core.tree}, box_of_way(sweep, core.poses[body].max_extent), [&](std::uint32_t other) {
+    do {
         const std::uint32_t wall = core.shapes[other].body;
-        if (core.bodies[wall].type() != BodyType::static_body) return;
+        if (core.bodies[wall].type() != BodyType::static_body) continue;
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
             end = min(end, stop_time(core, s, sweep, other, at_rest(core, wall), end));
-    });
+    } while ((other = walk.next()) != null_index);
     if (end >= 1) return;
     sweep.way = end * sweep.way;
     sweep.turn = end * sweep.turn;

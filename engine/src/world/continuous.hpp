@@ -29,8 +29,8 @@ void link_bullets();
 /// The way a body has just made.
 Sweep sweep_of(const Core& core, std::uint32_t body, const SolverBody& way);
 Sweep at_rest(const Core& core, std::uint32_t body);
-/// Holds all points that are within `reach` of the centre on its way.
-Aabb box_of_way(const Sweep& way, float reach);
+/// Holds all points that are within `reach` of a centre on its way.
+Aabb box_of_way(Vec2 start, Vec2 way, float reach);
 /// The fraction of the way at which `shape` must stop for `other`, or no_impact.
 float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::uint32_t other, const Sweep& other_way, float end);
 /// Puts the body where the way ends.

@@ -1,6 +1,8 @@
 #include "world/finish.hpp"
 
 #include "broadphase/contacts.hpp"
+#include "broadphase/pairs.hpp"
+#include "math/scalar.hpp"
 #include "memory/joint_graph.hpp"
 #include "memory/parallel.hpp"
 #include "world/bounds.hpp"
@@ -19,8 +21,12 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     Pose& pose = core.poses[i];
     Motion& motion = core.motions[i];
     Body& body = core.bodies[i];
-    const float moved = length(way.dp) + abs(way.dq) * pose.max_extent;
-    if (has_continuous && core.state->continuous != 0 && moved > swept_fraction * body.min_extent) stop_at_static(core, i, way);
+    const float moved = length_inline(way.dp) + abs(way.dq) * pose.max_extent;
+    if (has_continuous && moved > swept_fraction * body.min_extent && core.state->continuous != 0) {
+        const bool alone = !is_lean && (pose.flags & pose_alone) != 0 && moved <= surroundings(pose);
+        if (!alone) stop_at_static(core, i, way);
+    }
+    if (!is_lean) pose.flags &= ~static_cast<std::uint32_t>(pose_alone);
     body.origin = pose.center - rotate(pose.q, body.local_center);
 
     motion.slack -= moved;
@@ -28,7 +34,7 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     if (looks) fit_boxes(core, i, false, changed);
 
     // Sleep watches the way made too, so that bodies that are being pushed apart stay awake.
-    const float speed = max(length(motion.v) + abs(motion.w) * pose.max_extent, 0.5f * moved / dt);
+    const float speed = max(length_inline(motion.v) + abs(motion.w) * pose.max_extent, 0.5f * moved / dt);
     const bool resting = speed <= body.sleep_threshold && (body.flags & body_may_sleep) != 0;
     motion.sleep_time = resting ? motion.sleep_time + dt : 0;
     return looks;

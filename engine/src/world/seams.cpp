@@ -19,16 +19,11 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float least_lean = 1.0e-4f;           // a normal that leans less does not lean
+inline constexpr float never = 2.0f;                   // no cosine is as large
 inline constexpr float gap_width = 0.2f * linear_slop; // m in front of a side that a neighbour must cover
 
 // Signed distance of a point from the plane of a face of the core, body frame.
 float height_over(const Polygon& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
-
-bool is_inside(const Polygon& p, Vec2 point) {
-    for (std::uint32_t i = 0; i < p.count; ++i)
-        if (height_over(p, i, point) > p.radius) return false;
-    return true;
-}
 
 // A point in front of the face of p, near `point` but not at the face's ends.
 Vec2 before_face(const Polygon& p, std::uint32_t face, Vec2 point) {
@@ -39,11 +34,13 @@ Vec2 before_face(const Polygon& p, std::uint32_t face, Vec2 point) {
     return start + along / length * edge + (p.radius + gap_width) * p.normals[face];
 }
 
-// How far the neighbour's own surface near `point` leans towards `side`, as a cosine; 0 if it has none there.
-float lean_of(const Polygon& neighbor, Vec2 point, Vec2 side) {
+// How far the neighbour's own surface near `point` leans towards `side`, as a cosine; 0 if it has none there, never if it does not hold `before`.
+float lean_of(const Polygon& neighbor, Vec2 before, Vec2 point, Vec2 side) {
     float lean = 0;
-    for (std::uint32_t i = 0; i < neighbor.count; ++i)
+    for (std::uint32_t i = 0; i < neighbor.count; ++i) {
+        if (height_over(neighbor, i, before) > neighbor.radius) return never;
         if (abs(height_over(neighbor, i, point) - neighbor.radius) <= linear_slop) lean = max(lean, dot(neighbor.normals[i], side));
+    }
     return lean;
 }
 
@@ -69,14 +66,14 @@ struct Floor {
         for_each_contact(core, other, [&](std::uint32_t contact, std::uint32_t end) {
             const Contact& link = core.contacts[contact];
             const std::uint32_t neighbor = end == 0 ? link.shape_b : link.shape_a;
-            const bool senses = ((core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags) & shape_sensor) != 0;
             const std::uint32_t its_body = core.shapes[neighbor].body;
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
+            if (covered || neighbor == shape || !fixed) return;
             const Polygon* its = polygon_of(core, neighbor);
-            if (covered || neighbor == shape || !fixed || its == nullptr || senses) return;
+            const bool senses = ((core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags) & shape_sensor) != 0;
+            if (its == nullptr || senses) return;
             const Transform to_neighbor = inv_mul(body_transform(core, its_body), at);
-            if (!is_inside(*its, transform_point(to_neighbor, before))) return;
-            const float lean = lean_of(*its, transform_point(to_neighbor, point), rotate(to_neighbor.q, side));
+            const float lean = lean_of(*its, transform_point(to_neighbor, before), transform_point(to_neighbor, point), rotate(to_neighbor.q, side));
             covered = dot(normal, side) > lean + least_lean;
         });
         return covered;

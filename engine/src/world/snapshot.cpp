@@ -8,6 +8,7 @@
 #include "memory/joint_graph.hpp"
 #include "solver/hits.hpp"
 #include "solver/joint_solve.hpp"
+#include "solver/ordered_sweep.hpp"
 #include "world/checks.hpp"
 #include "world/continuous.hpp"
 #include "world/faults.hpp"
@@ -264,6 +265,7 @@ bool World::load(std::span<const std::byte> image) {
     link_hooks();
     link_disabling();
     link_bullets();
+    link_ordering();
     take_over(c, h, image.data());
     if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
     return true;

@@ -4,6 +4,7 @@
 #include "broadphase/sensors.hpp"
 #include "memory/joint_graph.hpp"
 #include "solver/hits.hpp"
+#include "solver/ordered_sweep.hpp"
 #include "world/checks.hpp"
 #include "world/continuous.hpp"
 #include "world/cpu.hpp"
@@ -22,13 +23,6 @@ namespace islet {
 using namespace detail;
 
 namespace {
-
-Error check_capacity(const Capacity& c) {
-    const bool some = c.bodies > 0 && c.shapes > 0 && c.contacts > 0;
-    const bool sane = c.bodies <= max_capacity && c.shapes <= max_capacity && c.contacts <= max_capacity && c.joints <= max_capacity &&
-                      c.geometries <= max_capacity && c.hits <= max_capacity;
-    return some && sane ? Error::none : Error::bad_capacity;
-}
 
 Error check_block(std::span<std::byte> block, std::size_t wanted) {
     if (reinterpret_cast<std::uintptr_t>(block.data()) % world_alignment != 0) return Error::block_misaligned;
@@ -62,6 +56,7 @@ void link_all() {
     link_hooks();
     link_disabling();
     link_bullets();
+    link_ordering();
 }
 
 template <class T>
@@ -105,34 +100,43 @@ void point_into(Core& core, std::byte* block, const Layout& l) {
 }  // namespace
 
 World* World::create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error) {
-    if constexpr (!is_lean) link_all();
     Layout l{};
-    Error problem = check_capacity(capacity);
+    Error problem = islet::is_valid(capacity) ? Error::none : Error::bad_capacity;
     if (problem == Error::none) {
         l = layout_of(capacity);
         problem = check_block(block, l.end);
     }
     if (problem == Error::none) problem = check_def(def);
     if (error != nullptr) *error = problem;
-    if (problem != Error::none) {
-        if (def.error_hook != nullptr) def.error_hook(problem, def.error_context);
-        return nullptr;
-    }
+    if (problem == Error::none) return &create_static(block.data(), capacity, l, def);
+    if (def.error_hook != nullptr) def.error_hook(problem, def.error_context);
+    return nullptr;
+}
 
-    World* world = new (block.data(), IsletPlace{}) World;
-    Core& core = *new (world->core_, IsletPlace{}) Core{};
+namespace detail {
+
+World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& wanted) {
+    if constexpr (!is_lean) link_all();
+    static constexpr WorldDef fallback;
+    const Error problem = check_def(wanted);
+    if (problem != Error::none && wanted.error_hook != nullptr) wanted.error_hook(problem, wanted.error_context);
+    const WorldDef& def = problem == Error::none ? wanted : fallback;
+
+    World& world = *new (block, IsletPlace{}) World;
+    Core& core = *new (world.core_, IsletPlace{}) Core{};
     core.capacity = capacity;
     core.lanes = choose_lanes(def.lanes);
     core.error_hook = def.error_hook;
     core.error_context = def.error_context;
+    core.last_error = problem;
     core.tasks = def.tasks;
     core.hooks = def.hooks;
     if (has_profile && ISLET_IS_LINKED(note_stage)) core.clock = def.clock;
     core.clock_context = def.clock_context;
-    point_into(core, block.data(), l);
+    point_into(core, block, layout);
 
     // Persistent memory starts as zeros, so that no byte of a world depends on what the block held before.
-    std::memset(block.data() + l.state, 0, l.persistent_end - l.state);
+    std::memset(block + layout.state, 0, layout.persistent_end - layout.state);
     State& state = *new (core.state, IsletPlace{}) State{};
     rebuild_buckets(core);
     state.gravity = def.gravity;
@@ -146,15 +150,6 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
     return world;
 }
 
-namespace detail {
-
-World& create_default(std::span<std::byte> block, const Capacity& capacity, Error error) {
-    World* world = World::create(block, capacity, WorldDef{});
-    if (world == nullptr) __builtin_trap();  // StaticWorld's own block always fits; only a capacity of 0 bodies, shapes or contacts gets here
-    Core::of(*world).last_error = error;
-    return *world;
-}
-
 bool check_solver(const SolverDef& d, Error& error) {
     const bool finite = all_finite(d.contact_hertz, d.contact_damping_ratio, d.contact_push_speed, d.joint_hertz, d.joint_damping_ratio,
                                    d.baumgarte, d.omega, d.joint_tree_load, d.shock, d.tolerance);
@@ -164,7 +159,8 @@ bool check_solver(const SolverDef& d, Error& error) {
                       d.joint_damping_ratio >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 &&
                       d.omega < 2 && d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1 && d.sweep_order <= SweepOrder::downward &&
                       d.shock >= 0 && d.shock <= 0.7f && d.tolerance >= 0;
-    error = !finite ? Error::not_finite : !sane ? Error::out_of_range : !has_tuning && needs_tuning(d) ? Error::feature_cut : Error::none;
+    const bool cut = (!has_tuning && needs_tuning(d)) || (!ISLET_IS_LINKED(solve_in_order) && needs_ordering(d));
+    error = !finite ? Error::not_finite : !sane ? Error::out_of_range : cut ? Error::feature_cut : Error::none;
     return error == Error::none;
 }
 
@@ -178,17 +174,6 @@ void World::set_gravity(Vec2 gravity) {
 }
 
 SolverDef World::solver() const { return unpack(core().state->solver); }
-
-void World::set_solver(const SolverDef& solver) {
-    note_call<Call::set_solver>(core(), solver);
-    Error error = Error::none;
-    if (!check_solver(solver, error)) return core().fail(error);
-    State& state = *core().state;
-    const SolverState before = state.solver;
-    state.solver = pack(solver);
-    if (before.joint_trees != state.solver.joint_trees || before.joint_tree_load != state.solver.joint_tree_load) state.trees_stale = 1;
-    forget_residuals(core());
-}
 
 float World::residual(BodyId body) const {
     const Core& c = core();
