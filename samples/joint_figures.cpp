@@ -6,8 +6,8 @@
 namespace islet::samples {
 namespace {
 
-constexpr double rounding = 2;       // quanta: two figures that differ by no more are one
-constexpr double shortest = 16;      // quanta: of a way from end to end
+constexpr double rounding = 2;          // quanta: two figures that differ by no more are one
+constexpr double shortest = 16;         // quanta: of a way from end to end
 constexpr std::size_t most_tried = 32;  // figures alike that are compared, the latest first
 
 QuantaPoint operator-(const QuantaPoint& a, const QuantaPoint& b) { return {a.x - b.x, a.y - b.y}; }

@@ -47,7 +47,7 @@ struct DrawnJoint {
         friend bool operator==(const Mark&, const Mark&) = default;
     };
     std::vector<Mark> marks;
-    std::vector<QuantaPoint> points;  // of one mark after the other
+    std::vector<QuantaPoint> points;        // of one mark after the other
     JointMark::Kind ends = JointMark::dot;  // what its ends are: dots, or rings if there are none
 };
 

@@ -110,7 +110,8 @@ void Recorder::record(const StepRecord& step) {
     numbers.contacts = counts.contacts;
     numbers.islands = counts.islands;
     numbers.joints = counts.joints;
-    numbers.max_joint_error = double(run_.engine.max_joint_error().linear);
+    // Before the first step nobody has measured it yet.
+    numbers.max_joint_error = double(step.step > 0 ? step.joint_error.linear : run_.engine.max_joint_error().linear);
     numbers.max_penetration = run_.engine.max_penetration();
 
     drawing_.clear();

@@ -106,9 +106,9 @@ Scene make_merge() {
             const Vec2 place = place_at(*leg, time), next = place_at(*leg, time + dt);
             const Vec2 behind = way * (lock + 0.5f * place) - s.position, slow = 0.5f * way / dt * (next - place) - s.linear_velocity;
             const Vec2 force = s.mass * (w * w * behind + 2 * w * slow);
-            const double turn = angle_difference(i == 0 ? 0 : double(pi), double(s.angle));
+            const float turn = way * make_rot(s.angle).s;  // the sine of what is missing: the left piece is to be at 0, the right one half a turn round
             engine.apply_force(pieces[i], force);
-            engine.apply_torque(pieces[i], s.inertia * (w * w * static_cast<float>(turn) - 2 * w * s.angular_velocity));
+            engine.apply_torque(pieces[i], s.inertia * (w * w * turn - 2 * w * s.angular_velocity));
             if (leg == &legs[3]) seen->effort = std::max(seen->effort, double(length(force)));
         }
     };

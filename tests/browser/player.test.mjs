@@ -54,9 +54,13 @@ async function settle(page) {
 }
 const textOf = (page, id) => page.locator(`#${id}`).textContent();
 
-/// Middle of the pixels in the colour of awake bodies, in CSS pixels, and how many there are.
+/// Middle of the pixels in some of the style sheet's colours, those of awake bodies if not told, in CSS pixels, and how many there are.
 function awakePixels(page) {
-    return page.evaluate(() => {
+    return pixels(page, ["awake-1", "awake-2", "awake-3"]);
+}
+
+function pixels(page, names) {
+    return page.evaluate((names) => {
         // Read from a copy, or the browser would remark on the player's canvas.
         const canvas = document.getElementById("world");
         const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
@@ -64,7 +68,7 @@ function awakePixels(page) {
         const ratio = window.devicePixelRatio;
         const { data, width } = copy.getImageData(0, 0, canvas.width, canvas.height);
         const style = getComputedStyle(document.documentElement);
-        const wanted = [1, 2, 3].map((i) => parseInt(style.getPropertyValue(`--awake-${i}`).trim().slice(1), 16));
+        const wanted = names.map((name) => parseInt(style.getPropertyValue(`--${name}`).trim().slice(1), 16));
         let count = 0, x = 0, y = 0;
         for (let i = 0; i < data.length; i += 4) {
             if (!wanted.includes((data[i] << 16) | (data[i + 1] << 8) | data[i + 2])) continue;
@@ -73,7 +77,7 @@ function awakePixels(page) {
             y += Math.floor(i / 4 / width) / ratio;
         }
         return { count, x: x / count, y: y / count };
-    });
+    }, names);
 }
 
 async function changes(page, action) {
@@ -187,6 +191,30 @@ test("joints can be hidden", async () => {
         assert.ok(await changes(page, () => page.click("#joints")));
         assert.ok(await changes(page, () => page.keyboard.press("j")));
     }, "--steps", "5");
+});
+
+test("what is drawn of joints goes with their bodies, and bullets have a colour of their own", async () => {
+    await withPage("pinball", desktop, async (page) => {
+        const legend = () => page.locator("#legend li:visible").allTextContents();
+        assert.deepEqual(await legend(), ["awake", "static", "bullet"]);
+        const start = await pixels(page, ["bullet-1", "bullet-2", "bullet-3"]);
+        assert.ok(start.count > 50, `${start.count} pixels of the ball`);
+        // Seen from near, the plunger's dot goes down with it, and up again; those of the hinges stay.
+        await page.mouse.move(start.x, start.y);
+        await page.mouse.wheel(0, -600);
+        const dots = [];
+        for (const step of [0, 65, 95]) {
+            await page.evaluate((value) => Object.assign(document.getElementById("scrubber"), { value }).dispatchEvent(new Event("input")), step);
+            await settle(page);
+            dots.push(await pixels(page, ["joint"]));
+        }
+        assert.ok(dots.every(({ count }) => count > 20), JSON.stringify(dots));
+        assert.ok(dots[1].y > dots[0].y + 2 && Math.abs(dots[2].y - dots[0].y) < 1, JSON.stringify(dots));
+        await page.keyboard.press("0");
+        await settle(page);
+        const shot = await pixels(page, ["bullet-1", "bullet-2", "bullet-3"]);
+        assert.ok(shot.y < start.y - 50, "the ball is on its way up");
+    });
 });
 
 test("the wheel zooms about the pointer, dragging pans, a double click shows all again", async () => {
