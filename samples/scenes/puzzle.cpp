@@ -21,12 +21,12 @@ constexpr float settled = 1.5f;              // s after which pieces that are pu
 constexpr Vec2 closed = {-0.06f, 0}, above = {-0.06f, 1.8f}, away = {1.4f, 1.8f};  // m: where the right piece is to be, as seen from where it locks
 
 /// What is done to the pieces for a while: the right one is led along a straight line, or pulled; the left one the other way, so that together they stay.
-struct Leg {
+struct PuzzleLeg {
     float time;      // s
     Vec2 from, to;   // m, of the right piece as seen from the left one, less where they lock
     float pull = 0;  // N along x; if not 0 nothing else is done
 };
-constexpr std::array<Leg, 8> legs = {{
+constexpr std::array<PuzzleLeg, 8> puzzle_legs = {{
     {1.2f, away, above}, {1.2f, above, closed}, {2.5f, {}, {}, strength},  // together, and pull
     {1.2f, closed, above}, {1.2f, above, away},                            // out the open way
     {1.5f, away, above}, {1.2f, above, closed}, {2.5f, {}, {}, strength},  // and once more
@@ -34,19 +34,19 @@ constexpr std::array<Leg, 8> legs = {{
 
 /// A leg, and where in it a step is.
 struct Moment {
-    const Leg* leg;
+    const PuzzleLeg* leg;
     float time;  // s, since it began
 };
 Moment moment_of(float t) {
-    for (const Leg& leg : legs) {
+    for (const PuzzleLeg& leg : puzzle_legs) {
         if (t < leg.time) return {&leg, t};
         t -= leg.time;
     }
-    return {&legs.back(), legs.back().time};
+    return {&puzzle_legs.back(), puzzle_legs.back().time};
 }
 
 /// Where the right piece is to be in a leg that leads it: it sets out and arrives gently.
-Vec2 place_at(const Leg& leg, float time) {
+Vec2 place_at(const PuzzleLeg& leg, float time) {
     const float t = clamp(time / leg.time, 0, 1);
     return lerp(leg.from, leg.to, t * t * (3 - 2 * t));
 }
@@ -109,7 +109,7 @@ Scene make_merge() {
             const float turn = way * make_rot(s.angle).s;  // the sine of what is missing: the left piece is to be at 0, the right one half a turn round
             engine.apply_force(pieces[i], force);
             engine.apply_torque(pieces[i], s.inertia * (w * w * turn - 2 * w * s.angular_velocity));
-            if (leg == &legs[3]) seen->effort = std::max(seen->effort, double(length(force)));
+            if (leg == &puzzle_legs[3]) seen->effort = std::max(seen->effort, double(length(force)));
         }
     };
     scene.after_step = [=, dt = scene.dt](const Engine& engine, int step) {

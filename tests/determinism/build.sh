@@ -40,7 +40,8 @@ compile() {
 }
 
 # build_scenes FOLDER PROCESSOR COMPILER FLAG...: the scenes and what loads them, unless they are there. Where bodies start is the same at every
-# level of optimisation, so they are built with none; and since that leaves little to do but to read what they all include, as two files.
+# level of optimisation, so they are built with none; and since that leaves little to do but to read what they all include, as two files. So
+# names that are a scene's own must differ from those of the other scenes.
 build_scenes() {
     local folder=$1 processor=$2 sources
     shift 2
