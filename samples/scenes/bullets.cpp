@@ -10,6 +10,7 @@
 #include "scenes.hpp"
 
 namespace islet::samples {
+namespace gallery {
 namespace {
 
 constexpr int shots = 48;
@@ -51,11 +52,9 @@ std::vector<SceneShape> shell(Vec2 middle, float half_width, float half_height) 
     return walls;
 }
 
-}  // namespace
-
 // Shots at a wall of 2 cm, behind which a pyramid stands, and at a box of such walls, which is free to move and in which a ball lies. The fastest cross the
 // room twice over in one step.
-Scene make_bullets() {
+Scene make() {
     constexpr float chest_wide = 0.5f, chest_high = 0.4f, chest_at = -0.6f;  // m, halves of its inside; where it stands, on a table
     constexpr float table_high = 1.2f, table_wide = 0.7f;                    // m, half its width
     constexpr int rows = 6;
@@ -120,5 +119,10 @@ Scene make_bullets() {
     };
     return scene;
 }
+
+}  // namespace
+}  // namespace gallery
+
+Scene make_bullets() { return gallery::make(); }
 
 }  // namespace islet::samples

@@ -11,6 +11,7 @@
 #include "scenes.hpp"
 
 namespace islet::samples {
+namespace pinball {
 namespace {
 
 constexpr float gravity = 5;         // m/s^2 along the table
@@ -116,9 +117,7 @@ void watch(const Engine& engine, const Table& table, Game& game) {
     if (p.y > 1.5f && p.y < 2.8f) game.is_low = true;
 }
 
-}  // namespace
-
-Scene make_pinball() {
+Scene make() {
     Scene scene;
     scene.name = "pinball";
     scene.steps = 3000;
@@ -211,5 +210,10 @@ Scene make_pinball() {
     };
     return scene;
 }
+
+}  // namespace
+}  // namespace pinball
+
+Scene make_pinball() { return pinball::make(); }
 
 }  // namespace islet::samples

@@ -11,6 +11,7 @@
 #include "scenes.hpp"
 
 namespace islet::samples {
+namespace puzzle {
 namespace {
 
 constexpr float play = 0.04f;                // m, between the hooks when all is in the middle
@@ -63,9 +64,7 @@ std::vector<SceneShape> piece() {
     };
 }
 
-}  // namespace
-
-Scene make_merge() {
+Scene make() {
     Scene scene;
     scene.name = "merge";
     scene.steps = 750;
@@ -137,5 +136,10 @@ Scene make_merge() {
     };
     return scene;
 }
+
+}  // namespace
+}  // namespace puzzle
+
+Scene make_merge() { return puzzle::make(); }
 
 }  // namespace islet::samples

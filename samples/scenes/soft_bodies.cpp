@@ -153,8 +153,8 @@ Scene make_soft_stack() {
         lines.push_back(at_most("the crate turned (rad)", std::abs(double(on_top.angle)), 0.1));
         lines.push_back(at_most("the tray turned (rad)", std::abs(double(between.angle)), 0.1));
         lines.push_back(at_most("the crate is off the middle by (m)", std::abs(double(on_top.position.x)), 0.2));
-        // Where it began is 1.6 m: more than half of that is left.
-        lines.push_back(near_line("the crate above the tray (m)", double(on_top.position.y - between.position.y), 1.24, 0.44));
+        lines.push_back(near_line("the crate above the tray, more than half of where it began (m)", double(on_top.position.y - between.position.y),
+                                  1.24, 0.44));
         lines.push_back(at_most("fastest body (m/s)", max_speed(engine), 0.1));
         return lines;
     };
