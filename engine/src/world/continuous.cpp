@@ -60,8 +60,11 @@ SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part 
     return s;
 }
 
-// True if what is swept is on one side of the line of a segment, or of a capsule's, that does not turn, and stays there: farther than `gap` from it. Most that
-// slide along a wall do; this costs a tenth of a look for the time of impact, which would say the same. (A lean build does without.)
+float span_of(Vec2 a) { return abs(a.x) + abs(a.y); }
+
+// True if what is swept is on one side of the line of a segment, or of a capsule's, that does not turn, and stays there: farther than `gap` from it, and
+// than rounding can mistake. Most that slide along a wall do; this costs a tenth of a look for the time of impact, which would say the same. (A lean build
+// does without.)
 bool stays_off(const Core& core, const SweptCore& s, std::uint32_t wall, const Sweep& its_way, float gap) {
     const Corners line = corners_of(core.geometries[core.shapes[wall].geometry]);
     if (is_lean || line.count != 2 || its_way.turn != 0) return false;
@@ -74,7 +77,8 @@ bool stays_off(const Core& core, const SweptCore& s, std::uint32_t wall, const S
     float lowest = dot(down, s.core.points[0]);
     for (std::uint32_t i = 1; i < s.core.count; ++i) lowest = min(lowest, dot(down, s.core.points[i]));
     const float sinks = max(0.0f, dot(normal, its_way.way - s.sweep.way)) + 1.05f * abs(s.sweep.turn) * s.reach;
-    return dot(normal, from) + lowest - s.core.radius - line.radius - sinks > gap;
+    const float rounding = 1.0e-6f * (span_of(s.sweep.center) + span_of(s.sweep.way) + span_of(its_way.way) + span_of(from) + span_of(edge) + s.reach);
+    return dot(normal, from) + lowest - s.core.radius - line.radius - sinks > gap + rounding;
 }
 
 // A chain is met from its front alone.
