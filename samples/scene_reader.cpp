@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +19,7 @@
 namespace islet::samples {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 [[noreturn]] void refuse(const std::string& place, const std::string& why) { throw SceneFileError(place.empty() ? why : place + ": " + why); }
 
@@ -276,9 +279,25 @@ std::string place_of(const std::string& text, std::size_t read) {
     return fmt::format("line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'), 1 + column);
 }
 
+/// Refuses an object that has two fields of one name, of which the parser would take the last.
+class NamesOnce {
+public:
+    bool operator()(int, Json::parse_event_t event, const Json& parsed) {
+        if (event == Json::parse_event_t::object_start) open_.emplace_back();
+        if (event == Json::parse_event_t::object_end) open_.pop_back();
+        if (event == Json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second)
+            refuse(parsed.get<std::string>(), "there are two such fields in one object");
+        return true;
+    }
+
+private:
+    std::vector<std::set<std::string>> open_;  // the names met in each object that has begun and not ended
+};
+
 Json parse(const std::string& text) {
     try {
-        return Json::parse(text);
+        NamesOnce names;
+        return Json::parse(text, std::ref(names));
     } catch (const Json::parse_error& error) {
         refuse(place_of(text, error.byte), "here it ceases to be JSON");
     } catch (const Json::exception& error) {

@@ -98,6 +98,8 @@ TEST(SceneFiles, AreRefusedWithThePlaceThatIsWrong) {
         {"", "line 1, column 1: here it ceases to be JSON"},
         {"{\n \"steps\": 3,,\n}", "line 2, column 13: here it ceases to be JSON"},
         {"[]", "the file: must be an object, not a list"},
+        {R"({"steps": 3, "dt": 0.01, "steps": 4})", "steps: there are two such fields in one object"},
+        {R"({"bodies": [{"angle": 1}, {"angle": 1, "position": [0, 0], "angle": 2}]})", "angle: there are two such fields in one object"},
         {R"({"step": 3})", "step: there is no such field; near names: steps"},
         {R"({"steps": 3.5})", "steps: must be a whole number, not a number like 3.5"},
         {R"({"steps": -1})", "steps: must be from 0 to 100000000"},
@@ -132,6 +134,16 @@ TEST(SceneFiles, AreRefusedWithThePlaceThatIsWrong) {
         {R"({"bodies": [{}, {}], "joints": [{"type": "weld", "body_a": 0, "body_b": 1, "motor": {}}]})", "joints[0].motor: there is no such field"},
     };
     for (const Case& c : cases) EXPECT_EQ(refusal(c.text), c.refusal) << c.text;
+}
+
+// What it takes to refuse a file grows with the file, however many fields it has and however deep it goes: under sanitizers too this is a matter of a second.
+TEST(SceneFiles, LargeOnesThatAreNoSceneAreRefusedSoon) {
+    std::string many = "{\"steps\": 1";
+    for (int i = 0; i < 50'000; ++i) many += ", \"" + std::to_string(i) + "\": 0";
+    EXPECT_EQ(refusal(many + "}").substr(0, 26), "0: there is no such field;");
+    std::string deep(300'000, '['), deeper = "{\"bodies\": " + deep + std::string(300'000, ']') + "}";
+    EXPECT_EQ(refusal(deep), "line 1, column 300001: here it ceases to be JSON");
+    EXPECT_EQ(refusal(deeper), "bodies[0]: must be an object, not a list");
 }
 
 // Whatever is cut off or changed, a file is read or refused: nothing else happens. Sanitizers watch.
