@@ -232,7 +232,8 @@ std::string impulses(const Drawing& drawing, const Camera& camera, double size) 
 
 std::string escaped(const std::string& text) {
     std::string out;
-    for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    // A scene's name may come from a file, and XML has no word for control characters.
+    for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : static_cast<unsigned char>(c) < ' ' ? " " : std::string(1, c);
     return out;
 }
 

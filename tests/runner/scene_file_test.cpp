@@ -4,7 +4,9 @@
 #include <string>
 
 #include "engine.hpp"
+#include "runner.hpp"
 #include "scene_file.hpp"
+#include "svg.hpp"
 
 namespace {
 
@@ -134,6 +136,16 @@ TEST(SceneFiles, AreRefusedWithThePlaceThatIsWrong) {
         {R"({"bodies": [{}, {}], "joints": [{"type": "weld", "body_a": 0, "body_b": 1, "motor": {}}]})", "joints[0].motor: there is no such field"},
     };
     for (const Case& c : cases) EXPECT_EQ(refusal(c.text), c.refusal) << c.text;
+}
+
+// A name is any text; a picture of the scene must stay XML, which holds no control characters and no bare brackets.
+TEST(SceneFiles, NamesLeaveAPictureWhole) {
+    samples::Run run(read_scene(R"({"name": "a\u0001\u0000<b>", "steps": 1})"), {});
+    run.run({});
+    const std::string picture = draw_svg(run, usual_drawing());
+    EXPECT_NE(picture.find("<title>a  &lt;b&gt;</title>"), std::string::npos) << picture;
+    EXPECT_EQ(picture.find('\0'), std::string::npos);
+    EXPECT_EQ(picture.find('\1'), std::string::npos);
 }
 
 // What it takes to refuse a file grows with the file, however many fields it has and however deep it goes: under sanitizers too this is a matter of a second.
