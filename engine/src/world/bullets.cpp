@@ -21,7 +21,8 @@ namespace detail {
 
 namespace {
 
-inline constexpr std::uint32_t bullet_rounds = 4;  // each may stop a bullet in the way of another
+// Each may stop a bullet in the way of another. In the last they heed no other bullets: if some must pass, then rather each other than a wall that moves.
+inline constexpr std::uint32_t bullet_rounds = 4;
 
 /// The first impact of a body with others on their ways.
 struct Impact {
@@ -39,7 +40,7 @@ void meet(const Core& core, std::uint32_t body, const Sweep& way, std::uint32_t 
 bool is_stopped(const Core& core, std::uint32_t body) { return (core.bodies[body].flags & body_bullet) != 0 && core.is_dynamic(body); }
 
 Impact first_impact(const Core& core, std::uint32_t body, const Sweep& way, const std::uint32_t* body_of, std::uint32_t slot_count,
-                    const SolverBody* bodies, std::uint32_t slot) {
+                    const SolverBody* bodies, std::uint32_t slot, bool last_round) {
     Impact first;
     const Pose& pose = core.poses[body];
     const float far_enough = swept_fraction * core.bodies[body].min_extent;
@@ -55,7 +56,7 @@ Impact first_impact(const Core& core, std::uint32_t body, const Sweep& way, cons
         if (i == slot || !overlaps(box, other_box)) continue;
         const float other_turned = abs(other_way.dq) * other_pose.max_extent;
         if (length(way.way - other_way.dp) + turned + other_turned <= far_enough) continue;
-        if (is_stopped(core, other) && length(other_way.dp) + other_turned > moved) continue;  // it gives way
+        if (is_stopped(core, other) && (last_round || length(other_way.dp) + other_turned > moved)) continue;
         const Sweep sweep = sweep_of(core, other, other_way);
         for (std::uint32_t s = core.bodies[other].shape_head; s != null_index; s = core.shapes[s].next) meet(core, body, way, s, sweep, first);
     }
@@ -88,7 +89,7 @@ void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_c
             const std::uint32_t body = body_of[slot];
             if (!is_stopped(core, body)) continue;
             const Sweep way = sweep_of(core, body, bodies[slot]);
-            const Impact impact = first_impact(core, body, way, body_of, slot_count, bodies, slot);
+            const Impact impact = first_impact(core, body, way, body_of, slot_count, bodies, slot, round + 1 == bullet_rounds);
             if (impact.fraction >= 1) continue;
             place_at_end(core, body, carried(way, impact), bodies[slot]);
             if (length(bodies[slot].dp) + abs(bodies[slot].dq) * core.poses[body].max_extent > swept_fraction * core.bodies[body].min_extent)
