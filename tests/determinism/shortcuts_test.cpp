@@ -11,33 +11,6 @@ namespace {
 
 constexpr float far_out[] = {0, 1e3f, 3e4f, 1e5f, 1e6f, 9e6f};  // m from the origin
 
-// A ball that goes along a wall, a few millimetres from it: seen to keep off its line, or searched for the moment it touches.
-TEST(Shortcuts, WhatKeepsOffALineIsFoundNotToTouch) {
-    using namespace detail;
-    Random random(1);
-    std::uint32_t touching = 0, passing = 0;
-    for (int i = 0; i < 60'000; ++i) {
-        const float out = far_out[i % 6], radius = random.between(0.05f, 2), half_length = random.between(0.5f, 500);
-        const Segment line{{-half_length, 0}, {half_length, 0}};
-        TestWorld w({.bodies = 2, .shapes = 2, .contacts = 1});
-        w.add(line, Vec2{});
-        w.add_circle({0, 0}, radius);
-
-        const Sweep wall{{out, random.between(-out, out)}, make_rot(random.between(-pi, pi)), {}, 0};
-        const Vec2 along = rotate(wall.q, {1, 0}), up = left_perp(along);
-        const float height = radius + random.between(-0.002f, 0.008f) + 1e-7f * random.between(0, 20) * out;
-        const Sweep way{wall.center + random.between(-2, 2) * half_length * along + height * up, {}, random.between(-30, 30) * along, random.between(-1, 1)};
-        const SweptCore a{{{line.point1, line.point2}, 2, 0}, wall, half_length};
-        const SweptCore b{{{{0, 0}}, 1, radius}, way, 0};
-
-        const float searched = time_of_impact(a, b, 0.25f * 0.005f, 0.25f * 0.005f, 1);
-        ASSERT_EQ(time_to_touch(Core::of(*w), 0, wall, 1, way), searched) << "trial " << i << ", " << out << " m out";
-        ++(searched == no_impact ? passing : touching);
-    }
-    EXPECT_GT(touching, 1000u);
-    EXPECT_GT(passing, 1000u);
-}
-
 // A slow rod falls, point first, on a wall about as far away as a body is taken to be alone, so fast that it has not looked so far ahead; with or without a
 // thing around it that it passes through.
 TEST(Shortcuts, WhoIsAloneMovesAsIfItWereNot) {

@@ -17,7 +17,7 @@ std::string lacks_nothing(const Scene&) { return {}; }
 std::unique_ptr<Engine> make_islet() { return std::make_unique<samples::IsletEngine>(); }
 
 #ifdef ISLET_BOX2D
-// With the skin outside, as its users make shapes, and without continuous collision, which Islet does not have (README.md).
+// With the skin outside, as its users make shapes, and without continuous collision, which is to its advantage (README.md).
 std::unique_ptr<Engine> make_box2d() { return std::make_unique<Box2dEngine>(Box2dOptions{.skin = Skin::outside, .continuous = false, .nearest = true}); }
 #endif
 

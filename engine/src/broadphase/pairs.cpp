@@ -118,7 +118,7 @@ Motioned sorted_columns(Core& core, Arena& arena) {
     core.awake_bodies.for_each([&](std::uint32_t body) {
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
             list[n++] = s;
-            bounds = merge(bounds, core.boxes[s]);
+            bounds = both(bounds, core.boxes[s]);
         }
     });
 

@@ -27,7 +27,7 @@ void refit(Tree t, std::uint32_t index) {
     TreeNode& node = t.nodes[index];
     const TreeNode& a = t.nodes[node.child1];
     const TreeNode& b = t.nodes[node.child2];
-    node.box = merge(a.box, b.box);
+    node.box = both(a.box, b.box);
     node.height = 1 + (a.height > b.height ? a.height : b.height);
 }
 
@@ -87,7 +87,7 @@ std::uint32_t best_sibling(Tree t, const Aabb& box) {
     while (!is_leaf(t.nodes[index])) {
         const auto growth = [&](std::uint32_t child) {
             const TreeNode& node = t.nodes[child];
-            const float merged = perimeter(merge(node.box, box));
+            const float merged = perimeter(both(node.box, box));
             return is_leaf(node) ? merged : merged - perimeter(node.box);
         };
         const std::uint32_t child1 = t.nodes[index].child1;

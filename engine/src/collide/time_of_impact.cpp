@@ -24,21 +24,21 @@ void place(Vec2* out, const SweptCore& s, float fraction, Vec2 from) {
 Rot rotation_at(const Sweep& sweep, float fraction) { return integrate(sweep.q, fraction * sweep.turn); }
 Vec2 center_at(const Sweep& sweep, float fraction) { return sweep.center + fraction * sweep.way; }
 
-float time_of_impact(const SweptCore& a, const SweptCore& b, float target, float tolerance, float end) {
+float time_of_impact(const SweptCore& a, const SweptCore& b, float gap, float end) {
     constexpr float uneven = 1.01f;  // rotation_at turns a little faster in one part of the way than in another
     const float turning = uneven * (abs(a.sweep.turn) * a.reach + abs(b.sweep.turn) * b.reach);
-    const float near = a.core.radius + b.core.radius + target;
+    const float near = a.core.radius + b.core.radius + gap;
     float fraction = 0;
     for (std::uint32_t pass = 0; pass < max_advances; ++pass) {
         Vec2 points_a[max_polygon_vertices], points_b[max_polygon_vertices];
         place(points_a, a, fraction, a.sweep.center);
         place(points_b, b, fraction, a.sweep.center);
-        const DistanceResult gap = core_distance(points_a, a.core.count, points_b, b.core.count);
-        const float left = gap.distance - near;
-        const float approach = dot(a.sweep.way - b.sweep.way, gap.normal) + turning;
-        if (left <= tolerance) {
+        const DistanceResult nearest = core_distance(points_a, a.core.count, points_b, b.core.count);
+        const float left = nearest.distance - near;
+        const float approach = dot(a.sweep.way - b.sweep.way, nearest.normal) + turning;
+        if (left <= gap) {
             if (fraction > 0) return fraction;
-            return gap.normal == Vec2{0, 0} ? overlaps_from_the_start : approach > 0 ? 0 : no_impact;
+            return nearest.normal == Vec2{0, 0} ? overlaps_from_the_start : approach > 0 ? 0 : no_impact;
         }
         if (!(approach * (end - fraction) > left)) return no_impact;
         fraction += left / approach;

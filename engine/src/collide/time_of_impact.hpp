@@ -27,9 +27,9 @@ struct SweptCore {
 inline constexpr float no_impact = 2.0f;
 inline constexpr float overlaps_from_the_start = -1.0f;
 
-/// The first fraction of the step, below `end`, at which a and b are no farther apart than `target` (m, >= 0), give or take `tolerance` (m, > 0); no_impact
-/// if they never are. If they start so near: no_impact if they part, 0 if they do not, overlaps_from_the_start if their cores overlap.
+/// The first fraction of the step, below `end`, at which a and b are no farther apart than `gap` (m, > 0), give or take as much; no_impact if they
+/// never are. If they start so near: no_impact if they part, 0 if they do not, overlaps_from_the_start if their cores overlap.
 /// Where rotation makes the search long it gives up early rather than late: at a fraction before which they do not meet.
-float time_of_impact(const SweptCore& a, const SweptCore& b, float target, float tolerance, float end);
+float time_of_impact(const SweptCore& a, const SweptCore& b, float gap, float end);
 
 }  // namespace islet::detail

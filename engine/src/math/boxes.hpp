@@ -1,4 +1,4 @@
-// Questions on boxes that stand in many places.
+// What is asked of boxes in many places: a build for size keeps one copy of each.
 #pragma once
 
 #include "islet/math.hpp"
@@ -6,7 +6,9 @@
 
 namespace islet::detail {
 
-/// overlaps(), of which a build for size keeps one copy.
+/// overlaps()
 ISLET_SHARED bool meet(const Aabb& a, const Aabb& b) { return overlaps(a, b); }
+/// merge()
+ISLET_SHARED Aabb both(const Aabb& a, const Aabb& b) { return merge(a, b); }
 
 }  // namespace islet::detail

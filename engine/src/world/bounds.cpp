@@ -10,7 +10,6 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float max_box_margin = 0.05f;       // m, so that a body can move a little before its pairs are found anew
 inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: small things get small margins
 
 ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {

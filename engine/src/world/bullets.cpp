@@ -3,6 +3,9 @@
 // Each body goes evenly from where it was to where it is. A bullet that meets another on the way is stopped there, and from there on carried along, so that
 // the other does not pass through it either. Where bodies end decides who passes whom, whatever way they take between, so bullets that were stopped
 // are compared again, a few times at most, and with what is static.
+//
+// Of two bullets the one that goes farther gives way. The other is not carried along: how far the first will come is not known yet, and whatever it was
+// carried over would take rounds to make good.
 #include "broadphase/tree.hpp"
 #include "math/scalar.hpp"
 #include "world/bounds.hpp"
@@ -18,7 +21,8 @@ namespace detail {
 
 namespace {
 
-inline constexpr std::uint32_t bullet_rounds = 4;  // each may stop a bullet in the way of another
+// Each may stop a bullet in the way of another. In the last they heed no other bullets: if some must pass, then rather each other than a wall that moves.
+inline constexpr std::uint32_t bullet_rounds = 4;
 
 /// The first impact of a body with others on their ways.
 struct Impact {
@@ -33,13 +37,16 @@ void meet(const Core& core, std::uint32_t body, const Sweep& way, std::uint32_t 
     }
 }
 
+bool is_stopped(const Core& core, std::uint32_t body) { return (core.bodies[body].flags & body_bullet) != 0 && core.is_dynamic(body); }
+
 Impact first_impact(const Core& core, std::uint32_t body, const Sweep& way, const std::uint32_t* body_of, std::uint32_t slot_count,
-                    const SolverBody* bodies, std::uint32_t slot) {
+                    const SolverBody* bodies, std::uint32_t slot, bool last_round) {
     Impact first;
     const Pose& pose = core.poses[body];
     const float far_enough = swept_fraction * core.bodies[body].min_extent;
     const Aabb box = box_of_way(way.center, way.way, pose.max_extent);
     const float turned = abs(way.turn) * pose.max_extent;
+    const float moved = length(way.way) + turned;
     for (std::uint32_t i = 1; i < slot_count; ++i) {
         const std::uint32_t other = body_of[i];
         const SolverBody& other_way = bodies[i];
@@ -47,11 +54,13 @@ Impact first_impact(const Core& core, std::uint32_t body, const Sweep& way, cons
         const Vec2 start = other_pose.center - other_way.dp;
         const Aabb other_box = expand({min(start, other_pose.center), max(start, other_pose.center)}, other_pose.max_extent);
         if (i == slot || !overlaps(box, other_box)) continue;
-        if (length(way.way - other_way.dp) + turned + abs(other_way.dq) * other_pose.max_extent <= far_enough) continue;
+        const float other_turned = abs(other_way.dq) * other_pose.max_extent;
+        if (length(way.way - other_way.dp) + turned + other_turned <= far_enough) continue;
+        if (is_stopped(core, other) && (last_round || length(other_way.dp) + other_turned > moved)) continue;
         const Sweep sweep = sweep_of(core, other, other_way);
         for (std::uint32_t s = core.bodies[other].shape_head; s != null_index; s = core.shapes[s].next) meet(core, body, way, s, sweep, first);
     }
-    if (length(way.way) + turned <= far_enough) return first;
+    if (moved <= far_enough) return first;
     tree_query(Tree{&core.state->tree, core.tree}, box, [&](std::uint32_t shape) {
         const std::uint32_t other = core.shapes[shape].body;
         if (core.bodies[other].type() != BodyType::static_body) meet(core, body, way, shape, at_rest(core, other), first);
@@ -78,9 +87,9 @@ void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_c
         again = false;
         for (std::uint32_t slot = 1; slot < slot_count; ++slot) {
             const std::uint32_t body = body_of[slot];
-            if ((core.bodies[body].flags & body_bullet) == 0 || !core.is_dynamic(body)) continue;
+            if (!is_stopped(core, body)) continue;
             const Sweep way = sweep_of(core, body, bodies[slot]);
-            const Impact impact = first_impact(core, body, way, body_of, slot_count, bodies, slot);
+            const Impact impact = first_impact(core, body, way, body_of, slot_count, bodies, slot, round + 1 == bullet_rounds);
             if (impact.fraction >= 1) continue;
             place_at_end(core, body, carried(way, impact), bodies[slot]);
             if (length(bodies[slot].dp) + abs(bodies[slot].dq) * core.poses[body].max_extent > swept_fraction * core.bodies[body].min_extent)

@@ -60,27 +60,6 @@ SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part 
     return s;
 }
 
-float span_of(Vec2 a) { return abs(a.x) + abs(a.y); }
-
-// True if what is swept is on one side of the line of a segment, or of a capsule's, that does not turn, and stays there: farther than `gap` from it, and
-// than rounding can mistake. Most that slide along a wall do; this costs a tenth of a look for the time of impact, which would say the same. (A lean build
-// does without.)
-bool stays_off(const Core& core, const SweptCore& s, std::uint32_t wall, const Sweep& its_way, float gap) {
-    const Corners line = corners_of(core.geometries[core.shapes[wall].geometry]);
-    if (is_lean || line.count != 2 || its_way.turn != 0) return false;
-    const Vec2 edge = line.points[1] - line.points[0];
-    const Vec2 center = core.bodies[core.shapes[wall].body].local_center;
-    const Vec2 from = s.sweep.center - its_way.center - rotate(its_way.q, line.points[0] - center);
-    Vec2 normal = 1.0f / sqrt(length_squared(edge)) * rotate(its_way.q, left_perp(edge));
-    if (dot(normal, from) < 0) normal = -normal;
-    const Vec2 down = inv_rotate(s.sweep.q, normal);
-    float lowest = dot(down, s.core.points[0]);
-    for (std::uint32_t i = 1; i < s.core.count; ++i) lowest = min(lowest, dot(down, s.core.points[i]));
-    const float sinks = max(0.0f, dot(normal, its_way.way - s.sweep.way)) + 1.05f * abs(s.sweep.turn) * s.reach;
-    const float rounding = 1.0e-6f * (span_of(s.sweep.center) + span_of(s.sweep.way) + span_of(its_way.way) + span_of(from) + span_of(edge) + s.reach);
-    return dot(normal, from) + lowest - s.core.radius - line.radius - sinks > gap + rounding;
-}
-
 // A chain is met from its front alone.
 bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep, std::uint32_t other) {
     const Geometry& g = core.geometries[core.shapes[other].geometry];
@@ -107,9 +86,7 @@ Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt) {
 
 float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {
     constexpr float gap = 0.25f * linear_slop;
-    const SweptCore swept_b = swept(core, shape_b, b, Part::whole);
-    if (stays_off(core, swept_b, shape_a, a, 2.5f * gap)) return no_impact;  // of two shapes the segment is A
-    return time_of_impact(swept(core, shape_a, a, Part::whole), swept_b, gap, gap, 1);
+    return time_of_impact(swept(core, shape_a, a, Part::whole), swept(core, shape_b, b, Part::whole), gap, 1);
 }
 
 Sweep sweep_of(const Core& core, std::uint32_t body, const SolverBody& way) {
@@ -122,14 +99,12 @@ Sweep at_rest(const Core& core, std::uint32_t body) { return {core.poses[body].c
 float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::uint32_t other, const Sweep& other_way, float end) {
     if (!is_solid(core, shape, other) || comes_from_behind(core, shape, way, other)) return no_impact;
     const float tolerance = clamp(0.25f * half_thickness(core.geometries[core.shapes[shape].geometry]), 0.1f * linear_slop, 0.25f * linear_slop);
-    const SweptCore inner = swept(core, shape, way, Part::core);
-    if (stays_off(core, inner, other, other_way, 1.5f * tolerance)) return no_impact;
     const SweptCore obstacle = swept(core, other, other_way, Part::whole);
-    float passing = time_of_impact(inner, obstacle, 0.5f * tolerance, 0.5f * tolerance, end);
+    float passing = time_of_impact(swept(core, shape, way, Part::core), obstacle, 0.5f * tolerance, end);
     // Where it has been squeezed in so deep already, its middle must at least stay on this side.
-    if (passing <= 0) passing = time_of_impact(swept(core, shape, way, Part::middle), obstacle, least_gap, least_gap, end);
+    if (passing <= 0) passing = time_of_impact(swept(core, shape, way, Part::middle), obstacle, least_gap, end);
     if (passing < 0 || passing == no_impact) return no_impact;
-    const float touching = time_of_impact(swept(core, shape, way, Part::whole), obstacle, tolerance, tolerance, passing);
+    const float touching = time_of_impact(swept(core, shape, way, Part::whole), obstacle, tolerance, passing);
     return touching > 0 && touching < passing ? touching : passing;
 }
 

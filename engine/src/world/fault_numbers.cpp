@@ -72,7 +72,7 @@ const char* fault_in_numbers(const Body& b, const Pose& pose, const Motion& moti
 
 const char* fault_in_numbers(const Shape& s, const Aabb& box) {
     const bool sane = within(s.friction, 0, max_coefficient) && within(s.restitution, 0, 1) && within(s.rolling_resistance, 0, max_coefficient) &&
-                      within(s.tangent_speed, -max_speed_limit, max_speed_limit) && not_negative(s.density) && not_negative(s.margin);
+                      within(s.tangent_speed, -max_speed_limit, max_speed_limit) && not_negative(s.density) && within(s.margin, 0, max_box_margin);
     if (!sane) return "a shape's material is out of range";
     if (s.flags > shape_all_flags) return "a shape's flags are none";
     const bool ordered = box.lower.x <= box.upper.x && box.lower.y <= box.upper.y;
