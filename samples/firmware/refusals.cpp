@@ -1,5 +1,7 @@
-// For a build without capsules, segments, chains, joints, bouncing, surfaces, sleep, sensors, hits and hooks: each is refused, by name and at no cost to the world, and what is
-// left comes to the same. Prints the pyramid's line as firmware.cpp does; fails if anything is not refused.
+// For a build without capsules, segments, chains, joints, bouncing, surfaces, sleep, sensors, hits, hooks, queries and so the mover: each is refused, by
+// name and at no cost to the world, and what is left comes to the same. Prints the pyramid's line as firmware.cpp does; fails if anything is not refused.
+#include <islet/mover.hpp>
+
 #include "board.hpp"
 #include "console.hpp"
 #include "scenes.hpp"
@@ -53,6 +55,13 @@ int run() {
     expect_refused(world, world.rolling_resistance(box) == 0, "set_rolling_resistance");
     world.set_tangent_speed(box, 1);
     expect_refused(world, world.tangent_speed(box) == 0, "set_tangent_speed");
+    expect_refused(world, !world.cast_ray({0, 200}, {0, -200}), "a ray");
+    expect_refused(world, !world.cast_shape_any(make_proxy(Circle{{0, 200}, 1}), {0, -200}), "a shape's cast");
+    ShapeId found[4];
+    expect_refused(world, world.overlap_point({0, 100}, found) == 0, "an overlap");
+    expect_refused(world, !world.closest({0, 100}, 10), "the closest shape");
+    MoverState hero;
+    expect_refused(world, !step_mover(world, {}, hero, {}, 1.0f / 60), "the mover");
     world.enable_sleep(true);
     expect_refused(world, true, "enable_sleep");
     expect_refused(world, !world.create_body({.type = BodyType::dynamic, .awake = false}), "a body asleep");

@@ -66,6 +66,12 @@
 #if !defined(ISLET_HOOKS)
 #define ISLET_HOOKS 1  // the user's filter, pre-solve and mixing
 #endif
+#if !defined(ISLET_QUERIES)
+#define ISLET_QUERIES 1  // ray and shape casts, overlaps, closest points in a world
+#endif
+#if !defined(ISLET_MOVER)
+#define ISLET_MOVER ISLET_QUERIES  // step_mover, which needs queries
+#endif
 #if !defined(ISLET_RECORDER)
 #define ISLET_RECORDER 1  // World::start_recording
 #endif

@@ -239,6 +239,10 @@ bool check_mover(const Core& core, const MoverDef& d, const MoverState& s, const
 }  // namespace
 
 bool step_mover(World& world, const MoverDef& def, MoverState& state, const MoverInput& input, float dt) {
+    if constexpr (!has_mover) {
+        Core::of(world).fail(Error::feature_cut);
+        return false;
+    }
     if (!check_mover(Core::of(world), def, state, input, dt)) return false;
     const DefaultFloatMode mode;
     const Vec2 up = normalize(def.up);

@@ -3,9 +3,15 @@
 
 #include "broadphase/tree.hpp"
 #include "islet/query.hpp"
-#include "memory/core.hpp"
+#include "world/checks.hpp"
 
 namespace islet::detail {
+
+/// In a build without queries: records that, and says so.
+[[gnu::always_inline]] inline bool queries_are_cut(const Core& core) {
+    if constexpr (!has_queries) writable(core).fail(Error::feature_cut);
+    return !has_queries;
+}
 
 /// Whether queries with this filter find the shape at all.
 inline bool is_queried(const Core& core, std::uint32_t shape, const QueryFilter& filter) {

@@ -78,6 +78,7 @@ void find_first(const Cast& cast, FirstFew<QueryHit>& found, float limit, const 
 bool check_cast(const Core& core, const ShapeProxy& shape, Vec2 translation) { return check_proxy(core, shape) && check_translation(core, translation); }
 
 QueryHit first_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter) {
+    if (queries_are_cut(core)) return {};
     const DefaultFloatMode mode;
     QueryHit hit;
     if (!check_cast(core, shape, translation)) return hit;
@@ -87,6 +88,7 @@ QueryHit first_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, 
 }
 
 bool any_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter) {
+    if (queries_are_cut(core)) return false;
     const DefaultFloatMode mode;
     if (!check_cast(core, shape, translation)) return false;
     const Cast cast(core, shape, translation, filter);
@@ -97,6 +99,7 @@ bool any_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, const 
 }
 
 std::uint32_t all_hits(const Core& core, const ShapeProxy& shape, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter) {
+    if (queries_are_cut(core)) return 0;
     const DefaultFloatMode mode;
     if (!check_cast(core, shape, translation)) return 0;
     const Cast cast(core, shape, translation, filter);
@@ -113,6 +116,7 @@ std::uint32_t all_hits(const Core& core, const ShapeProxy& shape, Vec2 translati
 }
 
 void each_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter, CastVisitor visit_hook, void* context) {
+    if (queries_are_cut(core)) return;
     const DefaultFloatMode mode;
     if (!check_cast(core, shape, translation) || visit_hook == nullptr) return;
     const Cast cast(core, shape, translation, filter);

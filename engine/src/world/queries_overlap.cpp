@@ -33,6 +33,7 @@ struct Overlap {
 };
 
 std::uint32_t count_overlaps(const Overlap& overlap, std::span<ShapeId> out) {
+    if (queries_are_cut(overlap.core)) return 0;
     const DefaultFloatMode mode;
     const Aabb reach = expand(overlap.box, rounding_of(overlap.box));
     FirstFew<ShapeId> found{out.data(), out.size()};
@@ -48,8 +49,8 @@ std::uint32_t count_overlaps(const Overlap& overlap, std::span<ShapeId> out) {
 }
 
 void visit_overlaps(const Overlap& overlap, OverlapVisitor visit_hook, void* context) {
+    if (queries_are_cut(overlap.core) || visit_hook == nullptr) return;
     const DefaultFloatMode mode;
-    if (visit_hook == nullptr) return;
     const Aabb reach = expand(overlap.box, rounding_of(overlap.box));
     ShapeId shapes[visits_a_search];
     ShapeId last;
@@ -103,6 +104,7 @@ void World::overlap_point_each(Vec2 point, const QueryFilter& filter, OverlapVis
 
 ClosestHit World::closest(Vec2 point, float max_distance, const QueryFilter& filter) const {
     const Core& c = core();
+    if (queries_are_cut(c)) return {};
     const DefaultFloatMode mode;
     ClosestHit best;
     if (!check_position(c, point) || !check_range(c, max_distance, 0, max_translation)) return best;

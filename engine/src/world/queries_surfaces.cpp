@@ -33,6 +33,7 @@ bool face_of_segment(const ShapeProxy& p, const ShapeProxy& segment, Nearest& n)
 
 std::uint32_t World::surfaces_near(const ShapeProxy& shape, float within, std::span<Surface> out, const QueryFilter& filter) const {
     const Core& c = core();
+    if (queries_are_cut(c)) return 0;
     const DefaultFloatMode mode;
     if (!check_proxy(c, shape) || !check_range(c, within, 0, max_translation)) return 0;
     const Aabb around = expand(box_of(shape), within);
