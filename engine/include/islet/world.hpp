@@ -386,7 +386,7 @@ public:
     //
     // What is where now: poses as of the last step, and what was set since. Queries change nothing, need no memory and are the same whatever order shapes
     // were made and moved in: hits come in the order of their fractions, then of their shapes' slots; overlaps in that of their slots. With good arguments
-    // any number of threads may ask at once, as long as none changes the world. Errors, which find nothing: bad_geometry for a proxy; not_finite and
+    // any number of threads may ask at once, as long as none changes the world. Errors, which find nothing: feature_cut; bad_geometry for a proxy; not_finite and
     // out_of_range for points and corners beyond max_position, translations beyond max_translation.
     //
     // Chain segments are met by rays and casts from their outer side only, and are thin lines to overlap and distance queries.
@@ -426,9 +426,9 @@ public:
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------
 
     /// Writes to `memory` the complementarity problem that a substep of `h` seconds, 0 < h <= 1, would pose to the island of a dynamic body as it stands
-    /// now, and points `out` to it. (Contacts have the normals and arms that the last step found; a centre of mass moved since then is not seen by them.) Returns the bytes needed, and writes neither to memory nor to out if there are fewer; memory needs no alignment.
-    /// Motion locks are not in it. It is the same problem whichever of the island's bodies is named, asleep or awake. Not part of the state: no hash knows of it, and solving
-    /// it changes no body; but it uses the world's scratch memory, so no other call to the world may run at the same time. Bodies of absurd masses may
+    /// now, and points `out` to it. (Contacts have the normals and arms that the last step found; a centre of mass moved since then is not seen by them.)
+    /// Returns the bytes needed, and writes neither to memory nor to out if there are fewer; memory needs no alignment. Motion locks are not in it. It is the
+    /// same problem whichever of the island's bodies is named, asleep or awake. Not part of the state: no hash knows of it, and solving it changes no body; but it uses the world's scratch memory, so no other call to the world may run at the same time. Bodies of absurd masses may
     /// give numbers that overflow; lcp::solve then says not_finite. Returns 0 on an error: null_id, stale_id; no_dynamic_body; bad_time_step of h;
     /// out_of_range if there are more than lcp::max_rows rows or 2^32 - 1 entries.
     std::size_t export_island(BodyId body, float h, std::span<std::byte> memory, IslandProblem& out) const;
@@ -454,7 +454,7 @@ private:
 
 static_assert(sizeof(World) <= detail::host_bytes);
 
-/// A world with its memory inside: for static storage, the stack or a member. world() may be called after create().
+/// A world with its memory inside: for static storage, the stack or a member. There is no world before create() is called.
 template <Capacity C>
 class StaticWorld {
     static_assert(is_valid(C), "bodies, shapes and contacts must be above 0, and nothing above max_capacity");
