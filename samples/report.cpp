@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/checks.hpp"
+#include "short_number.hpp"
 
 namespace islet::samples {
 namespace {
@@ -17,9 +18,6 @@ std::string hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 /// JSON has no infinity and no NaN: they become null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-/// The shortest decimal that reads back as the same float, as a double: 0.016666668 rather than 0.01666666753590107.
-double short_number(float value) { return std::stod(fmt::format("{}", value)); }
 
 std::string bytes(std::size_t count) {
     const double n = double(count);

@@ -7,14 +7,12 @@
 
 #include "scene_fields.hpp"
 #include "scene_file.hpp"
+#include "short_number.hpp"
 
 namespace islet::samples {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// As few digits as give the same float back.
-double short_number(float value) { return std::stod(fmt::format("{}", value)); }
 
 bool same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 bool same_bits(Vec2 a, Vec2 b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y); }

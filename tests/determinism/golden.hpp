@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -17,6 +18,9 @@
 #include "engine.hpp"
 
 namespace islet::golden {
+
+/// golden.txt in the sources.
+inline std::string file() { return (std::filesystem::path(__FILE__).parent_path() / "golden.txt").string(); }
 
 struct Checkpoint {
     int steps = 0;

@@ -21,8 +21,6 @@ constexpr int most_large_steps = 1 << 30;
 constexpr int most_large_steps = 20;
 #endif
 
-std::string golden_file() { return (std::filesystem::path(__FILE__).parent_path() / "golden.txt").string(); }
-
 bool updating() {
     const char* wish = std::getenv("ISLET_UPDATE_GOLDEN");
     return wish != nullptr && std::string(wish) == "1";
@@ -33,11 +31,11 @@ class Update : public testing::Environment {
 public:
     void SetUp() override {
         if (!updating()) return;
-        const golden::Table old = golden::read(golden_file());
+        const golden::Table old = golden::read(golden::file());
         golden::Table table;
         for (const samples::SceneInfo& info : samples::catalogue())
             table.push_back({info.name, golden::run(info, golden::checkpoints_of(old, info), 0, 1 << 30)});
-        ASSERT_TRUE(golden::write(golden_file(), table)) << "cannot write " << golden_file();
+        ASSERT_TRUE(golden::write(golden::file(), table)) << "cannot write " << golden::file();
     }
 };
 const testing::Environment* const update = testing::AddGlobalTestEnvironment(new Update);
@@ -46,7 +44,7 @@ class Golden : public testing::TestWithParam<std::tuple<samples::SceneInfo, std:
 
 TEST_P(Golden, HashIsTheSameOnEveryMachine) {
     const auto& [info, lanes] = GetParam();
-    const golden::Table table = golden::read(golden_file());
+    const golden::Table table = golden::read(golden::file());
     const std::vector<golden::Checkpoint> due = golden::checkpoints_of(table, info);
     const bool large = std::string(info.group) == "benchmark";
     const std::vector<golden::Checkpoint> seen = golden::run(info, due, lanes, large ? most_large_steps : 1 << 30);
@@ -61,8 +59,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Combine(testing::ValuesIn(samp
                          });
 
 TEST(GoldenFile, NamesEverySceneAndNoOther) {
-    const golden::Table table = golden::read(golden_file());
-    ASSERT_FALSE(table.empty()) << "no hashes in " << golden_file();
+    const golden::Table table = golden::read(golden::file());
+    ASSERT_FALSE(table.empty()) << "no hashes in " << golden::file();
     for (const golden::Entry& entry : table) EXPECT_NE(samples::find_scene(entry.scene), nullptr) << entry.scene << " is no scene";
     for (const samples::SceneInfo& info : samples::catalogue()) {
         const bool known = std::any_of(table.begin(), table.end(), [&](const golden::Entry& e) { return e.scene == info.name; });

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "support/bits.hpp"
 #include "support/test_world.hpp"
 
 namespace islet::test {
@@ -32,8 +33,6 @@ struct Stage {
         world.step(5);
     }
 };
-
-float next_up(float f) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(f) + 1u); }
 
 struct Change {
     const char* name;

@@ -6,58 +6,57 @@
 #include <random>
 #include <vector>
 
+#include "support/bits.hpp"
 #include "support/joint_world.hpp"
 #include "support/test_world.hpp"
 
 namespace islet::test {
 namespace {
 
-constexpr Capacity capacity{.bodies = 64, .shapes = 64, .contacts = 256, .joints = 64};
+constexpr Capacity machine_capacity{.bodies = 64, .shapes = 64, .contacts = 256, .joints = 64};
 
-struct Stage {
-    TestWorld world{capacity};
+struct MachineStage {
+    TestWorld world{machine_capacity};
     Machine machine = add_machine(*world, {0, 0});
-    Stage() { world.step(5); }
+    MachineStage() { world.step(5); }
     World* operator->() { return world.get(); }
     JointId operator[](JointType type) const { return machine[type]; }
 };
 
-float next_up(float f) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(f) + 1u); }
-
-struct Change {
+struct JointChange {
     const char* name;
-    std::function<void(Stage&)> apply;
+    std::function<void(MachineStage&)> apply;
 };
 
 // One bit of one number.
-std::function<void(Stage&)> spring_bit(float JointSpring::*number) {
-    return [=](Stage& s) {
+std::function<void(MachineStage&)> spring_bit(float JointSpring::*number) {
+    return [=](MachineStage& s) {
         JointSpring spring = s->spring(s[JointType::prismatic]);
         spring.*number = next_up(spring.*number);
         s->set_spring(s[JointType::prismatic], spring);
     };
 }
-std::function<void(Stage&)> limit_bit(float JointLimit::*number) {
-    return [=](Stage& s) {
+std::function<void(MachineStage&)> limit_bit(float JointLimit::*number) {
+    return [=](MachineStage& s) {
         JointLimit limit = s->limit(s[JointType::revolute]);
         limit.*number = next_up(limit.*number);
         s->set_limit(s[JointType::revolute], limit);
     };
 }
-std::function<void(Stage&)> motor_bit(float JointMotor::*number) {
-    return [=](Stage& s) {
+std::function<void(MachineStage&)> motor_bit(float JointMotor::*number) {
+    return [=](MachineStage& s) {
         JointMotor motor = s->motor(s[JointType::wheel]);
         motor.*number = next_up(motor.*number);
         s->set_motor(s[JointType::wheel], motor);
     };
 }
 
-const Change matters[] = {
+const JointChange joint_matters[] = {
     {"OneBitOfASpringsFrequency", spring_bit(&JointSpring::hertz)},
     {"OneBitOfASpringsDamping", spring_bit(&JointSpring::damping_ratio)},
     {"OneBitOfASpringsTarget", spring_bit(&JointSpring::target)},
     {"ThatASpringIsOn",
-     [](Stage& s) {
+     [](MachineStage& s) {
          JointSpring spring = s->spring(s[JointType::distance]);
          spring.enable = false;
          s->set_spring(s[JointType::distance], spring);
@@ -65,7 +64,7 @@ const Change matters[] = {
     {"OneBitOfALowerLimit", limit_bit(&JointLimit::lower)},
     {"OneBitOfAnUpperLimit", limit_bit(&JointLimit::upper)},
     {"ThatALimitIsOn",
-     [](Stage& s) {
+     [](MachineStage& s) {
          JointLimit limit = s->limit(s[JointType::wheel]);
          limit.enable = false;
          s->set_limit(s[JointType::wheel], limit);
@@ -73,45 +72,45 @@ const Change matters[] = {
     {"OneBitOfAMotorsSpeed", motor_bit(&JointMotor::speed)},
     {"OneBitOfAMotorsForce", motor_bit(&JointMotor::max_force)},
     {"ThatAMotorIsOn",
-     [](Stage& s) {
+     [](MachineStage& s) {
          JointMotor motor = s->motor(s[JointType::prismatic]);
          motor.enable = false;
          s->set_motor(s[JointType::prismatic], motor);
      }},
-    {"AFriction", [](Stage& s) { s->set_joint_friction(s[JointType::revolute], next_up(1)); }},
-    {"ALength", [](Stage& s) { s->set_joint_length(s[JointType::distance], next_up(2)); }},
+    {"AFriction", [](MachineStage& s) { s->set_joint_friction(s[JointType::revolute], next_up(1)); }},
+    {"ALength", [](MachineStage& s) { s->set_joint_length(s[JointType::distance], next_up(2)); }},
     {"AVelocity",
-     [](Stage& s) {
+     [](MachineStage& s) {
          s->set_joint_velocity(s[JointType::motor], {0, 1e-45f}, 0.5f);
      }},
-    {"AnAngularVelocity", [](Stage& s) { s->set_joint_velocity(s[JointType::motor], {}, next_up(0.5f)); }},
-    {"AGreatestForce", [](Stage& s) { s->set_joint_strength(s[JointType::motor], next_up(8), 1); }},
-    {"AGreatestTorque", [](Stage& s) { s->set_joint_strength(s[JointType::motor], 8, next_up(1)); }},
+    {"AnAngularVelocity", [](MachineStage& s) { s->set_joint_velocity(s[JointType::motor], {}, next_up(0.5f)); }},
+    {"AGreatestForce", [](MachineStage& s) { s->set_joint_strength(s[JointType::motor], next_up(8), 1); }},
+    {"AGreatestTorque", [](MachineStage& s) { s->set_joint_strength(s[JointType::motor], 8, next_up(1)); }},
     {"ATarget",
-     [](Stage& s) {
+     [](MachineStage& s) {
          s->set_target(s[JointType::mouse], {4, next_up(5)});
      }},
-    {"ABreakForce", [](Stage& s) { s->set_break(s[JointType::weld], 1e9f, 0); }},
-    {"ABreakTorque", [](Stage& s) { s->set_break(s[JointType::gear], 0, 1e9f); }},
-    {"WhetherBodiesCollide", [](Stage& s) { s->set_collide_connected(s[JointType::pulley], true); }},
+    {"ABreakForce", [](MachineStage& s) { s->set_break(s[JointType::weld], 1e9f, 0); }},
+    {"ABreakTorque", [](MachineStage& s) { s->set_break(s[JointType::gear], 0, 1e9f); }},
+    {"WhetherBodiesCollide", [](MachineStage& s) { s->set_collide_connected(s[JointType::pulley], true); }},
     {"AFrameOfA",
-     [](Stage& s) {
+     [](MachineStage& s) {
          JointFrame frame = s->frame_a(s[JointType::weld]);
          frame.position.x = next_up(frame.position.x);
          s->set_frames(s[JointType::weld], frame, s->frame_b(s[JointType::weld]));
      }},
     {"AFrameOfB",
-     [](Stage& s) {
+     [](MachineStage& s) {
          JointFrame frame = s->frame_b(s[JointType::weld]);
          frame.angle += 1e-3f;
          s->set_frames(s[JointType::weld], s->frame_a(s[JointType::weld]), frame);
      }},
-    {"AJointMore", [](Stage& s) { join(*s.world, JointType::weld, s.machine.left, s.machine.drone); }},
-    {"AJointFewer", [](Stage& s) { s->destroy_joint(s[JointType::gear]); }},
+    {"AJointMore", [](MachineStage& s) { join(*s.world, JointType::weld, s.machine.left, s.machine.drone); }},
+    {"AJointFewer", [](MachineStage& s) { s->destroy_joint(s[JointType::gear]); }},
     {"AJointMadeAndDestroyed",  // the next id has another generation
-     [](Stage& s) { s->destroy_joint(join(*s.world, JointType::weld, s.machine.left, s.machine.drone)); }},
+     [](MachineStage& s) { s->destroy_joint(join(*s.world, JointType::weld, s.machine.left, s.machine.drone)); }},
     {"TheOrderOfTwoJoints",
-     [](Stage& s) {
+     [](MachineStage& s) {
          const JointId weld = s[JointType::weld];
          WeldJointDef def{
              .base = {.body_a = s->body_a(weld), .body_b = s->body_b(weld), .frame_a = s->frame_a(weld), .frame_b = s->frame_b(weld)}};
@@ -122,25 +121,25 @@ const Change matters[] = {
      }},
 };
 
-class JointMatters : public testing::TestWithParam<Change> {};
+class JointMatters : public testing::TestWithParam<JointChange> {};
 
 TEST_P(JointMatters, ChangesTheHash) {
-    Stage plain, changed;
+    MachineStage plain, changed;
     ASSERT_EQ(plain->hash(), changed->hash());
     GetParam().apply(changed);
     EXPECT_NE(plain->hash(), changed->hash());
     EXPECT_TRUE(changed.world.errors.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Hash, JointMatters, testing::ValuesIn(matters), [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Hash, JointMatters, testing::ValuesIn(joint_matters), [](const auto& test) { return std::string(test.param.name); });
 
-const Change does_not_matter[] = {
+const JointChange joint_does_not_matter[] = {
     {"UserData",
-     [](Stage& s) {
+     [](MachineStage& s) {
          for (const JointId j : s.machine.joints) s->set_user_data(j, 0x1234567890abcdefull);
      }},
     {"Reading",
-     [](Stage& s) {
+     [](MachineStage& s) {
          for (const JointId j : s.machine.joints) {
              (void)s->joint_force(j);
              (void)s->joint_torque(j);
@@ -150,18 +149,18 @@ const Change does_not_matter[] = {
          (void)s->joint_position(s[JointType::revolute]);
          (void)s->joint_speed(s[JointType::distance]);
      }},
-    {"ARefusedJoint", [](Stage& s) { join(*s.world, JointType::weld, s.machine.left, s.machine.left); }},
-    {"ARefusedNumber", [](Stage& s) { s->set_joint_friction(s[JointType::revolute], -1); }},
+    {"ARefusedJoint", [](MachineStage& s) { join(*s.world, JointType::weld, s.machine.left, s.machine.left); }},
+    {"ARefusedNumber", [](MachineStage& s) { s->set_joint_friction(s[JointType::revolute], -1); }},
     {"AWrongType",
-     [](Stage& s) {
+     [](MachineStage& s) {
          s->set_target(s[JointType::weld], {1, 2});
      }},
 };
 
-class JointDoesNotMatter : public testing::TestWithParam<Change> {};
+class JointDoesNotMatter : public testing::TestWithParam<JointChange> {};
 
 TEST_P(JointDoesNotMatter, LeavesTheHashAsItWas) {
-    Stage plain, changed;
+    MachineStage plain, changed;
     GetParam().apply(changed);
     EXPECT_EQ(plain->hash(), changed->hash());
     plain.world.step(30);
@@ -169,7 +168,7 @@ TEST_P(JointDoesNotMatter, LeavesTheHashAsItWas) {
     EXPECT_EQ(plain->hash(), changed->hash()) << "and the future";
 }
 
-INSTANTIATE_TEST_SUITE_P(Hash, JointDoesNotMatter, testing::ValuesIn(does_not_matter),
+INSTANTIATE_TEST_SUITE_P(Hash, JointDoesNotMatter, testing::ValuesIn(joint_does_not_matter),
                          [](const auto& test) { return std::string(test.param.name); });
 
 // -- what the bits may not depend on -------------------------------------------------------------------------------------------------------
@@ -203,7 +202,7 @@ TEST(JointBits, AreTheSameAtEveryWidth) {
             WorldDef def;
             def.lanes = lanes;
             def.solver.schedule = schedule;
-            TestWorld world(capacity, def);
+            TestWorld world(machine_capacity, def);
             for (const std::uint64_t hash : story(*world)) hashes.push_back(hash);
         }
         if (first.empty()) first = hashes;
@@ -215,10 +214,10 @@ TEST(JointBits, DoNotDependOnWhatTheBlockHeldBefore) {
     std::vector<std::uint64_t> first;
     std::mt19937 random(7);
     for (const int kind : {0, 1, 2, 3}) {
-        Block block(world_bytes(capacity));
+        Block block(world_bytes(machine_capacity));
         for (std::byte& b : block.span())
             b = kind == 0 ? std::byte{0} : kind == 1 ? std::byte{0xff} : kind == 2 ? static_cast<std::byte>(random()) : std::byte{0x7f};
-        World* world = World::create(block.span(), capacity, {});
+        World* world = World::create(block.span(), machine_capacity, {});
         ASSERT_NE(world, nullptr);
         const auto hashes = story(*world);
         if (first.empty()) first = hashes;
@@ -229,7 +228,7 @@ TEST(JointBits, DoNotDependOnWhatTheBlockHeldBefore) {
 TEST(JointBits, AreTheSameAfterDestroyingEverythingAndRebuilding) {
     std::vector<std::uint64_t> hashes[2];
     for (std::vector<std::uint64_t>& run : hashes) {
-        TestWorld world(capacity);
+        TestWorld world(machine_capacity);
         story(*world);
         for (const BodyId id : world.bodies()) world->destroy_body(id);
         EXPECT_EQ(world->joint_count(), 0u);
@@ -240,7 +239,7 @@ TEST(JointBits, AreTheSameAfterDestroyingEverythingAndRebuilding) {
 
 TEST(JointBits, ARefilledWorldMovesLikeAFreshOne) {
     // Emptied last made first, the free slots stand in the order of a fresh world.
-    TestWorld fresh(capacity), used(capacity);
+    TestWorld fresh(machine_capacity), used(machine_capacity);
     Machine old = add_machine(*used, {0, 0});
     for (std::size_t i = old.joints.size(); i-- > 0;) used->destroy_joint(old.joints[i]);
     const std::vector<BodyId> bodies = used.bodies();
@@ -258,9 +257,9 @@ TEST(JointBits, OfAGearOverIslandsThatShareNothingElse) {
     // still be solved together.
     std::vector<std::uint64_t> first;
     for (const std::byte fill : {std::byte{0}, std::byte{0xff}, std::byte{0x3f}}) {
-        Block block(world_bytes(capacity));
+        Block block(world_bytes(machine_capacity));
         for (std::byte& b : block.span()) b = fill;
-        World& w = *World::create(block.span(), capacity, {});
+        World& w = *World::create(block.span(), machine_capacity, {});
         const auto add = [&](BodyType type, float x) {
             BodyDef def;
             def.type = type;

@@ -20,8 +20,6 @@
 namespace islet::test {
 namespace {
 
-std::string golden_file() { return (std::filesystem::path(__FILE__).parent_path() / "golden.txt").string(); }
-
 using Task = void (*)(void* data, std::uint32_t index);
 
 // Task systems of one thread, which claim to have four.
@@ -58,7 +56,7 @@ struct Order {
 };
 
 void expect_golden(const samples::SceneInfo& info, const TaskSystem& tasks, const char* what) {
-    const golden::Table table = golden::read(golden_file());
+    const golden::Table table = golden::read(golden::file());
     const bool large = std::string(info.group) == "benchmark";
     const std::vector<golden::Checkpoint> due = golden::checkpoints_of(table, info);
     const std::vector<golden::Checkpoint> seen = golden::run(info, due, 0, large ? 20 : 60, tasks);

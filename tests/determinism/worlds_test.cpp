@@ -11,7 +11,7 @@ namespace islet::test {
 namespace {
 
 constexpr float dt = 1.0f / 60;
-constexpr Capacity capacity{.bodies = 96, .shapes = 160, .contacts = 768};
+constexpr Capacity heap_capacity{.bodies = 96, .shapes = 160, .contacts = 768};
 
 struct Objects {
     std::vector<BodyId> bodies;  // in the order they were made
@@ -70,10 +70,10 @@ TEST(Memory, WhatTheBlockHeldBeforeChangesNothing) {
     std::vector<std::uint64_t> hashes;
     std::mt19937 random(7);
     for (const int kind : {0, 1, 2, 3}) {
-        Block block(world_bytes(capacity));
+        Block block(world_bytes(heap_capacity));
         for (std::byte& b : block.span())
             b = kind == 0 ? std::byte{0} : kind == 1 ? std::byte{0xff} : kind == 2 ? static_cast<std::byte>(random()) : std::byte{0x7f};
-        World* world = World::create(block.span(), capacity, {});
+        World* world = World::create(block.span(), heap_capacity, {});
         ASSERT_NE(world, nullptr);
         fill(*world);
         hashes.push_back(world->hash());
@@ -84,17 +84,17 @@ TEST(Memory, WhatTheBlockHeldBeforeChangesNothing) {
 }
 
 TEST(Memory, AWorldMadeOverAnotherIsLikeNew) {
-    Block block(world_bytes(capacity));
-    World* world = World::create(block.span(), capacity, {});
+    Block block(world_bytes(heap_capacity));
+    World* world = World::create(block.span(), heap_capacity, {});
     fill(*world);
     const std::uint64_t first = hash_after(*world, 150);
-    world = World::create(block.span(), capacity, {});
+    world = World::create(block.span(), heap_capacity, {});
     fill(*world);
     EXPECT_EQ(hash_after(*world, 150), first);
 }
 
 TEST(Memory, TwoWorldsSideBySideDoNotDisturbEachOther) {
-    TestWorld a(capacity), b(capacity), alone(capacity);
+    TestWorld a(heap_capacity), b(heap_capacity), alone(heap_capacity);
     fill(*a);
     fill(*b);
     fill(*alone);
@@ -139,7 +139,7 @@ TEST(History, TheSameCallsGiveTheSameBits) {
     for (const std::uint32_t lanes : {1u, 4u, 8u}) {
         WorldDef def;
         def.lanes = lanes;
-        TestWorld world(capacity, def);
+        TestWorld world(heap_capacity, def);
         const std::uint64_t hash = live(*world);
         if (first == 0) first = hash;
         EXPECT_EQ(hash, first) << "lanes " << lanes;
@@ -150,7 +150,7 @@ TEST(History, DestroyingAndRecreatingInTheSameOrderGivesEqualWorlds) {
     // Two worlds, both emptied and filled again: the slots, ids and bits are the same.
     std::uint64_t hashes[2];
     for (std::uint64_t& hash : hashes) {
-        TestWorld world(capacity);
+        TestWorld world(heap_capacity);
         const Objects made = fill(*world);
         world.step(90);
         for (const BodyId id : made.bodies) world->destroy_body(id);
@@ -164,7 +164,7 @@ TEST(History, DestroyingAndRecreatingInTheSameOrderGivesEqualWorlds) {
 
 TEST(History, ARefilledWorldMovesLikeAFreshOne) {
     // Emptied last made first, the free slots stand in the order of a fresh world. Ids differ (their generations count on), motion does not.
-    TestWorld fresh(capacity), used(capacity);
+    TestWorld fresh(heap_capacity), used(heap_capacity);
     Objects made = fill(*used);
     for (std::size_t i = made.bodies.size(); i-- > 0;) used->destroy_body(made.bodies[i]);
     made = fill(*used);
@@ -183,7 +183,7 @@ TEST(History, ARefilledWorldMovesLikeAFreshOne) {
 // -- looking on --------------------------------------------------------------------------------------------------------------------
 
 // All that a step reports, as text.
-std::string story(const World& world) {
+std::string all_events(const World& world) {
     const StepReport& r = world.report();
     std::string text;
     const auto add = [&](std::uint64_t n) { text += std::to_string(n) + " "; };
@@ -212,11 +212,11 @@ TEST(Reports, EventsAndHashesComeInTheSameOrderAtEveryWidth) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
         WorldDef def;
         def.lanes = i == 0 ? 1 : i == 1 ? 4 : 8;
-        TestWorld world(capacity, def);
+        TestWorld world(heap_capacity, def);
         fill(*world);
         for (int step = 0; step < 400; ++step) {
             world.step();
-            stories[i].push_back(story(*world));
+            stories[i].push_back(all_events(*world));
             events += world->begin_touch_events().size() + world->end_touch_events().size() + world->slept_bodies().size();
             if (step % 10 == 9) hashes[i].push_back(world->hash());
         }
@@ -229,7 +229,7 @@ TEST(Reports, EventsAndHashesComeInTheSameOrderAtEveryWidth) {
 }
 
 TEST(Hash, ReadingTheWorldChangesNothing) {
-    TestWorld watched(capacity), alone(capacity);
+    TestWorld watched(heap_capacity), alone(heap_capacity);
     fill(*watched);
     fill(*alone);
     for (int i = 0; i < 120; ++i) {

@@ -10,7 +10,7 @@
 namespace islet::test {
 namespace {
 
-enum class Kind { box, capsule, ball };
+enum class SliderKind { box, capsule, ball };
 enum class Pieces { boxes, one_body, chain };
 
 struct Ride {
@@ -21,7 +21,7 @@ struct Ride {
 };
 
 /// A kilometre of floor in pieces of one metre, and what slides over it without friction.
-Ride slide(Pieces pieces, Kind kind, float speed) {
+Ride slide(Pieces pieces, SliderKind kind, float speed) {
     constexpr int length = 1000;  // m
     TestWorld world({.bodies = length + 64, .shapes = length + 64, .contacts = 256, .geometries = length + 64}, sleepless());
     ShapeDef smooth = rough(0);
@@ -38,9 +38,9 @@ Ride slide(Pieces pieces, Kind kind, float speed) {
     }
     BodyDef def = dynamic_at({0, 0.25f});
     BodyId slider;
-    if (kind == Kind::box) slider = world.add(make_box(0.25f, 0.25f), def, smooth);
-    if (kind == Kind::capsule) slider = world.add(Capsule{{-0.3f, 0}, {0.3f, 0}, 0.25f}, def, smooth);
-    if (kind == Kind::ball) slider = world.add(Circle{{}, 0.25f}, def, smooth);
+    if (kind == SliderKind::box) slider = world.add(make_box(0.25f, 0.25f), def, smooth);
+    if (kind == SliderKind::capsule) slider = world.add(Capsule{{-0.3f, 0}, {0.3f, 0}, 0.25f}, def, smooth);
+    if (kind == SliderKind::ball) slider = world.add(Circle{{}, 0.25f}, def, smooth);
     world.step(60);  // it settles
     world->set_linear_velocity(slider, {speed, 0});
     const float height = world->position(slider).y;
@@ -55,7 +55,7 @@ Ride slide(Pieces pieces, Kind kind, float speed) {
     return ride;
 }
 
-class Floor : public testing::TestWithParam<std::tuple<Pieces, Kind, float>> {};
+class Floor : public testing::TestWithParam<std::tuple<Pieces, SliderKind, float>> {};
 
 TEST_P(Floor, AKilometreOfItHasNoBump) {
     const auto [pieces, kind, speed] = GetParam();
@@ -74,7 +74,7 @@ std::string name_of_ride(const testing::TestParamInfo<Floor::ParamType>& test) {
 }
 INSTANTIATE_TEST_SUITE_P(Floors, Floor,
                          testing::Combine(testing::Values(Pieces::boxes, Pieces::one_body, Pieces::chain),
-                                          testing::Values(Kind::box, Kind::capsule, Kind::ball), testing::Values(5.0f, 50.0f)),
+                                          testing::Values(SliderKind::box, SliderKind::capsule, SliderKind::ball), testing::Values(5.0f, 50.0f)),
                          name_of_ride);
 
 TEST(FloorOfPieces, AWallOnItStopsWhatSlides) {

@@ -9,8 +9,6 @@
 namespace islet::test {
 namespace {
 
-const Capacity room_for_joints{.bodies = 32, .shapes = 32, .contacts = 64, .joints = 32};
-
 JointBase between(BodyId a, BodyId b) {
     JointBase base;
     base.body_a = a;

@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include "measure.hpp"
+#include "support/joint_world.hpp"
 
 namespace islet::test {
 namespace {
 
-const Capacity room_for_joints{.bodies = 16, .shapes = 16, .contacts = 32, .joints = 16};
 constexpr double substep = 1.0 / 240;  // s, at the default four substeps
 
 /// x(t) of x'' + 2 z w x' + w^2 x = 0 from x = 1 at rest.

@@ -5,11 +5,10 @@
 #include <numbers>
 
 #include "measure.hpp"
+#include "support/joint_world.hpp"
 
 namespace islet::test {
 namespace {
-
-const Capacity room_for_joints{.bodies = 16, .shapes = 16, .contacts = 32, .joints = 16};
 
 /// Period of a pendulum of small-swing rate omega let go at `amplitude`: 2 pi / (omega M(1, cos(amplitude / 2))), with Gauss's
 /// arithmetic-geometric mean M, which is the complete elliptic integral in disguise.

@@ -21,7 +21,7 @@ using test::Known;
 using test::known_shapes;
 using test::TestWorld;
 
-constexpr double relative_error = 3e-6;  // of the largest difference of corners; a shape's body turns and moves it, which rounds too
+constexpr double relative_error_in_world = 3e-6;  // of the largest difference of corners; a shape's body turns and moves it, which rounds too
 
 bool wanted(const Known& k, const QueryFilter& f) {
     return k.enabled && (!k.sensor || f.sensors) && (f.mask & k.filter.category) != 0 && (k.filter.mask & f.category) != 0;
@@ -120,7 +120,7 @@ void check_all_hits(const std::vector<Known>& known, const ShapeProxy& moving, V
         const double want = may ? oracle::first_entry(w, {}, d) : oracle::never;
         if (want == oracle::never && hit == got.end()) continue;
         ASSERT_TRUE(may) << "found a shape that it should not look at";
-        const double tolerance = relative_error * oracle::scale_of(solid, k.solid, d);
+        const double tolerance = relative_error_in_world * oracle::scale_of(solid, k.solid, d);
         if (oracle::is_doubtful(w, {}, d, tolerance)) {
             ++tally.doubtful;
             continue;
@@ -264,7 +264,7 @@ void check_overlaps(const std::vector<Known>& known, const QueryFilter& filter, 
             continue;
         }
         const double gap = distance(k);
-        if (std::fabs(gap) < relative_error * 4 * size) {
+        if (std::fabs(gap) < relative_error_in_world * 4 * size) {
             ++tally.doubtful;
             continue;
         }
@@ -350,7 +350,7 @@ TEST(WorldQueries, TheClosestShapeIsThatOfASearchThroughAllShapesIn100000RandomC
                 if (k.id == got.shape) of_got = &k;
                 if (wanted(k, filter)) least = std::min(least, std::max(0.0, oracle::depth_at(k.solid, exact::of(point))));
             }
-            constexpr double tolerance = relative_error * 4 * size;
+            constexpr double tolerance = relative_error_in_world * 4 * size;
             if (!got) {
                 ASSERT_GT(least, double(within) - tolerance);
                 continue;
@@ -395,7 +395,7 @@ TEST(WorldQueries, TheSurfacesNearAShapeAreThoseOfASearchThroughAllShapesIn10000
                     n = (1 / exact::length(e)) * Point{e.y, -e.x};
                     for (const Point q : solid.core) middle = middle + (1.0 / double(solid.core.size())) * (q - k.solid.core[0]);
                 }
-                constexpr double tolerance = relative_error * 4 * size;
+                constexpr double tolerance = relative_error_in_world * 4 * size;
                 // Seen from a line that it does not cross the shape is in front where a step outwards takes it farther away.
                 const bool crosses = exact::distance(solid.core, k.solid.core) <= 0;
                 const double outwards = k.solid.one_sided && !crosses ? oracle::signed_distance(oracle::moved(solid, 1e-5 * n), k.solid) - gap : 1;

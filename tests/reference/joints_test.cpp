@@ -19,12 +19,12 @@ ShapeDef ghost() {
 }
 
 /// Both engines with the same scene.
-struct Pair {
+struct JointPair {
     Scene scene;
     IsletEngine islet;
     Box2dEngine box2d;
 
-    explicit Pair(Scene s) : scene(std::move(s)), box2d({.substeps = 4}) {
+    explicit JointPair(Scene s) : scene(std::move(s)), box2d({.substeps = 4}) {
         islet.load(scene);
         box2d.load(scene);
     }
@@ -87,7 +87,7 @@ TEST(JointAdapters, WhatHangsAtRestPullsWithItsWeight) {
     };
     for (std::size_t i = 0; i < std::size(makers); ++i) {
         SCOPED_TRACE("joint " + std::to_string(i));
-        Pair pair(hanging(makers[i]));
+        JointPair pair(hanging(makers[i]));
         pair.run(120);
         pair.each([](Engine& engine) {
             EXPECT_NEAR(engine.joint_force(0).x, 0, 0.05f);
@@ -105,7 +105,7 @@ TEST(JointAdapters, APulleyTellsThePullOnItsSecondBody) {
     PulleyJointDef pulley = pulley_over(scene, 1, 2, {-1, 0}, {-1, 4}, {1, 4}, {1, 0});
     pulley.ratio = 2;  // 4 kg on the double rope and 2 kg on the single one are in balance
     add_joint(scene, 1, 2, pulley);
-    Pair pair(scene);
+    JointPair pair(scene);
     pair.run(60);
     pair.each([](Engine& engine) {
         EXPECT_NEAR(engine.joint_force(0).y, 40, 0.4f);
@@ -137,7 +137,7 @@ TEST(JointAdapters, CoordinatesHaveTheSameSigns) {
     DistanceJointDef rope = rope_between(scene, 0, away, {13, 0}, {15, 0});
     rope.limit.upper = 10;
     add_joint(scene, 0, away, rope);
-    Pair pair(scene);
+    JointPair pair(scene);
     pair.run(30);  // half a second
     pair.each([](Engine& engine) {
         EXPECT_NEAR(engine.joint_position(0), 1, 1e-3f);
@@ -172,7 +172,7 @@ TEST(JointAdapters, MotorsLimitsAndTargetsCanBeSetWhileRunning) {
         engine.set_limit(1, {.enable = true, .lower = 0, .upper = 0.5f});
         engine.set_target(2, {11, 2});
     };
-    Pair pair(scene);
+    JointPair pair(scene);
     pair.run(120);
     pair.each([](Engine& engine) {
         EXPECT_NEAR(engine.joint_speed(0), -3, 1e-3f);
@@ -191,7 +191,7 @@ TEST(JointAdapters, JointsGoWithTheirBodiesAndGearsWithTheirJoints) {
     for (std::size_t i = 1; i < 4; ++i) add_joint(scene, 0, i, hinge_at(scene, 0, i, scene.bodies[i].def.position));
     add_gear(scene, 0, 1, 1);
     add_gear(scene, 1, 2, 1);
-    Pair pair(scene);
+    JointPair pair(scene);
     pair.each([](Engine& engine) {
         EXPECT_EQ(engine.counts().joints, 5u);
         engine.destroy_joint(0);
@@ -214,7 +214,7 @@ TEST(JointAdapters, AJointBreaksUnderMoreThanItStands) {
             def.base.break_force = breaks ? 15.0f : 25.0f;  // the box weighs 20 N
             return def;
         });
-        Pair pair(scene);
+        JointPair pair(scene);
         pair.run(60);
         pair.each([&](Engine& engine) { EXPECT_EQ(engine.joint_exists(0), !breaks); });
     }
@@ -230,7 +230,7 @@ TEST(JointAdapters, AStrutSwingsAtItsFrequency) {
     wheel.spring = {.enable = true, .hertz = 2, .damping_ratio = 0};
     add_joint(scene, 0, 1, wheel);
     scene.bodies[1].def.position = {0, 0.2f};
-    Pair pair(scene);
+    JointPair pair(scene);
     pair.run(15);  // half a period
     pair.each([](Engine& engine) { EXPECT_NEAR(engine.body(1).position.y, -0.2f, 0.03f); });
 }

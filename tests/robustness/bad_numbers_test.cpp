@@ -47,13 +47,13 @@ TEST_F(BadNumbers, AShapeIsNotCreatedFromThem) {
     refuse(Error::out_of_range, [&](ShapeDef& d) { d.restitution = 1.001f; });
 }
 
-struct Call {
+struct BadCall {
     const char* name;
     std::function<void(World&, float)> with;
 };
 
 TEST_F(BadNumbers, EveryFunctionOfABodyRefusesThem) {
-    const Call numbers[] = {
+    const BadCall numbers[] = {
         {"set_transform angle",
          [&](World& a, float x) {
              a.set_transform(box, {0, 0}, x);
@@ -73,7 +73,7 @@ TEST_F(BadNumbers, EveryFunctionOfABodyRefusesThem) {
         {"set_angular_damping", [&](World& a, float x) { a.set_angular_damping(box, x); }},
         {"set_gravity_scale", [&](World& a, float x) { a.set_gravity_scale(box, x); }},
     };
-    for (const Call& call : numbers) {
+    for (const BadCall& call : numbers) {
         SCOPED_TRACE(call.name);
         for (const float bad : not_finite) expect_refused(Error::not_finite, [&] { call.with(*w, bad); });
     }
@@ -98,13 +98,13 @@ TEST_F(BadNumbers, EveryFunctionOfABodyRefusesThem) {
 }
 
 TEST_F(BadNumbers, EveryFunctionOfAShapeRefusesThem) {
-    const Call calls[] = {
+    const BadCall calls[] = {
         {"set_friction", [&](World& a, float x) { a.set_friction(shape, x); }},
         {"set_restitution", [&](World& a, float x) { a.set_restitution(shape, x); }},
         {"set_rolling_resistance", [&](World& a, float x) { a.set_rolling_resistance(shape, x); }},
         {"set_tangent_speed", [&](World& a, float x) { a.set_tangent_speed(shape, x); }},
     };
-    for (const Call& call : calls) {
+    for (const BadCall& call : calls) {
         SCOPED_TRACE(call.name);
         for (const float bad : not_finite) expect_refused(Error::not_finite, [&] { call.with(*w, bad); });
     }

@@ -11,10 +11,10 @@ namespace {
 using namespace islet;
 using namespace islet::test;
 
-struct Call {
+struct ExtremeCall {
     const char* name;
     std::function<void(TestWorld&, BodyId, float)> with;
-    friend void PrintTo(const Call& call, std::ostream* out) { *out << call.name; }
+    friend void PrintTo(const ExtremeCall& call, std::ostream* out) { *out << call.name; }
 };
 
 template <class Set>
@@ -29,7 +29,7 @@ void change_solver(TestWorld& w, Set&& set) {
     w->set_solver(def);
 }
 
-const Call calls[] = {
+const ExtremeCall calls[] = {
     {"set_gravity",
      [](TestWorld& w, BodyId, float x) {
          w->set_gravity({x, -x});
@@ -105,7 +105,7 @@ const Call calls[] = {
     {"omega", [](TestWorld& w, BodyId, float x) { change_solver(w, [&](SolverDef& d) { d.omega = x; }); }},
 };
 
-class ExtremeNumber : public testing::TestWithParam<Call> {};
+class ExtremeNumber : public testing::TestWithParam<ExtremeCall> {};
 
 TEST_P(ExtremeNumber, IsRefusedOrSurvived) {
     for (const float size : {1e-45f, 1e-40f, 1e-38f, 1e-20f, 1e10f, 1e19f, 1e20f, 1e30f, 1e38f, 3.4028234e38f}) {
@@ -129,7 +129,7 @@ TEST_P(ExtremeNumber, IsRefusedOrSurvived) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Call, ExtremeNumber, testing::ValuesIn(calls), [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(ExtremeCall, ExtremeNumber, testing::ValuesIn(calls), [](const auto& test) { return std::string(test.param.name); });
 
 TEST(ExtremeSpeedLimit, IsRefusedOrSurvived) {
     for (const float limit : {1e-38f, 1e6f, 1e19f, 1e20f, 3.4028234e38f}) {

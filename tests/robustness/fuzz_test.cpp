@@ -42,7 +42,7 @@ private:
     // Numbers as a program with bugs would pass them: mostly sane, now and then not.
     float number(float lo, float hi) {
         if (!random_.one_in(60)) return random_.between(lo, hi);
-        const float odd[] = {0, -0.0f, nan, inf, -inf, -1, 1e-6f, 1e4f, -1e4f, lo, hi};
+        const float odd[] = {0, -0.0f, test::nan, inf, -inf, -1, 1e-6f, 1e4f, -1e4f, lo, hi};
         return odd[random_.below(std::size(odd))];
     }
     Vec2 point(float reach) { return {number(-reach, reach), number(-reach, reach)}; }
@@ -185,7 +185,7 @@ private:
     }
 
     void step() {
-        const float times[] = {1.0f / 60, 1.0f / 60, 1.0f / 60, 1.0f / 240, 1.0f / 20, 1, 0, nan};
+        const float times[] = {1.0f / 60, 1.0f / 60, 1.0f / 60, 1.0f / 240, 1.0f / 20, 1, 0, test::nan};
         const std::uint64_t before = w_->step_count();
         w_->step(times[random_.below(std::size(times))]);
         steps_ += w_->step_count() > before ? 1 : 0;

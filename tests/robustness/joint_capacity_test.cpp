@@ -22,8 +22,8 @@ void expect_full(TestWorld& w, Call&& call) {
 }
 
 // As many boxes as wanted, a metre apart, in the air above a ground.
-struct Row : TestWorld {
-    explicit Row(std::uint32_t joints, int boxes) : TestWorld({.bodies = 64, .shapes = 64, .contacts = 128, .joints = joints}) {
+struct JointedRow : TestWorld {
+    explicit JointedRow(std::uint32_t joints, int boxes) : TestWorld({.bodies = 64, .shapes = 64, .contacts = 128, .joints = joints}) {
         ground = add_ground();
         for (int i = 0; i < boxes; ++i) all.push_back(add_box({2.0f * static_cast<float>(i), 5}));
     }
@@ -32,7 +32,7 @@ struct Row : TestWorld {
 };
 
 TEST(JointCapacity, JointsFillTheirPoolToTheLastPlace) {
-    Row w(4, 6);
+    JointedRow w(4, 6);
     std::vector<JointId> ids;
     for (std::size_t i = 0; i < 4; ++i) ids.push_back(join(*w, JointType::revolute, w.all[i], w.all[i + 1]));
     EXPECT_TRUE(w.errors.empty());
@@ -62,7 +62,7 @@ TEST(JointCapacity, APlaceUsedAgainRemembersNothing) {
     // The same joint made in a fresh place and in one that an active joint of another type left moves the same way.
     Transform poses[2];
     for (const bool used : {false, true}) {
-        Row w(1, 2);
+        JointedRow w(1, 2);
         if (used) {
             MotorJointDef motor{.base = base_at_b(*w, w.ground, w.all[0]), .max_force = 500, .max_torque = 20};
             motor.base.break_force = 1e9f;
@@ -85,7 +85,7 @@ TEST(JointCapacity, APlaceUsedAgainRemembersNothing) {
 }
 
 TEST(JointCapacity, GenerationsGoOnThroughManyReuses) {
-    Row w(2, 2);
+    JointedRow w(2, 2);
     std::vector<JointId> seen;
     for (int i = 0; i < 1000; ++i) {
         const JointId id = join(*w, joint_types[static_cast<std::size_t>(i) % 8], w.all[0], w.all[1]);
@@ -100,7 +100,7 @@ TEST(JointCapacity, GenerationsGoOnThroughManyReuses) {
 }
 
 TEST(JointCapacity, AWorldWithoutRoomForJointsWorks) {
-    Row w(0, 2);
+    JointedRow w(0, 2);
     for (const JointType type : joint_types) {
         if (type == JointType::gear) continue;
         expect_full(w, [&] { EXPECT_FALSE(join(*w, type, w.all[0], w.all[1])); });
@@ -120,7 +120,7 @@ TEST(JointCapacity, AWorldWithoutRoomForJointsWorks) {
 }
 
 TEST(JointCapacity, EveryJointOfAFullPoolMayBreakInOneStep) {
-    Row w(40, 41);
+    JointedRow w(40, 41);
     std::vector<JointId> ids;
     for (std::size_t i = 0; i < 40; ++i) {
         WeldJointDef def{.base = base_at_b(*w, w.ground, w.all[i])};

@@ -10,7 +10,6 @@ namespace {
 using namespace islet;
 using namespace islet::test;
 
-constexpr float most = std::numeric_limits<float>::max();
 constexpr float least = std::numeric_limits<float>::denorm_min();  // above 0
 constexpr float slop = 0.005f;
 

@@ -13,7 +13,6 @@ namespace {
 using namespace islet;
 using namespace islet::test;
 
-constexpr float most = std::numeric_limits<float>::max();
 
 void expect_sound(const TestWorld& w, const char* when) {
     const char* broken = w->validate();
@@ -23,10 +22,10 @@ void expect_sound(const TestWorld& w, const char* when) {
 
 // -- every number of every joint, from nothing to the largest float -----------------------------------------------------------------------
 
-struct Call {
+struct StressCall {
     const char* name;
     std::function<void(World&, const Machine&, float)> with;
-    friend void PrintTo(const Call& call, std::ostream* out) { *out << call.name; }
+    friend void PrintTo(const StressCall& call, std::ostream* out) { *out << call.name; }
 };
 
 template <class Set>
@@ -45,7 +44,7 @@ void remake(World& w, JointId id, Fill&& fill) {
     w.create_joint(def);
 }
 
-const Call calls[] = {
+const StressCall stress_calls[] = {
     {"spring_hertz", [](World& w, const Machine& m, float x) { each_sprung(m, [&](JointId j) {
                                                                    w.set_spring(j, {true, x, 0.5f, 1});
                                                                }); }},
@@ -191,7 +190,7 @@ const Call calls[] = {
      }},
 };
 
-class JointExtreme : public testing::TestWithParam<Call> {};
+class JointExtreme : public testing::TestWithParam<StressCall> {};
 
 TEST_P(JointExtreme, IsRefusedOrSurvivedWithTheSameBits) {
     for (const float size : {1e-45f, 1e-38f, 1e-20f, 1e-9f, 1e-4f, 100.0f, 1e6f, 1e7f, 1e12f, 1e19f, 1e30f, most}) {
@@ -219,7 +218,7 @@ TEST_P(JointExtreme, IsRefusedOrSurvivedWithTheSameBits) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Call, JointExtreme, testing::ValuesIn(calls), [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(StressCall, JointExtreme, testing::ValuesIn(stress_calls), [](const auto& test) { return std::string(test.param.name); });
 
 // -- the whole machine in odd circumstances -----------------------------------------------------------------------------------------------
 

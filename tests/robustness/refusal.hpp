@@ -12,6 +12,7 @@ namespace islet::test {
 
 inline constexpr float inf = std::numeric_limits<float>::infinity();
 inline constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float most = std::numeric_limits<float>::max();
 inline constexpr float not_finite[] = {nan, inf, -inf};
 inline constexpr Vec2 not_finite_vectors[] = {{nan, 0}, {0, nan}, {inf, 0}, {0, -inf}, {nan, inf}};
 

@@ -9,7 +9,7 @@ namespace {
 using namespace islet;
 using namespace islet::test;
 
-void expect_sound(const TestWorld& w, const char* when) {
+void expect_sound_world(const TestWorld& w, const char* when) {
     const char* broken = w->validate();
     EXPECT_EQ(broken, nullptr) << broken << ", " << when;
     EXPECT_TRUE(w.is_finite()) << when;
@@ -36,7 +36,7 @@ TEST(Stress, AnyTimeStepUpToASecond) {
         add_heap(w, {0, 0});
         for (int i = 0; i < 200; ++i) {
             w.step(1, dt);
-            expect_sound(w, "while stepping");
+            expect_sound_world(w, "while stepping");
             if (HasFailure()) return;
         }
     }
@@ -47,7 +47,7 @@ TEST(Stress, TimeStepsThatJumpAbout) {
     add_heap(w, {0, 0});
     Random random(4);
     for (int i = 0; i < 400; ++i) w.step(1, std::pow(10.0f, random.between(-5, 0)));
-    expect_sound(w, "after steps of 10 microseconds to a second");
+    expect_sound_world(w, "after steps of 10 microseconds to a second");
 }
 
 TEST(Stress, TimeStepsHoweverShort) {
@@ -57,9 +57,9 @@ TEST(Stress, TimeStepsHoweverShort) {
         add_heap(w, {0, 0});
         w.step(20);
         w.step(5, dt);
-        expect_sound(w, "after short steps");
+        expect_sound_world(w, "after short steps");
         w.step(20);
-        expect_sound(w, "after going on");
+        expect_sound_world(w, "after going on");
     }
 }
 
@@ -72,12 +72,12 @@ TEST(Stress, HugeVelocitiesAreCutDownToTheSpeedLimit) {
         const BodyId bullet = w.add_circle({0, 100}, 0.1f);
         w->set_linear_velocity(bullet, {speed, 0});
         w.step();
-        expect_sound(w, "after a step");
+        expect_sound_world(w, "after a step");
         EXPECT_NEAR(length(w->linear_velocity(bullet)), WorldDef{}.max_speed, 0.1f) << "the direction is kept, the speed is limited";
         w->set_linear_velocity(w.add_circle({0, 30}, 0.2f), {0, -speed});
         w->set_angular_velocity(w.add_box({5, 30}), speed);
         w.step(100);
-        expect_sound(w, "in the end");
+        expect_sound_world(w, "in the end");
     }
 }
 
@@ -89,10 +89,10 @@ TEST(Stress, MassesFromSpecksToMoons) {
         shape.density = density;
         add_heap(w, {0, 0}, 0.5f, shape);
         w.step(200);
-        expect_sound(w, "alone");
+        expect_sound_world(w, "alone");
         add_heap(w, {0, 15});
         w.step(200);
-        expect_sound(w, "with a heap of ordinary weight on top");
+        expect_sound_world(w, "with a heap of ordinary weight on top");
     }
 }
 
@@ -110,7 +110,7 @@ TEST(Stress, ShapesFromDustToIslands) {
         EXPECT_TRUE(w.errors.empty());
         for (int i = 0; i < 100; ++i) {
             w.step();
-            expect_sound(w, "while stepping");
+            expect_sound_world(w, "while stepping");
             if (HasFailure()) return;
         }
     }
@@ -125,7 +125,7 @@ TEST(Stress, ADiscOfAnySizeThatIsAllowed) {
         w->apply_torque(disc, 1);
         w->apply_force_to_center(disc, {1, 0});
         w.step(10);
-        expect_sound(w, "after ten steps");
+        expect_sound_world(w, "after ten steps");
     }
 }
 
@@ -135,7 +135,7 @@ TEST(Stress, AHundredKilometresOut) {
         TestWorld w;
         add_heap(w, at);
         w.step(200);
-        expect_sound(w, "far out");
+        expect_sound_world(w, "far out");
     }
 }
 
@@ -147,7 +147,7 @@ TEST(Stress, DeepOverlapsAreResolvedWithoutAnExplosion) {
         w.step();
         for (const BodyId id : w.bodies()) ASSERT_LT(length(w->linear_velocity(id)), 100.0f) << "in step " << i;
     }
-    expect_sound(w, "after five seconds");
+    expect_sound_world(w, "after five seconds");
     // They have left each other: no contact is deeper than half a radius.
     for (const ContactInfo& c : w.contacts())
         for (std::uint32_t i = 0; i < c.point_count; ++i) EXPECT_GT(c.points[i].separation, -0.25f);
@@ -160,7 +160,7 @@ TEST(Stress, EverythingInOnePlace) {
     EXPECT_GT(w->report().overflow_contacts, 0u);
     EXPECT_GT(w->report().dropped_contacts, 0u);
     w.step(59);
-    expect_sound(w, "with more contacts wanted than there is room");
+    expect_sound_world(w, "with more contacts wanted than there is room");
 }
 
 TEST(Stress, EveryScheduleAtItsExtremes) {
@@ -179,7 +179,7 @@ TEST(Stress, EveryScheduleAtItsExtremes) {
             w->set_solver(d);
             add_heap(w, {0, 0});
             w.step(60);
-            expect_sound(w, "after a second");
+            expect_sound_world(w, "after a second");
         }
     }
 }

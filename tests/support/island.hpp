@@ -10,6 +10,8 @@
 
 namespace islet::test {
 
+inline constexpr float substep = 1.0f / 240;  // s, for which tests export islands
+
 /// Empty, with the error on the world's account, if the body has none.
 class ExportedIsland {
 public:

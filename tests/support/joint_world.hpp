@@ -7,6 +7,7 @@
 
 namespace islet::test {
 
+inline constexpr Capacity room_for_joints{.bodies = 32, .shapes = 32, .contacts = 64, .joints = 32};
 inline constexpr JointType joint_types[joint_type_count] = {JointType::revolute, JointType::prismatic, JointType::distance,
                                                             JointType::weld,     JointType::wheel,     JointType::motor,
                                                             JointType::mouse,    JointType::pulley,    JointType::gear};

@@ -14,11 +14,11 @@ using namespace islet;
 using exact::Core;
 using exact::Point;
 using islet::detail::Manifold;
+using islet::detail::speculative_distance;
 using test::cases;
 using test::stride;
 
-constexpr float margin = islet::detail::speculative_distance;
-constexpr double tie = 0.1 * 0.005;         // m: face contact is preferred to corners where it is no more than this worse
+constexpr double link_tie = 0.1 * 0.005;          // m: face contact is preferred to corners where it is no more than this worse
 constexpr double corner_tolerance = 0.015;  // rad: how far beyond the neighbours' normals a contact may lean
 
 // A line of corners from right to left, so that outward is up; the first and last only serve as ghosts.
@@ -73,7 +73,7 @@ std::vector<Body> bodies() {
 }
 
 Manifold collide(const ChainSegment& link, const Shape& shape, const Transform& t) {
-    return std::visit([&](const auto& s) { return islet::detail::collide(link, s, t, margin); }, shape);
+    return std::visit([&](const auto& s) { return islet::detail::collide(link, s, t, speculative_distance); }, shape);
 }
 
 Core core_of(const Shape& shape, const Transform& t) {
@@ -197,7 +197,7 @@ TEST(HillyChain, TheNearestLinkReportsTheExactDistance) {
                     for (std::uint32_t k = 0; k < m.count; ++k) least = std::min(least, static_cast<double>(m.points[k].separation));
                 }
                 ASSERT_GE(least, want - 1e-5) << body.name << " at " << x << " angle " << angle;
-                ASSERT_LE(least, want + 2 * tie) << body.name << " at " << x << " angle " << angle;
+                ASSERT_LE(least, want + 2 * link_tie) << body.name << " at " << x << " angle " << angle;
             }
         }
     }
@@ -227,7 +227,7 @@ TEST(Chain, AConvexCornerHoldsACircleByItsVertexAndAnInnerCornerByBothFaces) {
     const Chain ridge = {{{4, -4}, {2, -2}, {0, 0}, {-2, -2}, {-4, -4}}};
     const Circle ball = {{}, 0.5f};
     for (std::size_t i = 0; i < 2; ++i) {
-        const Manifold m = detail::collide(ridge.link(i), ball, {{0, 0.5f}, {}}, margin);
+        const Manifold m = detail::collide(ridge.link(i), ball, {{0, 0.5f}, {}}, speculative_distance);
         ASSERT_EQ(m.count, 1u);
         EXPECT_NEAR(m.normal.x, 0.0f, 1e-6f);
         EXPECT_NEAR(m.normal.y, 1.0f, 1e-6f);
@@ -235,7 +235,7 @@ TEST(Chain, AConvexCornerHoldsACircleByItsVertexAndAnInnerCornerByBothFaces) {
     const Chain valley = {{{4, 4}, {2, 2}, {0, 0}, {-2, 2}, {-4, 4}}};
     const float height = 0.5f * 1.41421356f;
     for (std::size_t i = 0; i < 2; ++i) {
-        const Manifold m = detail::collide(valley.link(i), ball, {{0, height}, {}}, margin);
+        const Manifold m = detail::collide(valley.link(i), ball, {{0, height}, {}}, speculative_distance);
         ASSERT_EQ(m.count, 1u);
         EXPECT_NEAR(m.normal.x, i == 0 ? -0.70710678f : 0.70710678f, 1e-5f);
         EXPECT_NEAR(m.points[0].separation, 0.0f, 1e-5f);
@@ -253,8 +253,8 @@ TEST(Chain, ABoxSlidingDownTheWallIsNotCaughtByTheLedge) {
             for (const bool on_left : {true, false}) {
                 const float side = on_left ? -1.0f : 1.0f;
                 const Transform t = {{0.298f * side, top - 0.3f}, {}};
-                EXPECT_EQ(detail::collide(on_left ? left.link(0) : right.link(1), box, t, margin).count, 0u) << "top at " << top;
-                const Manifold m = detail::collide(on_left ? left.link(1) : right.link(0), box, t, margin);
+                EXPECT_EQ(detail::collide(on_left ? left.link(0) : right.link(1), box, t, speculative_distance).count, 0u) << "top at " << top;
+                const Manifold m = detail::collide(on_left ? left.link(1) : right.link(0), box, t, speculative_distance);
                 ASSERT_GE(m.count, 1u) << "top at " << top;
                 EXPECT_EQ(m.normal, (Vec2{side, 0})) << "top at " << top;
                 for (std::uint32_t i = 0; i < m.count; ++i) EXPECT_NEAR(m.points[i].separation, -0.002f, 1e-6f);
@@ -274,8 +274,8 @@ TEST(Chain, ACornerPressedIntoTheWallBelowTheLedgeIsTheWallsAlone) {
             const Vec2 pressed = rotate(q, {-0.3f * side, 0.3f * side});  // the corner furthest towards the wall
             for (float height = -0.001f; height > -0.2f; height -= 0.003f) {
                 const Transform t = {Vec2{-0.002f * side, height} - pressed, q};
-                EXPECT_EQ(detail::collide(on_left ? left.link(0) : right.link(1), box, t, margin).count, 0u) << degrees << " at " << height;
-                const Manifold m = detail::collide(on_left ? left.link(1) : right.link(0), box, t, margin);
+                EXPECT_EQ(detail::collide(on_left ? left.link(0) : right.link(1), box, t, speculative_distance).count, 0u) << degrees << " at " << height;
+                const Manifold m = detail::collide(on_left ? left.link(1) : right.link(0), box, t, speculative_distance);
                 ASSERT_GE(m.count, 1u) << degrees << " at " << height;
                 EXPECT_EQ(m.normal, (Vec2{side, 0})) << degrees << " at " << height;
                 const float least = m.count == 2 ? islet::min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
@@ -290,8 +290,8 @@ TEST(Chain, ABoxSlidingOverTheLedgeIsNotPushedBackByTheWall) {
     const Polygon box = make_box(0.3f, 0.3f);
     for (float x = 0.5f; x > -0.2f; x -= 0.003f) {
         const Transform t = {{x, 0.298f}, {}};
-        EXPECT_EQ(detail::collide(chain.link(1), box, t, margin).count, 0u) << x;
-        const Manifold m = detail::collide(chain.link(0), box, t, margin);
+        EXPECT_EQ(detail::collide(chain.link(1), box, t, speculative_distance).count, 0u) << x;
+        const Manifold m = detail::collide(chain.link(0), box, t, speculative_distance);
         ASSERT_EQ(m.count, 2u) << x;
         EXPECT_EQ(m.normal, (Vec2{0, 1})) << x;
     }
@@ -306,8 +306,8 @@ TEST(Chain, AFaceLeaningOnACornerIsReportedByTheLinkItLeansTowards) {
             // The middle of the box's lower face is at the corner; it leans from level (0) to upright (90).
             const Transform t = {rotate(q, {0, 0.3f + gap}), q};
             const std::size_t near = degrees < 45 ? 0 : 1;
-            EXPECT_EQ(detail::collide(chain.link(1 - near), box, t, margin).count, 0u) << degrees;
-            const Manifold m = detail::collide(chain.link(near), box, t, margin);
+            EXPECT_EQ(detail::collide(chain.link(1 - near), box, t, speculative_distance).count, 0u) << degrees;
+            const Manifold m = detail::collide(chain.link(near), box, t, speculative_distance);
             ASSERT_GE(m.count, 1u) << degrees;
             EXPECT_NEAR(m.normal.x, -q.s, 1e-5f);
             EXPECT_NEAR(m.normal.y, q.c, 1e-5f);
@@ -321,7 +321,7 @@ TEST(Chain, ABoxStandingOnOneLinkHasTwoPointsWithLastingNames) {
     std::uint16_t first = 0, second = 0;
     for (int i = -20; i <= 20; ++i) {
         const float t = 0.001f * static_cast<float>(i);
-        const Manifold m = detail::collide(chain.link(6), box, {{0.5f + t, 0.299f}, make_rot(0.1f * t)}, margin);
+        const Manifold m = detail::collide(chain.link(6), box, {{0.5f + t, 0.299f}, make_rot(0.1f * t)}, speculative_distance);
         ASSERT_EQ(m.count, 2u);
         if (i == -20) first = m.points[0].id, second = m.points[1].id;
         EXPECT_EQ(m.points[0].id, first);

@@ -21,7 +21,6 @@ using islet::test::Random;
 using islet::test::TestWorld;
 using islet::test::WideProblem;
 
-constexpr float h = 1.0f / 240;  // s, a substep
 constexpr double eps = 1.0 / (1 << 24);
 
 // A heap of boxes and balls, some of them on a turning paddle, and three chains of hinged links through it.
@@ -61,7 +60,7 @@ TEST(ExportIsland, HoldsTheBodiesThatTheSolverPlansAsOneIsland) {
             if (plan.island_of[slot] != detail::null_index) planned[plan.island_of[slot]].insert(plan.body_of[slot]);
         ASSERT_GT(planned.size(), 1u);
         for (const std::set<std::uint32_t>& island : planned)
-            for (const std::uint32_t body : island) ASSERT_EQ(members_of(*ExportedIsland(*w, w->body_at(body), h)), island);
+            for (const std::uint32_t body : island) ASSERT_EQ(members_of(*ExportedIsland(*w, w->body_at(body), substep)), island);
     }
 }
 
@@ -72,9 +71,9 @@ TEST(ExportIsland, AGearLinksAllBodiesThatItsRowReads) {
     const JointId a = test::join(*w, JointType::revolute, base, left);
     const JointId b = test::join(*w, JointType::prismatic, wall, right);
     ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = a, .joint2 = b, .ratio = -2}));
-    const ExportedIsland island(*w, right, h);
+    const ExportedIsland island(*w, right, substep);
     EXPECT_EQ(members_of(*island), (std::set<std::uint32_t>{base.index1 - 1, left.index1 - 1, right.index1 - 1}));
-    EXPECT_EQ(ExportedIsland(*w, alone, h)->bodies.size(), 1u);
+    EXPECT_EQ(ExportedIsland(*w, alone, substep)->bodies.size(), 1u);
 }
 
 TEST(ExportIsland, IsTheSameWhicheverOfItsBodiesIsNamed) {
@@ -84,8 +83,8 @@ TEST(ExportIsland, IsTheSameWhicheverOfItsBodiesIsNamed) {
     w.step(60);
     for (const BodyId id : w.bodies()) {
         if (w->type(id) != BodyType::dynamic) continue;
-        const ExportedIsland island(*w, id, h);
-        const ExportedIsland again(*w, island->bodies.front().id, h);
+        const ExportedIsland island(*w, id, substep);
+        const ExportedIsland again(*w, island->bodies.front().id, substep);
         ASSERT_EQ(island.bytes(), again.bytes());
         ASSERT_TRUE(std::ranges::equal(island->lcp.q, again->lcp.q));
         ASSERT_TRUE(std::ranges::equal(island->lcp.sparse.values, again->lcp.sparse.values));
@@ -101,7 +100,7 @@ TEST(ExportIsland, TwoIslandsHoldEachBodyOnce) {
     for (int i = 0; i < 3; ++i) w.add_box({-5, 0.5f + static_cast<float>(i)});
     for (int i = 0; i < 4; ++i) w.add_box({5, 0.5f + static_cast<float>(i)});
     w.step(30);
-    const ExportedIsland left(*w, w->body_at(2), h), right(*w, w->body_at(5), h);
+    const ExportedIsland left(*w, w->body_at(2), substep), right(*w, w->body_at(5), substep);
     EXPECT_EQ(left->bodies.size(), 3u);
     EXPECT_EQ(right->bodies.size(), 4u);
     std::set<std::uint32_t> both = members_of(*left);
@@ -114,13 +113,13 @@ TEST(ExportIsland, TwoIslandsHoldEachBodyOnce) {
 TEST(ExportIsland, ABodyAloneInTheAirHasNoRows) {
     TestWorld w;
     const BodyId ball = w.add_circle({0, 9});
-    const ExportedIsland island(*w, ball, h);
+    const ExportedIsland island(*w, ball, substep);
     EXPECT_GT(island.bytes(), 0u);
     ASSERT_EQ(island->bodies.size(), 1u);
     EXPECT_EQ(island->rows.size(), 0u);
     ASSERT_EQ(island->lcp.sparse.row_starts.size(), 1u);
     EXPECT_EQ(island->lcp.sparse.row_starts[0], 0u);
-    EXPECT_FLOAT_EQ(island->bodies[0].v_free.y, -10 * h);
+    EXPECT_FLOAT_EQ(island->bodies[0].v_free.y, -10 * substep);
 }
 
 TEST(ExportIsland, SleepersHaveOneToo) {
@@ -129,7 +128,7 @@ TEST(ExportIsland, SleepersHaveOneToo) {
     const BodyId lower = w.add_box({0, 0.5f}), upper = w.add_box({0, 1.5f});
     w.step(200);
     ASSERT_FALSE(w->is_awake(lower));
-    const ExportedIsland island(*w, upper, h);
+    const ExportedIsland island(*w, upper, substep);
     EXPECT_EQ(island->bodies.size(), 2u);
     EXPECT_EQ(island->rows.size(), 8u);
     EXPECT_FALSE(w->is_awake(lower)) << "looking does not wake";
@@ -143,7 +142,7 @@ TEST(ExportIsland, FitsTheScratchOfTheSmallestWorld) {
         const BodyId other = w.add_box({0, 1.5f});
         while (other && test::join(*w, JointType::prismatic, body, other, true)) {}
         w.step(5);
-        EXPECT_GT(ExportedIsland(*w, body, h).bytes(), 0u);
+        EXPECT_GT(ExportedIsland(*w, body, substep).bytes(), 0u);
     }
 }
 
@@ -192,7 +191,7 @@ TEST(ExportIsland, MatrixAndVectorFollowFromRowsAndBodies) {
     std::set<std::uint32_t> seen;
     for (const BodyId id : w.bodies()) {
         if (w->type(id) != BodyType::dynamic || seen.count(id.index1 - 1) != 0) continue;
-        const ExportedIsland island(*w, id, h);
+        const ExportedIsland island(*w, id, substep);
         seen.merge(members_of(*island));
         ASSERT_EQ(test::fault_in(*island), nullptr);
         ASSERT_NO_FATAL_FAILURE(expect_matrix_and_q_follow_from_the_rows(*island));
@@ -218,7 +217,7 @@ TEST(ExportIsland, GearsAreCoupledThroughAllTheirBodies) {
     ASSERT_TRUE(w->create_joint(GearJointDef{.joint1 = first, .joint2 = shared, .ratio = 0.1f}));
     for (int i = 0; i < 5; ++i)
         w->set_transform(b[i], w->position(b[i]) + Vec2{0.01f, 0.02f * static_cast<float>(i)}, 0.1f * static_cast<float>(i));
-    const ExportedIsland island(*w, b[0], h);
+    const ExportedIsland island(*w, b[0], substep);
     ASSERT_EQ(island->bodies.size(), 5u);
     ASSERT_EQ(test::fault_in(*island), nullptr);
     expect_matrix_and_q_follow_from_the_rows(*island);
@@ -231,7 +230,7 @@ TEST(ExportIsland, TheMatrixIsPositiveSemiDefinite) {
     test::fill_busy(*w);
     for (const BodyId id : w.bodies()) {
         if (w->type(id) != BodyType::dynamic) continue;
-        const ExportedIsland island(*w, id, h);
+        const ExportedIsland island(*w, id, substep);
         const std::size_t n = island->rows.size();
         const auto& [starts, columns, values] = island->lcp.sparse;
         for (std::size_t i = 0; i < n; ++i) {
@@ -258,7 +257,7 @@ TEST(ExportIsland, RowsOfOneContactOrJointStandTogether) {
     test::fill_busy(*w);
     for (const BodyId id : w.bodies()) {
         if (w->type(id) != BodyType::dynamic) continue;
-        const ExportedIsland island(*w, id, h);
+        const ExportedIsland island(*w, id, substep);
         std::pair<int, std::uint32_t> last = {-1, 0};
         for (const IslandRow& r : island->rows) {
             const bool contact = r.kind == RowKind::normal || r.kind == RowKind::friction || r.kind == RowKind::rolling;
@@ -284,7 +283,7 @@ TEST(ExportIsland, ContactRowsAreWhatTheContactSays) {
     const BodyId box = w.add_box({0, 0.5f}, 0.5f, 0.5f, {.friction = 0.4f});
     w->set_linear_velocity(box, {0.25f, 0});
     w.step(3);
-    const ExportedIsland island(*w, box, h);
+    const ExportedIsland island(*w, box, substep);
     ASSERT_EQ(island->rows.size(), 4u);
     ContactInfo info;
     const std::uint32_t slot = island->rows[0].slot;
@@ -305,9 +304,9 @@ TEST(ExportIsland, ContactRowsAreWhatTheContactSays) {
         EXPECT_TRUE(std::isinf(island->lcp.hi[i]));
         // q is the speed of B's material from A's at the point, gravity included: along n, and along n turned by -90 degrees.
         const Vec2 arm = info.points[i].point - c;
-        const Vec2 free = v + Vec2{0, -10 * h} + cross(w->angular_velocity(box), arm);
+        const Vec2 free = v + Vec2{0, -10 * substep} + cross(w->angular_velocity(box), arm);
         const Vec2 apart = box_is_b ? free : -free;
-        EXPECT_NEAR(island->lcp.q[i], dot(info.normal, apart) + std::max(info.points[i].separation, 0.0f) / h, 1e-4f);
+        EXPECT_NEAR(island->lcp.q[i], dot(info.normal, apart) + std::max(info.points[i].separation, 0.0f) / substep, 1e-4f);
         EXPECT_NEAR(island->lcp.q[2 + i], dot(right_perp(info.normal), apart), 1e-4f);
         ASSERT_EQ(normal.end_count, 2u);
         const RowEnd& end = normal.ends[box_is_b ? 1 : 0];
@@ -322,15 +321,15 @@ TEST(ExportIsland, AGapAddsTheSpeedThatClosesItWithinTheSubstep) {
     w.add_ground();
     const BodyId box = w.add_box({0, 0.5f});
     w.step();
-    ASSERT_EQ(ExportedIsland(*w, box, h)->rows.size(), 4u);
-    const ExportedIsland before(*w, box, h);
+    ASSERT_EQ(ExportedIsland(*w, box, substep)->rows.size(), 4u);
+    const ExportedIsland before(*w, box, substep);
     w->set_linear_velocity(box, {0, 0.06f});
     w.step();  // 1 mm up; the manifold is kept
     w->set_linear_velocity(box, {0, 0});
     ASSERT_EQ(w.contacts().size(), 1u);
     const float gap = w.contacts()[0].points[0].separation;
     ASSERT_GT(gap, 0.5e-3f);
-    for (const float step : {h, 2 * h, 1.0f}) EXPECT_NEAR(ExportedIsland(*w, box, step)->lcp.q[0], gap / step, 1e-4f * gap / step);
+    for (const float step : {substep, 2 * substep, 1.0f}) EXPECT_NEAR(ExportedIsland(*w, box, step)->lcp.q[0], gap / step, 1e-4f * gap / step);
 }
 
 TEST(ExportIsland, MovingSurfacesAndKinematicBodiesGoIntoQ) {
@@ -341,14 +340,14 @@ TEST(ExportIsland, MovingSurfacesAndKinematicBodiesGoIntoQ) {
     w.step();
     w->set_linear_velocity(box, {0, 0});
     w->set_angular_velocity(box, 0);
-    const ExportedIsland island(*w, box, h);
+    const ExportedIsland island(*w, box, substep);
     ASSERT_EQ(island->rows.size(), 4u) << "no rolling resistance, no row for it";
     const ContactInfo info = w.contacts().at(0);
     const float sign = w->body(info.shape_b) == box ? 1.0f : -1.0f;
-    const float gap = std::max(info.points[0].separation, 0.0f) / h;
-    // From the lift the box moves at (-0.5, -0.25 - 10 h); the two surfaces carry by 2.5 m/s.
+    const float gap = std::max(info.points[0].separation, 0.0f) / substep;
+    // From the lift the box moves at (-0.5, -0.25 - 10 substep); the two surfaces carry by 2.5 m/s.
     EXPECT_NEAR(island->rows[0].bias, sign * dot(info.normal, {-0.5f, -0.25f}) + gap, 1e-4f);
-    EXPECT_NEAR(island->lcp.q[0], sign * dot(info.normal, {-0.5f, -0.25f - 10 * h}) + gap, 1e-4f);
+    EXPECT_NEAR(island->lcp.q[0], sign * dot(info.normal, {-0.5f, -0.25f - 10 * substep}) + gap, 1e-4f);
     EXPECT_NEAR(island->lcp.q[2], sign * dot(right_perp(info.normal), {-0.5f, -0.25f}) - 2.5f, 1e-4f);
 }
 
@@ -357,12 +356,12 @@ TEST(ExportIsland, RollingResistanceIsBoundByTheImpulsesThereAre) {
     w.add_ground();
     const BodyId ball = w.add_circle({0, 0.5f}, 0.5f, {.rolling_resistance = 0.1f});
     w.step(30);
-    const ExportedIsland island(*w, ball, 2 * h);
+    const ExportedIsland island(*w, ball, 2 * substep);
     ASSERT_EQ(island->rows.size(), 3u);
     EXPECT_EQ(island->rows[2].kind, RowKind::rolling);
     EXPECT_FLOAT_EQ(island->lcp.hi[2], 0.1f * 0.5f * island->impulses[0]);
     EXPECT_EQ(island->lcp.lo[2], -island->lcp.hi[2]);
-    EXPECT_NEAR(island->impulses[0], w->mass(ball) * 10 * 2 * h, 1e-3f * island->impulses[0]) << "scaled to the substep asked for";
+    EXPECT_NEAR(island->impulses[0], w->mass(ball) * 10 * 2 * substep, 1e-3f * island->impulses[0]) << "scaled to the substep asked for";
 }
 
 // -- what the bodies do by themselves ---------------------------------------------------------------------------------------------------------------------
@@ -376,16 +375,16 @@ TEST(ExportIsland, FreeVelocitiesHaveGravityForcesDampingAndTheSpeedLimit) {
     w->set_angular_velocity(box, 5);
     w->apply_force_to_center(box, {8, 0});
     w->apply_torque(box, 6);
-    const ExportedIsland island(*w, box, h);
+    const ExportedIsland island(*w, box, substep);
     const IslandBody& b = island->bodies[0];
     EXPECT_EQ(b.id, box);
     EXPECT_FLOAT_EQ(b.inv_mass, 1.0f / 4) << "2 m^2 at 2 kg/m^2";
     EXPECT_FLOAT_EQ(b.inv_inertia, 12.0f / (4 * (1 + 4)));
-    EXPECT_NEAR(b.v_free.x, (3 + h * (0.5f + 8.0f / 4)) / (1 + 2 * h), 1e-5f);
-    EXPECT_NEAR(b.v_free.y, (4 - h * 5) / (1 + 2 * h), 1e-5f);
-    EXPECT_NEAR(b.w_free, (5 + h * 6 * b.inv_inertia) / (1 + 3 * h), 1e-5f);
+    EXPECT_NEAR(b.v_free.x, (3 + substep * (0.5f + 8.0f / 4)) / (1 + 2 * substep), 1e-5f);
+    EXPECT_NEAR(b.v_free.y, (4 - substep * 5) / (1 + 2 * substep), 1e-5f);
+    EXPECT_NEAR(b.w_free, (5 + substep * 6 * b.inv_inertia) / (1 + 3 * substep), 1e-5f);
     w->set_linear_velocity(box, {300, 400});
-    EXPECT_NEAR(length(ExportedIsland(*w, box, h)->bodies[0].v_free), 50, 1e-4f);
+    EXPECT_NEAR(length(ExportedIsland(*w, box, substep)->bodies[0].v_free), 50, 1e-4f);
 }
 
 TEST(ExportIsland, ABodyThatWouldSwingWithinASubstepHasTheInertiaTheSolverGivesIt) {
@@ -398,10 +397,10 @@ TEST(ExportIsland, ABodyThatWouldSwingWithinASubstepHasTheInertiaTheSolverGivesI
     const JointId below =
         w->create_joint(RevoluteJointDef{.base = {.body_a = link, .body_b = weight, .frame_a = {{0.5f, 0}}, .frame_b = {{0, 1.5f}}}});
     w.step(120, 1.0f / 60);
-    // Pulled up at one end and down at the other, half a metre from its centre each: h^2 times that is more than its own inertia.
-    const float own = w->rotational_inertia(link), stretch = h * h * 0.5f * (w->joint_force(above).y + w->joint_force(below).y);
+    // Pulled up at one end and down at the other, half a metre from its centre each: substep^2 times that is more than its own inertia.
+    const float own = w->rotational_inertia(link), stretch = substep * substep * 0.5f * (w->joint_force(above).y + w->joint_force(below).y);
     ASSERT_GT(stretch, 1.5f * own);
-    const ExportedIsland island(*w, link, h);
+    const ExportedIsland island(*w, link, substep);
     EXPECT_NEAR(1 / island->bodies[island.place_of(link)].inv_inertia, stretch, 0.02f * stretch);
 }
 
@@ -414,7 +413,7 @@ TEST(ExportIsland, ChangesNothing) {
     const std::uint64_t hash = w->hash();
     const std::size_t bytes = w->save(before);
     for (const BodyId id : w.bodies()) {
-        if (w->type(id) == BodyType::dynamic) { ASSERT_GT(ExportedIsland(*w, id, h).bytes(), 0u); }
+        if (w->type(id) == BodyType::dynamic) { ASSERT_GT(ExportedIsland(*w, id, substep).bytes(), 0u); }
     }
     EXPECT_EQ(w->hash(), hash);
     ASSERT_EQ(w->save(after), bytes);
@@ -434,15 +433,15 @@ TEST(ExportIsland, WritesNothingIntoTooLittleMemory) {
     w.step(10);
     IslandProblem out;
     out.impulses = {static_cast<float*>(nullptr), 0};
-    const std::size_t bytes = w->export_island(box, h, {}, out);
+    const std::size_t bytes = w->export_island(box, substep, {}, out);
     ASSERT_GT(bytes, 0u);
     std::vector<std::byte> memory(bytes + 16, std::byte{0x5a});
-    EXPECT_EQ(w->export_island(box, h, {memory.data(), bytes - 1}, out), bytes);
+    EXPECT_EQ(w->export_island(box, substep, {memory.data(), bytes - 1}, out), bytes);
     EXPECT_EQ(std::count(memory.begin(), memory.end(), std::byte{0x5a}), static_cast<std::ptrdiff_t>(memory.size()));
     EXPECT_TRUE(out.rows.empty() && out.bodies.empty() && out.lcp.q.empty());
     EXPECT_TRUE(w.errors.empty()) << "asking how much is no error";
 
-    EXPECT_EQ(w->export_island(box, h, {memory.data(), bytes}, out), bytes);
+    EXPECT_EQ(w->export_island(box, substep, {memory.data(), bytes}, out), bytes);
     EXPECT_EQ(out.rows.size(), 4u);
     EXPECT_TRUE(
         std::all_of(memory.begin() + static_cast<std::ptrdiff_t>(bytes), memory.end(), [](std::byte b) { return b == std::byte{0x5a}; }));
@@ -453,11 +452,11 @@ TEST(ExportIsland, MemoryNeedsNoAlignment) {
     w.add_ground();
     const BodyId box = w.add_box({0, 0.5f});
     w.step(10);
-    const ExportedIsland aligned(*w, box, h);
+    const ExportedIsland aligned(*w, box, substep);
     for (std::size_t shift = 0; shift < 8; ++shift) {
         std::vector<std::byte> memory(aligned.bytes() + 8, std::byte{0x5a});
         IslandProblem out;
-        ASSERT_EQ(w->export_island(box, h, std::span(memory).subspan(shift, aligned.bytes()), out), aligned.bytes());
+        ASSERT_EQ(w->export_island(box, substep, std::span(memory).subspan(shift, aligned.bytes()), out), aligned.bytes());
         EXPECT_TRUE(std::ranges::equal(out.lcp.q, aligned->lcp.q));
         EXPECT_TRUE(std::ranges::equal(out.lcp.sparse.values, aligned->lcp.sparse.values));
         EXPECT_EQ(reinterpret_cast<std::uintptr_t>(out.rows.data()) % alignof(IslandRow), 0u);
@@ -482,11 +481,11 @@ TEST(ExportIsland, RefusesWhatHasNone) {
         return w.errors.size() == 1 ? w.errors[0] : Error::none;
     };
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(refused({}, h), Error::null_id);
-    EXPECT_EQ(refused(gone, h), Error::stale_id);
-    EXPECT_EQ(refused(ground, h), Error::no_dynamic_body);
-    EXPECT_EQ(refused(lift, h), Error::no_dynamic_body);
-    for (const float bad : {0.0f, -h, 1.5f, inf, nan}) EXPECT_EQ(refused(box, bad), Error::bad_time_step) << bad;
+    EXPECT_EQ(refused({}, substep), Error::null_id);
+    EXPECT_EQ(refused(gone, substep), Error::stale_id);
+    EXPECT_EQ(refused(ground, substep), Error::no_dynamic_body);
+    EXPECT_EQ(refused(lift, substep), Error::no_dynamic_body);
+    for (const float bad : {0.0f, -substep, 1.5f, inf, nan}) EXPECT_EQ(refused(box, bad), Error::bad_time_step) << bad;
     IslandProblem out;
     EXPECT_GT(w->export_island(box, 1, memory, out), 0u);
 }

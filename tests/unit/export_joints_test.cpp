@@ -18,7 +18,6 @@ using namespace islet;
 using islet::test::ExportedIsland;
 using islet::test::TestWorld;
 
-constexpr float h = 1.0f / 240;  // s
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// What one row of a joint must be.
@@ -30,7 +29,7 @@ struct Wanted {
 };
 
 // Two bodies whose centres of mass are not their origins, out of line with each other and with the joint, so that no entry is zero by chance.
-struct Pair {
+struct JointedPair {
     TestWorld w{test::roomy, {.gravity = {0, 0}}};
     BodyId a = add({1, 2}, 0.3f), b = add({3, 2.5f}, -0.4f);
 
@@ -75,7 +74,7 @@ double derivative(World& w, BodyId body, Vec2 along, float turn, const std::func
 
 // Rows of the joint `slot`, those of others left aside.
 void expect_rows(TestWorld& w, JointId joint, const std::vector<Wanted>& wanted) {
-    const ExportedIsland island(*w, w->body_b(joint), h);
+    const ExportedIsland island(*w, w->body_b(joint), substep);
     const std::uint32_t slot = joint.index1 - 1;
     std::size_t at = 0;
     for (std::size_t i = 0; i < island->rows.size(); ++i) {
@@ -115,16 +114,16 @@ constexpr JointMotor motor = {.enable = true, .speed = 1.5f, .max_force = 7};
 std::vector<Wanted> all_parts(const std::function<double()>& c, float lower, float upper, float friction) {
     const auto x = static_cast<float>(c());
     std::vector<Wanted> rows;
-    if (friction > 0) rows.push_back({RowKind::joint_friction, c, -h * friction, h * friction});
-    rows.push_back({RowKind::motor, c, -h * 7, h * 7, -1.5f});
+    if (friction > 0) rows.push_back({RowKind::joint_friction, c, -substep * friction, substep * friction});
+    rows.push_back({RowKind::motor, c, -substep * 7, substep * 7, -1.5f});
     rows.push_back({RowKind::spring, c});
-    rows.push_back({RowKind::limit, c, 0, infinity, std::max(x - lower, 0.0f) / h});
-    rows.push_back({RowKind::limit, [=] { return -c(); }, 0, infinity, std::max(upper - x, 0.0f) / h});
+    rows.push_back({RowKind::limit, c, 0, infinity, std::max(x - lower, 0.0f) / substep});
+    rows.push_back({RowKind::limit, [=] { return -c(); }, 0, infinity, std::max(upper - x, 0.0f) / substep});
     return rows;
 }
 
 TEST(ExportJoints, RevoluteRows) {
-    Pair p;
+    JointedPair p;
     const JointId j = p.w->create_joint(RevoluteJointDef{
         .base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -3, .upper = -0.35f}, .motor = motor, .friction = 2});
     std::vector<Wanted> rows = all_parts([&] { return p.position(j); }, -3, -0.35f, 2);
@@ -134,7 +133,7 @@ TEST(ExportJoints, RevoluteRows) {
 }
 
 TEST(ExportJoints, PrismaticRows) {
-    Pair p;
+    JointedPair p;
     const JointId j = p.w->create_joint(PrismaticJointDef{
         .base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -1, .upper = 2}, .motor = motor, .friction = 2});
     std::vector<Wanted> rows = all_parts([&] { return p.position(j); }, -1, 2, 2);
@@ -144,23 +143,23 @@ TEST(ExportJoints, PrismaticRows) {
 }
 
 TEST(ExportJoints, WheelRows) {
-    Pair p;
+    JointedPair p;
     const JointId j = p.w->create_joint(WheelJointDef{
         .base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -1, .upper = 2}, .motor = motor, .friction = 2});
     const auto turned = [&] { return p.turned(); };
     const auto strut = [&] { return p.position(j); };
     const float x = p.w->joint_position(j);
     expect_rows(p.w, j,
-                {{RowKind::joint_friction, turned, -h * 2, h * 2},
-                 {RowKind::motor, turned, -h * 7, h * 7, -1.5f},
+                {{RowKind::joint_friction, turned, -substep * 2, substep * 2},
+                 {RowKind::motor, turned, -substep * 7, substep * 7, -1.5f},
                  {RowKind::spring, strut},
-                 {RowKind::limit, strut, 0, infinity, (x + 1) / h},
-                 {RowKind::limit, [&] { return -strut(); }, 0, infinity, (2 - x) / h},
+                 {RowKind::limit, strut, 0, infinity, (x + 1) / substep},
+                 {RowKind::limit, [&] { return -strut(); }, 0, infinity, (2 - x) / substep},
                  {RowKind::joint, [&] { return p.across(j); }}});
 }
 
 TEST(ExportJoints, DistanceRows) {
-    Pair p;
+    JointedPair p;
     const JointId rod = p.w->create_joint(DistanceJointDef{.base = p.base(), .length = 0.5f});
     expect_rows(p.w, rod, {{RowKind::joint, [&] { return p.position(rod); }}});
     p.w->destroy_joint(rod);
@@ -172,7 +171,7 @@ TEST(ExportJoints, DistanceRows) {
 TEST(ExportJoints, WeldRows) {
     for (const bool soft_point : {false, true}) {
         for (const bool soft_angle : {false, true}) {
-            Pair p;
+            JointedPair p;
             const JointId j = p.w->create_joint(
                 WeldJointDef{.base = p.base(), .linear_hertz = soft_point ? 4.0f : 0.0f, .angular_hertz = soft_angle ? 5.0f : 0.0f});
             const RowKind point = soft_point ? RowKind::spring : RowKind::joint, angle = soft_angle ? RowKind::spring : RowKind::joint;
@@ -186,7 +185,7 @@ TEST(ExportJoints, WeldRows) {
                               return p.gap(j, {0, 1});
                           }},
                          {angle, [&] { return p.turned(); }}});
-            const ExportedIsland island(*p.w, p.a, h);
+            const ExportedIsland island(*p.w, p.a, substep);
             EXPECT_EQ(island->rows[0].softness > 0, soft_point);
             EXPECT_EQ(island->rows[2].softness > 0, soft_angle);
         }
@@ -194,50 +193,50 @@ TEST(ExportJoints, WeldRows) {
 }
 
 TEST(ExportJoints, MotorRows) {
-    Pair p;
+    JointedPair p;
     MotorJointDef def{.base = p.base(), .linear_velocity = {2, 1}, .angular_velocity = 3, .max_force = 20, .max_torque = 4};
     const JointId j = p.w->create_joint(def);
     const Rot frame = make_rot(p.w->angle(p.a) + 0.5f);
     const Vec2 velocity = rotate(frame, {2, 1});
     expect_rows(p.w, j,
-                {{RowKind::motor, [&] { return p.turned(); }, -h * 4, h * 4, -3},
+                {{RowKind::motor, [&] { return p.turned(); }, -substep * 4, substep * 4, -3},
                  {RowKind::motor,
                   [&] {
                       return p.gap(j, {1, 0});
                   },
-                  -h * 20, h * 20, -velocity.x},
+                  -substep * 20, substep * 20, -velocity.x},
                  {RowKind::motor,
                   [&] {
                       return p.gap(j, {0, 1});
                   },
-                  -h * 20, h * 20, -velocity.y}});
+                  -substep * 20, substep * 20, -velocity.y}});
 }
 
 // Once it gives an impulse the first of its two rows goes along that.
 TEST(ExportJoints, ARigidDriveThatGivesAllItHasIsAtTheBoundOfOneRowAlone) {
-    Pair p;
+    JointedPair p;
     p.w->create_joint(MotorJointDef{.base = p.base(), .linear_velocity = {20, 10}, .max_force = 6});
     p.w.step();
-    const ExportedIsland island(*p.w, p.a, h);
+    const ExportedIsland island(*p.w, p.a, substep);
     ASSERT_EQ(island->rows.size(), 3u);
-    EXPECT_NEAR(island->impulses[1], h * 6, 1e-5f * h);
-    EXPECT_NEAR(island->impulses[2], 0, 1e-5f * h);
+    EXPECT_NEAR(island->impulses[1], substep * 6, 1e-5f * substep);
+    EXPECT_NEAR(island->impulses[2], 0, 1e-5f * substep);
     EXPECT_NEAR(length(island->rows[1].ends[1].linear), 1, 1e-6f);
     EXPECT_NEAR(dot(island->rows[1].ends[1].linear, island->rows[2].ends[1].linear), 0, 1e-6f);
 }
 
 TEST(ExportJoints, MouseRows) {
-    Pair p;
+    JointedPair p;
     const JointId j = p.w->create_joint(MouseJointDef{.body = p.b, .target = {3.2f, 2.9f}, .hertz = 4, .max_force = 30});
     p.w->set_target(j, {4, 3});
-    const ExportedIsland island(*p.w, p.b, h);
+    const ExportedIsland island(*p.w, p.b, substep);
     ASSERT_EQ(island->rows.size(), 2u);
     const Vec2 e = island->rows[0].ends[0].linear, f = island->rows[1].ends[0].linear;
     EXPECT_NEAR(length(e), 1, 1e-6f);
     EXPECT_NEAR(dot(e, f), 0, 1e-6f);
     expect_rows(
         p.w, j,
-        {{RowKind::motor, [&] { return p.gap(j, e); }, -h * 30, h * 30}, {RowKind::motor, [&] { return p.gap(j, f); }, -h * 30, h * 30}});
+        {{RowKind::motor, [&] { return p.gap(j, e); }, -substep * 30, substep * 30}, {RowKind::motor, [&] { return p.gap(j, f); }, -substep * 30, substep * 30}});
     // The engine's softness is a multiple of K: along these axes K is diagonal, so each row's softness is the same multiple of its own entry.
     const auto entry = [&](std::size_t r, std::size_t s) {
         double sum = 0;
@@ -253,7 +252,7 @@ TEST(ExportJoints, MouseRows) {
 }
 
 TEST(ExportJoints, PulleyRows) {
-    Pair p;
+    JointedPair p;
     const JointId j = p.w->create_joint(PulleyJointDef{.base = p.base(), .ground_a = {0, 5}, .ground_b = {4, 6}, .ratio = 1.5f});
     const auto length_to = [](Vec2 at, Vec2 from) { return std::hypot(double(at.x) - double(from.x), double(at.y) - double(from.y)); };
     expect_rows(p.w, j, {{RowKind::joint, [&] {
@@ -262,7 +261,7 @@ TEST(ExportJoints, PulleyRows) {
 }
 
 TEST(ExportJoints, GearRowsOfFourBodiesAndOfThree) {
-    Pair p;
+    JointedPair p;
     const BodyId c = p.add({5, 2}, 0.2f), d = p.add({5, 5}, 0.7f);
     const JointId hinge = p.w->create_joint(RevoluteJointDef{.base = p.base()});
     JointBase base = p.base();
@@ -283,9 +282,9 @@ TEST(ExportJoints, GearRowsOfFourBodiesAndOfThree) {
 // A spring at rest pulls by stiffness times stretch: where nothing moves, w = 0 means x = -bias / softness. The stiffness is K^-1 (2 pi f)^2, the damping
 // K^-1 2 z (2 pi f), K^-1 being the mass that the spring moves.
 TEST(ExportJoints, ASpringPullsByItsStiffnessAndBrakesByItsDamping) {
-    Pair p;
+    JointedPair p;
     const JointId j = p.w->create_joint(PrismaticJointDef{.base = p.base(), .spring = spring});
-    for (const float step : {h, h / 4, 2 * h}) {
+    for (const float step : {substep, substep / 4, 2 * substep}) {
         const ExportedIsland island(*p.w, p.a, step);
         const IslandRow& row = island->rows[0];
         ASSERT_EQ(row.kind, RowKind::spring);
@@ -308,7 +307,7 @@ TEST(ExportJoints, SolvedImpulsesMakeTheBodiesMoveAsTheJointsAllow) {
     for (int i = 0; i < 20; ++i) {
         w.step();
         for (const BodyId id : {m.arm, m.slider, m.cart, m.left}) {
-            const ExportedIsland island(*w, id, h);
+            const ExportedIsland island(*w, id, substep);
             const test::WideSolution s = test::solve(island, lcp::Method::newton);
             ASSERT_EQ(s.result.status, lcp::Status::converged) << lcp::describe(s.result.status) << " " << s.result.residuals.natural;
             const std::vector<test::WideVelocity> v = test::velocities_after(*island, s.x);
@@ -357,7 +356,7 @@ TEST(ExportJoints, ImpulsesAreThoseTheEngineLeft) {
     TestWorld w(test::roomy, {.enable_sleep = false});
     const test::Machine m = test::add_machine(*w, {0, 0});
     w.step(30);
-    for (const float step : {h, 3 * h}) {
+    for (const float step : {substep, 3 * substep}) {
         const ExportedIsland island(*w, m.arm, step);
         Vec2 force;
         float torque = 0, motor_impulse = 0;
@@ -383,13 +382,13 @@ TEST(ExportJoints, RowsThatPushNothingAreLeftOut) {
     const BodyId wall = w->create_body({});
     const BodyId box = w.add(make_box(0.5f, 0.5f), {.type = BodyType::dynamic, .position = {1, 0}, .fixed_rotation = true});
     test::join(*w, JointType::weld, wall, box);
-    const ExportedIsland island(*w, box, h);
+    const ExportedIsland island(*w, box, substep);
     ASSERT_EQ(island->rows.size(), 2u) << "neither end can turn";
     for (const IslandRow& r : island->rows) EXPECT_EQ(r.ends[0].body, no_body);
 
     const BodyId bob = w.add_box({5, 5}), hook = w->create_body({.position = {5, 5}});
     w->create_joint(DistanceJointDef{.base = {.body_a = hook, .body_b = bob}, .length = 1});
-    EXPECT_EQ(ExportedIsland(*w, bob, h)->rows.size(), 0u) << "points that coincide have no direction";
+    EXPECT_EQ(ExportedIsland(*w, bob, substep)->rows.size(), 0u) << "points that coincide have no direction";
 }
 
 TEST(ExportJoints, AKinematicEndDrives) {
@@ -399,12 +398,12 @@ TEST(ExportJoints, AKinematicEndDrives) {
     RevoluteJointDef hinge{.base = test::base_at_b(*w, crank, box)};
     hinge.limit = {.enable = true, .lower = -1, .upper = 0.5f};
     w->create_joint(hinge);
-    const ExportedIsland island(*w, box, h);
+    const ExportedIsland island(*w, box, substep);
     ASSERT_EQ(island->rows.size(), 4u);
     EXPECT_EQ(island->bodies.size(), 1u);
     // From the crank the box turns back at 3 rad/s: towards the lower limit, away from the upper one.
-    EXPECT_NEAR(island->lcp.q[0], -3 + 1 / h, 1e-4f);
-    EXPECT_NEAR(island->lcp.q[1], 3 + 0.5f / h, 1e-4f);
+    EXPECT_NEAR(island->lcp.q[0], -3 + 1 / substep, 1e-4f);
+    EXPECT_NEAR(island->lcp.q[1], 3 + 0.5f / substep, 1e-4f);
     // Its point at (2, 0) moves at (1, 2 + 3 * 2), the box does not.
     EXPECT_NEAR(island->lcp.q[2], -1, 1e-5f);
     EXPECT_NEAR(island->lcp.q[3], -8, 1e-5f);

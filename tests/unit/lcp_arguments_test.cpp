@@ -11,7 +11,6 @@ namespace {
 using lcp::Method;
 using lcp::Status;
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Two rows, both ways, every part of it open to damage.

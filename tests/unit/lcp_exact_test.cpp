@@ -9,7 +9,6 @@ namespace {
 using lcp::Method;
 using lcp::Status;
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Gauss-Jordan elimination in long double; false if the matrix is singular.
 bool solve_exactly(std::vector<std::vector<long double>> a, std::vector<long double>& b) {

@@ -13,6 +13,8 @@
 
 namespace islet::test {
 
+inline constexpr double inf = std::numeric_limits<double>::infinity();
+
 /// A problem in double precision that owns its numbers; `known` is a solution where one is.
 struct LcpCase {
     std::string name;
@@ -152,7 +154,6 @@ inline LcpCase positive_definite_case(std::size_t n, bool bounded, std::uint32_t
     const std::vector<double> m = random_gram(n, n, 0.3, random);
     LcpCase c = lcp_case("positive definite " + std::to_string(n) + (bounded ? " bounded" : ""), m, random_vector(n, -1, 1, random));
     if (!bounded) return c;
-    constexpr double inf = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
         const double at = between(random, -1, 1);
         switch (random.below(6)) {

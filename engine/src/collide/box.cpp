@@ -26,7 +26,7 @@ struct Box {
     float radius = 0;
 };
 
-ISLET_SHARED Box box_of(const Polygon& p) {
+ISLET_SHARED Box oriented_box(const Polygon& p) {
     const Vec2 half = 0.5f * (p.vertices[2] - p.vertices[0]);
     return {0.5f * (p.vertices[0] + p.vertices[2]), p.normals[0], -dot(half, p.normals[0]), dot(half, p.normals[1]), p.radius};
 }
@@ -120,8 +120,8 @@ bool is_box(const Polygon& p) {
 }
 
 bool collide_boxes(const Polygon& pa, const Polygon& pb, const Transform& b_in_a, float margin, Manifold& m) {
-    const Box a = box_of(pa);
-    Box b = box_of(pb);
+    const Box a = oriented_box(pa);
+    Box b = oriented_box(pb);
     b.center = transform_point(b_in_a, b.center);
     b.axis0 = rotate(b_in_a.q, b.axis0);
 

@@ -330,4 +330,9 @@ void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::
     }
 }
 
+extern template struct ContactKernel<Lane1>;  // kernel_scalar.cpp
+#if ISLET_MAX_LANES >= 4
+extern template struct ContactKernel<Lane4>;
+#endif
+
 }  // namespace islet::detail

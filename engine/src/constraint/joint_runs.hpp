@@ -175,4 +175,8 @@ void store_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, con
     });
 }
 
+#if ISLET_MAX_LANES >= 4
+extern template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);  // kernel_scalar.cpp
+#endif
+
 }  // namespace islet::detail

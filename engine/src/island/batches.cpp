@@ -31,7 +31,7 @@ struct Islands : UnionFind {
 
 constexpr std::uint32_t guided_bit = 1u << 31;
 
-inline constexpr std::uint32_t body_grain = 16;  // words of 64 bodies that are worth a task
+inline constexpr std::uint32_t word_grain = 16;  // words of 64 bodies that are worth a task
 
 // The touching contacts, cut into parts that are planned side by side: each lists its edges in its own piece of the array, counts them by place, and puts
 // them where the counts of all say. What is listed and put is the same however it is cut.
@@ -197,7 +197,7 @@ Plan make_plan(const Core& core, Arena& arena) {
     const BitSet awake = core.awake_bodies;
     const auto words = static_cast<std::uint32_t>(words_for(bodies));
     const Islands links{{temporary.take<std::uint32_t>(bodies)}, {temporary.take<std::uint64_t>(words), words}};
-    for_ranges(core, words, body_grain, [&](std::uint32_t first, std::uint32_t end) {
+    for_ranges(core, words, word_grain, [&](std::uint32_t first, std::uint32_t end) {
         const std::uint32_t begin = 64 * first;
         const std::size_t count = (64 * end < bodies ? 64 * end : bodies) - begin;
         std::memset(plan.slot_of + begin, 0, count * 4);

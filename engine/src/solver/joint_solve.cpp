@@ -5,9 +5,6 @@
 
 namespace islet::detail {
 
-#if ISLET_MAX_LANES >= 4
-extern template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
-#endif
 #if ISLET_MAX_LANES >= 8
 void solve_joints_8(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep);  // kernel_avx2.cpp
 #endif

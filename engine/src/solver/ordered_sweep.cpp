@@ -6,8 +6,6 @@
 
 namespace islet::detail {
 
-extern template struct ContactKernel<Lane1>;
-
 namespace {
 
 // Static bodies share a slot with those of other batches, so nothing is written to what cannot be pushed.

@@ -16,10 +16,6 @@
 
 namespace islet::detail {
 
-extern template struct ContactKernel<Lane1>;
-#if ISLET_MAX_LANES >= 4
-extern template struct ContactKernel<Lane4>;
-#endif
 #if ISLET_MAX_LANES >= 8
 // Eight lanes, from kernel_avx2.cpp; only the declarations can be seen here, where AVX2 is not assumed.
 void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count);
@@ -221,7 +217,7 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
         }
         if ((any & (contact_special | contact_bouncy | contact_hits)) == 0) continue;
         for (std::uint32_t i = 0; i < W; ++i) {
-            const Surface surface = r.contact[i] != null_index ? surface_of(core, r.contact[i]) : Surface{};
+            const MixedSurface surface = r.contact[i] != null_index ? surface_of(core, r.contact[i]) : MixedSurface{};
             r.restitution[i] = surface.restitution;
             r.rolling_resistance[i] = surface.rolling_resistance;
             r.tangent_speed[i] = surface.tangent_speed;
@@ -232,7 +228,7 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
 inline constexpr std::uint32_t wide_contacts = 4096;  // from so many contacts and joints on all workers solve a batch together
 inline constexpr std::uint32_t contact_grain = 192;                 // contacts of a colour, joints of a run and bodies that are worth a task
 inline constexpr std::uint32_t joint_grain = 128;
-inline constexpr std::uint32_t body_grain = 512;
+inline constexpr std::uint32_t slot_grain = 512;
 
 /// One batch, to be solved by one thread, or, if it is wide, by all workers stage by stage. All constraints of a colour are independent, and so are all
 /// bodies while they are integrated; so nothing depends on how they are cut.
@@ -262,7 +258,7 @@ struct BatchSolve {
     /// work(first, end) over the slots of the batch's bodies.
     template <class Work>
     void over_bodies(Work&& work) {
-        over(batch.end_slot - batch.first_slot, body_grain,
+        over(batch.end_slot - batch.first_slot, slot_grain,
              [&](std::uint32_t first, std::uint32_t end) { work(batch.first_slot + first, batch.first_slot + end); });
     }
 

@@ -5,13 +5,13 @@
 
 namespace islet::detail {
 
-struct Surface {
+struct MixedSurface {
     float restitution = 0;
     float rolling_resistance = 0;  // m, lever arm of the resisting torque
     float tangent_speed = 0;       // m/s
 };
 
-inline Surface surface_of(const Core& core, std::uint32_t contact) {
+inline MixedSurface surface_of(const Core& core, std::uint32_t contact) {
     const Contact& c = core.contacts[contact];
     const Shape& a = core.shapes[c.shape_a];
     const Shape& b = core.shapes[c.shape_b];

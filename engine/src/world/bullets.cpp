@@ -25,12 +25,12 @@ namespace {
 inline constexpr std::uint32_t bullet_rounds = 4;
 
 /// The first impact of a body with others on their ways.
-struct Impact {
+struct WayImpact {
     float fraction = no_impact;
     Sweep other;
 };
 
-void meet(const Core& core, std::uint32_t body, const Sweep& way, std::uint32_t other_shape, const Sweep& other, Impact& first) {
+void find_impact(const Core& core, std::uint32_t body, const Sweep& way, std::uint32_t other_shape, const Sweep& other, WayImpact& first) {
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
         const float fraction = stop_time(core, s, way, other_shape, other, min(first.fraction, 1.0f));
         if (fraction < first.fraction) first = {fraction, other};
@@ -39,9 +39,9 @@ void meet(const Core& core, std::uint32_t body, const Sweep& way, std::uint32_t 
 
 bool is_stopped(const Core& core, std::uint32_t body) { return (core.bodies[body].flags & body_bullet) != 0 && core.is_dynamic(body); }
 
-Impact first_impact(const Core& core, std::uint32_t body, const Sweep& way, const std::uint32_t* body_of, std::uint32_t slot_count,
+WayImpact first_impact(const Core& core, std::uint32_t body, const Sweep& way, const std::uint32_t* body_of, std::uint32_t slot_count,
                     const SolverBody* bodies, std::uint32_t slot, bool last_round) {
-    Impact first;
+    WayImpact first;
     const Pose& pose = core.poses[body];
     const float far_enough = swept_fraction * core.bodies[body].min_extent;
     const Aabb box = box_of_way(way.center, way.way, pose.max_extent);
@@ -58,18 +58,18 @@ Impact first_impact(const Core& core, std::uint32_t body, const Sweep& way, cons
         if (length(way.way - other_way.dp) + turned + other_turned <= far_enough) continue;
         if (is_stopped(core, other) && (last_round || length(other_way.dp) + other_turned > moved)) continue;
         const Sweep sweep = sweep_of(core, other, other_way);
-        for (std::uint32_t s = core.bodies[other].shape_head; s != null_index; s = core.shapes[s].next) meet(core, body, way, s, sweep, first);
+        for (std::uint32_t s = core.bodies[other].shape_head; s != null_index; s = core.shapes[s].next) find_impact(core, body, way, s, sweep, first);
     }
     if (moved <= far_enough) return first;
     tree_query(Tree{&core.state->tree, core.tree}, box, [&](std::uint32_t shape) {
         const std::uint32_t other = core.shapes[shape].body;
-        if (core.bodies[other].type() != BodyType::static_body) meet(core, body, way, shape, at_rest(core, other), first);
+        if (core.bodies[other].type() != BodyType::static_body) find_impact(core, body, way, shape, at_rest(core, other), first);
     });
     return first;
 }
 
 // From the impact on the bullet keeps its place on the other body, so that this does not pass through it either.
-Sweep carried(const Sweep& way, const Impact& impact) {
+Sweep carried(const Sweep& way, const WayImpact& impact) {
     const float f = impact.fraction;
     const Sweep& other = impact.other;
     const Vec2 place = inv_rotate(rotation_at(other, f), center_at(way, f) - center_at(other, f));
@@ -89,7 +89,7 @@ void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_c
             const std::uint32_t body = body_of[slot];
             if (!is_stopped(core, body)) continue;
             const Sweep way = sweep_of(core, body, bodies[slot]);
-            const Impact impact = first_impact(core, body, way, body_of, slot_count, bodies, slot, round + 1 == bullet_rounds);
+            const WayImpact impact = first_impact(core, body, way, body_of, slot_count, bodies, slot, round + 1 == bullet_rounds);
             if (impact.fraction >= 1) continue;
             place_at_end(core, body, carried(way, impact), bodies[slot]);
             if (length(bodies[slot].dp) + abs(bodies[slot].dq) * core.poses[body].max_extent > swept_fraction * core.bodies[body].min_extent)

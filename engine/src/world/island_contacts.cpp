@@ -14,7 +14,7 @@ void add_contact_rows(IslandRows& to, std::uint32_t contact) {
     const Pose& a = to.core.poses[m.body_a];
     const Pose& b = to.core.poses[m.body_b];
     const Vec2 n = m.normal, t = right_perp(n);
-    Surface surface;
+    MixedSurface surface;
     if (has_surfaces && (m.flags & contact_special) != 0) surface = surface_of(to.core, contact);
 
     const auto row_along = [&](RowKind kind, std::uint32_t point, Vec2 e) {
