@@ -186,10 +186,6 @@ if $all; then
     lap "other processors"
     run_tests asan-ubsan --exclude-regex '^(islet_)?(reference|engines)|fast_math'
     tools=OFF
-    # Unoptimised code must give the same bits; what else the tests say, the builds above have said.
-    targets=(--target islet_determinism_tests)
-    build_tests debug
-    run_tests debug --tests-regex '^determinism\.Scenes/Golden'
     # What two workers share by mistake.
     targets=(--target islet_hashes)
     build_tests tsan

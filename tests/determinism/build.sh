@@ -30,8 +30,8 @@ compile() {
             flags=("${engine[@]}")
             case $processor in x86_64 | amd64) flags+=(-mavx2) ;; esac
             ;;
-        "$root"/engine/*) flags=("${engine[@]}") ;;
-        "$root"/samples/* | "$folder"/*) flags=("${exact[@]}" -I"$root/samples") ;;
+        "$root"/engine/* | "$folder"/engine.cpp) flags=("${engine[@]}") ;;
+        "$root"/samples/* | "$folder"/scenes.cpp) flags=("${exact[@]}" -I"$root/samples") ;;
         *) flags=(-I"$root/samples") ;; # the program is the user's: no flags but the user's own
         esac
         printf '%s\0' "$compiler -std=c++20 $* ${flags[*]} -I$root/engine/include -c $source -o $object"
@@ -39,29 +39,33 @@ compile() {
     xargs -0 -P "$jobs" -I{} sh -c '{}' <"$folder/commands"
 }
 
+# as_one FILE: all sources named on standard input as one, since most of the time goes into what they all include. Names that are a file's own differ
+# from those of the others.
+as_one() {
+    mkdir -p "$(dirname "$1")"
+    sed 's/.*/#include "&"/' >"$1"
+}
+
 # build_scenes FOLDER PROCESSOR COMPILER FLAG...: the scenes and what loads them, unless they are there. Where bodies start is the same at every
-# level of optimisation, so they are built with none; and since that leaves little to do but to read what they all include, as two files. So
-# names that are a scene's own must differ from those of the other scenes.
+# level of optimisation, so they are built with none.
 build_scenes() {
-    local folder=$1 processor=$2 sources
+    local folder=$1 processor=$2
     shift 2
     [ ! -e "$folder/built" ] || return 0
-    mkdir -p "$folder"
-    mapfile -t sources < <(
+    {
         find "$root"/samples/{scenes,prefabs} -name '*.cpp' | sort
         printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,joint_measure,near_names,spawn}.cpp
-    )
-    local half=$((${#sources[@]} / 2))
-    printf '#include "%s"\n' "${sources[@]:0:half}" >"$folder/scenes_1.cpp"
-    printf '#include "%s"\n' "${sources[@]:half}" >"$folder/scenes_2.cpp"
+    } | as_one "$folder/scenes.cpp"
     {
-        printf '%s\n' "$folder"/scenes_{1,2}.cpp
-        case $processor in wasm*) ;; *) printf '%s\n' "$root/samples/thread_pool.cpp" ;; esac
+        echo "$folder/scenes.cpp"
+        case $processor in wasm*) ;; *) echo "$root/samples/thread_pool.cpp" ;; esac
     } | compile "$folder" "$processor" "$@" -O0 || return
     touch "$folder/built"
 }
 
-# build_engine FOLDER PROCESSOR COMPILER FLAG...: the engine and the program.
+# build_engine FOLDER PROCESSOR COMPILER FLAG...: the engine and the program. (The engine of every other build is compiled file by file.)
 build_engine() {
-    { find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' && printf '%s\n' "$root/tests/determinism/hashes.cpp"; } | compile "$@"
+    local folder=$1
+    find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name kernel_avx2.cpp | sort | as_one "$folder/engine.cpp"
+    printf '%s\n' "$folder/engine.cpp" "$root"/engine/src/solver/kernel_avx2.cpp "$root/tests/determinism/hashes.cpp" | compile "$@"
 }

@@ -94,6 +94,8 @@ check wasm-simd wasm32 1,4 node --no-warnings "$root/tests/determinism/wasi.mjs"
 # With the instructions of this very machine at hand, and without them.
 check x86-64 x86_64 1,4,8 -- g++ -O2 -march=native
 check x86-64-clang x86_64 1,4,8 -- clang++ -O2 -march=native
+# Unoptimised.
+check x86-64-plain x86_64 1,4,8 -- g++ -O0
 # (The 32-bit library alone, without the package that clashes with cross compilers, leaves <asm/...> where the 64-bit one has it.)
 check x86-32 i686 1,4 -- g++-12 -m32 -O2 -msse2 -idirafter /usr/include/x86_64-linux-gnu
 wait

@@ -10,8 +10,8 @@ inline constexpr bool slow_build = false;
 inline constexpr bool slow_build = true;
 #endif
 
-/// So many random cases; a tenth of them where each is several times slower, and what is looked for is bad memory rather than bad answers.
-constexpr int cases(int n) { return slow_build ? n / 10 : n; }
+/// So many random cases; a fortieth of them where each is many times slower, and what is looked for is bad memory rather than bad answers.
+constexpr int cases(int n) { return slow_build ? n / 40 : n; }
 
 /// The same for what is tried at places along a line: how many times as far they are apart.
 inline constexpr float stride = slow_build ? 10 : 1;
