@@ -285,8 +285,8 @@ void check_overlaps(const std::vector<Known>& known, const QueryFilter& filter, 
 void expect_enough(const char* what, const Tally& tally, int least_hits) {
     std::printf("%s: %d asked, %d found, %d too close to call\n", what, tally.asked, tally.hits, tally.doubtful);
     EXPECT_GE(tally.asked, cases(99000));
-    EXPECT_GT(tally.hits, test::slow_build ? least_hits / 12 : least_hits);  // a tenth of the worlds is no mean of all
-    EXPECT_LT(tally.doubtful, tally.asked / 500);
+    EXPECT_GT(tally.hits, test::slow_build ? cases(least_hits) / 2 : least_hits);  // a few worlds are no mean of all
+    EXPECT_LT(tally.doubtful, tally.asked / (test::slow_build ? 100 : 500));
 }
 
 TEST(WorldQueries, OverlapsAreThoseOfASearchThroughAllShapesIn100000RandomCasesEach) {
@@ -367,7 +367,7 @@ TEST(WorldQueries, TheClosestShapeIsThatOfASearchThroughAllShapesIn100000RandomC
         }
     });
     EXPECT_EQ(asked, cases(100000));
-    EXPECT_GT(found, cases(50000));
+    EXPECT_GT(found, cases(45000));
 }
 
 TEST(WorldQueries, TheSurfacesNearAShapeAreThoseOfASearchThroughAllShapesIn100000RandomCases) {

@@ -14,6 +14,6 @@ inline constexpr bool slow_build = true;
 constexpr int cases(int n) { return slow_build ? n / 40 : n; }
 
 /// The same for what is tried at places along a line: how many times as far they are apart.
-inline constexpr float stride = slow_build ? 10 : 1;
+inline constexpr float stride = slow_build ? 40 : 1;
 
 }  // namespace islet::test

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "island/batches.hpp"
+#include "support/effort.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
 
@@ -183,7 +184,7 @@ TEST(Islands, MatchASearchThroughTheGraphInARandomHeap) {
             const Vec2 at{random.between(-25, 25), random.between(0.5f, 12)};
             random.one_in(2) ? w.add_box(at, random.between(0.2f, 0.8f), 0.3f) : w.add_circle(at, random.between(0.1f, 0.5f));
         }
-        for (int i = 0; i < 250; ++i) {
+        for (int i = 0; i < (islet::test::slow_build ? 50 : 250); ++i) {
             w->set_linear_velocity(lift, {0, i % 60 < 30 ? 1.0f : -1.0f});
             w.step();
             ASSERT_NO_FATAL_FAILURE(check_plan(w)) << "in step " << i << ", " << lanes << " lanes";
