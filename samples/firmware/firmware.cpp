@@ -76,6 +76,7 @@ int run() {
     good = play<build_ragdoll>("ragdoll") && good;
     good = play<build_circles>("circles") && good;
     good = play<build_machine>("machine") && good;
+    good = play<build_ordered_machine>("ordered") && good;
     print("floats steps 20000 hash ");
     print_hash(hash_floats(20000));
     print("\n");

@@ -125,4 +125,9 @@ void build_machine(World& world) {
     world.create_joint(GearJointDef{.joint1 = hinge, .joint2 = slider, .ratio = 0.5f});
 }
 
+void build_ordered_machine(World& world) {
+    build_machine(world);
+    world.set_solver({.iterations = 2, .sweep_order = SweepOrder::upward, .block_contacts = true, .shock = 0.2f, .tolerance = 0.001f});
+}
+
 }  // namespace firmware

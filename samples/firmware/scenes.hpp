@@ -16,5 +16,7 @@ void build_ragdoll(islet::World& world);
 void build_circles(islet::World& world);
 /// Every kind of shape, joint and surface: that all of it comes to the same everywhere, and how large a program is that uses it all.
 void build_machine(islet::World& world);
+/// The same solved by contacts in order, in blocks, with shock propagation, as often as a tolerance asks: all that the solver has.
+void build_ordered_machine(islet::World& world);
 
 }  // namespace firmware

@@ -259,7 +259,7 @@ Aabb box_ahead(const Core& core, std::uint32_t shape, float dt) {
     const Vec2 way = dt * core.motions[body].v;
     const float turn = dt * abs(core.motions[body].w) * core.poses[body].max_extent;
     const Aabb box = core.boxes[shape];
-    return expand({min(box.lower, box.lower + way), max(box.upper, box.upper + way)}, turn);
+    return expand(both(box, {box.lower + way, box.upper + way}), turn);
 }
 
 void find_pairs(Core& core, float dt) {

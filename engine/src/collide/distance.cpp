@@ -92,7 +92,7 @@ struct Cores {
     const Vec2* b;
     std::uint32_t count_b;
 
-    Corner corner(std::uint8_t index_a, std::uint8_t index_b) const { return {b[index_b] - a[index_a], index_a, index_b}; }
+    ISLET_SHARED Corner corner(std::uint8_t index_a, std::uint8_t index_b) const { return {b[index_b] - a[index_a], index_a, index_b}; }
     Corner furthest(Vec2 d) const { return corner(support(a, count_a, -d), support(b, count_b, d)); }
 
     // The feature's corners, and its points closest to the origin. Normal and distance are for cores that neither touch nor overlap.

@@ -3,7 +3,7 @@
 
 namespace islet::detail {
 
-Outline outline_of(const Polygon& p, Vec2 origin) {
+ISLET_APART Outline outline_of(const Polygon& p, Vec2 origin) {
     Outline o;
     o.count = p.count;
     o.radius = p.radius;

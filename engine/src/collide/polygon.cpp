@@ -5,6 +5,7 @@
 // says which. (The order of these steps, and that rounded and speculative contacts need the last one, is learnt from Box2D 3.)
 #include "collide/distance.hpp"
 #include "collide/outline.hpp"
+#include "math/boxes.hpp"
 
 namespace islet::detail {
 namespace {
@@ -106,7 +107,7 @@ Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, fl
     const Vec2 b2 = transform_point(t, b.point2);
     // Most capsules that the broad phase pairs are further apart than this; it saves the square roots.
     const float limit = margin + a.radius + b.radius;
-    if (!overlaps(expand({min({}, end), max({}, end)}, limit), {min(b1, b2), max(b1, b2)})) { return {}; }
+    if (!meet(expand(box_around({}, end), limit), box_around(b1, b2))) { return {}; }
     return collide_outlines(outline_of({}, end, a.radius), outline_of(b1, b2, b.radius), origin, margin);
 }
 

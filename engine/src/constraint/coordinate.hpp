@@ -24,10 +24,12 @@ struct CoordinateRows {
     float max_friction[W];
     float lower[W], upper[W];
     float spring[W], motor[W], friction[W], low[W], high[W];  // accumulated impulses
+    std::uint32_t parts;
+    std::uint8_t pad[W * 4 - 4];
 };
 
 inline constexpr float no_bound = 1.0e12f;  // m or rad: what is farther is out of reach, and its products could leave the range of float
-inline float within_bound(float a) { return clamp(a, -no_bound, no_bound); }
+inline float within_bound(float a) { return within_bounds(a, no_bound); }
 
 inline std::uint32_t coordinate_parts(const Joint& j) {
     return ((j.flags & joint_spring) != 0 ? std::uint32_t{part_spring} : 0u) | ((j.flags & joint_motor) != 0 ? std::uint32_t{part_motor} : 0u) |
@@ -38,6 +40,7 @@ inline std::uint32_t coordinate_parts(const Joint& j) {
 template <std::uint32_t W>
 float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n) {
     const std::uint32_t parts = coordinate_parts(j);
+    r.parts |= parts;
     // A lane without a part that its neighbours have must come out as if there were none.
     r.spring_rate[lane] = -1;
     r.lower[lane] = -__builtin_inff();
@@ -69,7 +72,7 @@ float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, c
 }
 
 template <std::uint32_t W>
-void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane, Joint& j) {
+ISLET_SHARED void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane, Joint& j) {
     j.spring_impulse = r.spring[lane];
     j.motor_impulse = r.motor[lane];
     j.friction_impulse = r.friction[lane];
@@ -82,19 +85,19 @@ inline float coordinate_impulse(const Joint& j) {
     return j.spring_impulse + j.motor_impulse + j.friction_impulse + j.lower_impulse - j.upper_impulse;
 }
 template <class L>
-ISLET_LANE typename L::F coordinate_impulse(const CoordinateRows<L::width>& r) {
+ISLET_LANE_SHARED typename L::F coordinate_impulse(const CoordinateRows<L::width>& r) {
     return L::load(r.spring) + L::load(r.motor) + L::load(r.friction) + L::load(r.low) - L::load(r.high);
 }
 
 /// Solves the spring and the limits. x is the coordinate, k its K, speed its rate, bend its q; returns the impulse to apply.
 template <class L>
-ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, std::uint32_t parts, typename L::F x, typename L::F k,
+ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, typename L::F x, typename L::F k,
                                                  typename L::F speed, typename L::F bend, const JointSweep& n) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F m = L::splat(n.omega) * inverse_or_zero<L>(k);
     F sum = zero;
-    if ((parts & part_spring) != 0 && n.biased) {
+    if ((r.parts & part_spring) != 0 && n.biased) {
         const F old = L::load(r.spring), rate = L::load(r.spring_rate);
         const F wanted = -(m * L::load(r.spring_mass_scale) * (speed + rate * (x - L::load(r.target)))) - L::load(r.spring_impulse_scale) * old;
         const F delta = select(rate < zero, zero, wanted);
@@ -102,7 +105,7 @@ ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, st
         sum = sum + delta;
         speed = speed + k * delta;
     }
-    if ((parts & part_limit) != 0) {
+    if ((r.parts & part_limit) != 0) {
         const F inv_h = L::splat(n.inv_h);
         const F rate = L::splat(n.soft.rate), mass_scale = L::splat(n.soft.mass_scale), impulse_scale = L::splat(n.omega * n.soft.impulse_scale);
         const F ahead = curve<L>(bend, n);
@@ -127,7 +130,7 @@ ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, st
 
 /// Solves the motor and the friction.
 template <class L>
-ISLET_LANE typename L::F solve_motor_and_friction(CoordinateRows<L::width>& r, std::uint32_t parts, typename L::F k, typename L::F speed,
+ISLET_LANE typename L::F solve_motor_and_friction(CoordinateRows<L::width>& r, typename L::F k, typename L::F speed,
                                                   const JointSweep& n) {
     using F = typename L::F;
     const F m = L::splat(n.omega) * inverse_or_zero<L>(k);
@@ -140,8 +143,8 @@ ISLET_LANE typename L::F solve_motor_and_friction(CoordinateRows<L::width>& r, s
         sum = sum + (lambda - old);
         speed = speed + k * (lambda - old);
     };
-    if ((parts & part_friction) != 0) row(r.friction, L::splat(0.0f), L::load(r.max_friction));
-    if ((parts & part_motor) != 0) row(r.motor, L::load(r.speed), L::load(r.max_motor));
+    if ((r.parts & part_friction) != 0) row(r.friction, L::splat(0.0f), L::load(r.max_friction));
+    if ((r.parts & part_motor) != 0) row(r.motor, L::load(r.speed), L::load(r.max_motor));
     return sum;
 }
 

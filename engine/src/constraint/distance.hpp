@@ -20,8 +20,6 @@ struct alignas(W * 4) DistanceRows {
     float rigid[W];   // 1: a rod
     float rod[W];     // N s
     CoordinateRows<W> free;
-    std::uint32_t parts;
-    std::uint8_t pad[W * 4 - 4];
 };
 
 inline constexpr float least_distance = 1.0e-6f;  // m; below, a distance has no direction
@@ -36,7 +34,6 @@ WarmStart prepare(DistanceRows<W>& r, std::uint32_t lane, const Joint& j, const 
     const bool rigid = is_rod(j);
     r.length[lane] = j.length;
     r.rigid[lane] = rigid ? 1.0f : 0.0f;
-    r.parts |= coordinate_parts(j);
     const float along = set_coordinate(r.free, lane, j, in.numbers);
     r.free.target[lane] = j.length;
     r.rod[lane] = rigid ? in.numbers.warm * j.impulse.x : 0;
@@ -62,8 +59,8 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, DistanceRows<
     const LaneVec<F> d_dot = s.point_velocity(ra, rb);
     const F x_dot = dot(u, d_dot);
     const F bend = dot(u, s.point_curvature(ra, rb)) + inv_x * (dot(d_dot, d_dot) - x_dot * x_dot);
-    push(solve_motor_and_friction<L>(r.free, r.parts, k, speed(), n));
-    push(solve_spring_and_limits<L>(r.free, r.parts, x, k, speed(), bend, n));
+    push(solve_motor_and_friction<L>(r.free, k, speed(), n));
+    push(solve_spring_and_limits<L>(r.free, x, k, speed(), bend, n));
 
     const F rigid = L::load(r.rigid);
     const F residual = speed() + curve<L>(bend, n) + L::splat(n.soft.rate) * (x - L::load(r.length));

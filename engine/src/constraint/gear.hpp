@@ -77,7 +77,7 @@ inline WarmStart prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const Jo
         const SolverBody& b = in.bodies[r.slots[i]];
         k += b.inv_mass * (r.ux[i] * r.ux[i] + r.uy[i] * r.uy[i]) + b.inv_inertia * r.s[i] * r.s[i];
     }
-    r.mass = k > 0 ? 1.0f / k : 0;
+    r.mass = inverse_or_zero<Lane1>(k);
     for (std::uint32_t i = 0; i < 4; ++i) {
         SolverBody& b = in.bodies[r.slots[i]];
         if (!(b.inv_mass > 0)) continue;  // only read: see scatter_pushed

@@ -231,6 +231,12 @@ ISLET_LANE typename L::F curve(typename L::F q, const JointSweep& n) {
     return clamp_lanes<L>(L::splat(0.5f * n.h) * q, -bound, bound);
 }
 
+/// What a rigid row of effective mass 1 / k adds to its impulse so far.
+template <class L>
+ISLET_LANE_SHARED typename L::F rigid_delta(const JointSweep& n, typename L::F k, typename L::F residual, typename L::F impulse) {
+    return -(L::splat(n.omega * n.soft.mass_scale) * inverse_or_zero<L>(k) * residual) - L::splat(n.omega * n.soft.impulse_scale) * impulse;
+}
+
 /// The effective mass of a point of two bodies: the inverse of
 ///     K = (ma + mb) I + ia [ay^2, -ax ay; -ax ay, ax^2] + ib [by^2, -bx by; -bx by, bx^2].
 template <class F>

@@ -81,6 +81,12 @@ Applied<W>& applied_of(std::byte* row) {
     return *reinterpret_cast<Applied<W>*>(row + sizeof(JointEnds<W>));
 }
 
+/// The lane, which is known when there is but one.
+template <std::uint32_t W>
+ISLET_LANE std::uint32_t known_lane(std::uint32_t lane) {
+    return W > 1 ? lane : 0;
+}
+
 /// Calls body(with_row), where with_row(row, visit) calls visit with a row of the kernel. Of lanes side by side the kernel is picked once, so that the loop in
 /// `body` is compiled for it; of single joints row by row, so that the loop stands there once.
 template <std::uint32_t W, class Body>
@@ -110,7 +116,7 @@ void prepare_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, c
                 set_ends(ends_of<W>(rows), lane, j, in, p);
                 const WarmStart start = with_row(rows, [&](auto* r) {
                     static_assert(sizeof(*r) <= joint_row_bytes * W);
-                    return prepare(*r, lane, j, p, in);
+                    return prepare(*r, known_lane<W>(lane), j, p, in);
                 });
                 if (!has_applied(kernel)) continue;
                 const Vec2 arm_a = acts_on_line(kernel) ? gap_of(p) + p.ra : p.ra;
@@ -168,7 +174,7 @@ void store_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, con
                 if (ends.joint[lane] == null_index) continue;
                 Joint& j = out.joints[ends.joint[lane]];
                 if (has_applied(kernel)) store_applied(applied_of<W>(rows), ends, lane, j, out);
-                with_row(rows, [&](auto* r) { store(*r, lane, j, out); });
+                with_row(rows, [&](auto* r) { store(*r, known_lane<W>(lane), j, out); });
                 forget_unsound(j);
             }
         }

@@ -22,8 +22,6 @@ struct alignas(W * 4) SliderRows {
     float angle[W];               // rad, when the step began
     float across[W], turning[W];  // N s, N m s
     CoordinateRows<W> free;
-    std::uint32_t parts;
-    std::uint8_t pad[W * 4 - 4];
 };
 
 /// A direction fixed in A at this moment: its Jacobian and its second derivative.
@@ -52,7 +50,6 @@ WarmStart prepare(SliderRows<W>& r, std::uint32_t lane, const Joint& j, const Jo
     r.ux[lane] = u.x;
     r.uy[lane] = u.y;
     r.angle[lane] = angle_of(p);
-    r.parts |= coordinate_parts(j);
     const float along = set_coordinate(r.free, lane, j, in.numbers);
     r.across[lane] = in.numbers.warm * j.impulse.x;
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
@@ -70,8 +67,8 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, SliderRows<L:
     const LaneVec<F> total = coordinate_impulse<L>(r.free) * along.e + p1 * across.e;
     aim<L>(s, n, total, cross(arm, total) + p2, cross(arms.rb, total) + p2);
 
-    along.push(s, solve_motor_and_friction<L>(r.free, r.parts, along.k, along.speed(s), n));
-    along.push(s, solve_spring_and_limits<L>(r.free, r.parts, dot(u, arms.d), along.k, along.speed(s), along.bend(s, arms), n));
+    along.push(s, solve_motor_and_friction<L>(r.free, along.k, along.speed(s), n));
+    along.push(s, solve_spring_and_limits<L>(r.free, dot(u, arms.d), along.k, along.speed(s), along.bend(s, arms), n));
 
     const F zero = L::splat(0.0f), rate = L::splat(n.soft.rate);
     const F k12 = s.ia * across.sa + s.ib * across.sb;

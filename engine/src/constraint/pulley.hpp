@@ -28,7 +28,7 @@ struct alignas(W * 4) PulleyRows {
 };
 
 template <std::uint32_t W>
-void prepare(RopeRows<W>& r, std::uint32_t lane, SolverBody& body, Vec2 from_ground, Vec2 arm, float tension) {
+ISLET_SHARED void prepare(RopeRows<W>& r, std::uint32_t lane, SolverBody& body, Vec2 from_ground, Vec2 arm, float tension) {
     const Vec2 p = -tension * normalize(from_ground + arm);
     r.x[lane] = from_ground.x;
     r.y[lane] = from_ground.y;
@@ -99,7 +99,7 @@ struct RopeSide {
 };
 
 template <class L>
-ISLET_LANE void solve(SolverBody* bodies, PulleyRows<L::width>& r, const JointSweep& n) {
+ISLET_LANE_SHARED void solve(SolverBody* bodies, PulleyRows<L::width>& r, const JointSweep& n) {
     using F = typename L::F;
     RopeSide<L> a(bodies, r.ends.body_a, load<L>(r.ends.rax, r.ends.ray), r.a);
     RopeSide<L> b(bodies, r.ends.body_b, load<L>(r.ends.rbx, r.ends.rby), r.b);
@@ -114,7 +114,7 @@ ISLET_LANE void solve(SolverBody* bodies, PulleyRows<L::width>& r, const JointSw
     const F c = L::load(r.constant) - a.length - ratio * b.length;
     const F residual = speed - curve<L>(a.arc + ratio * b.arc, n) + L::splat(n.soft.rate) * c;
     const F k = a.k + ratio * ratio * b.k;
-    const F delta = -(L::splat(n.omega * n.soft.mass_scale) * inverse_or_zero<L>(k) * residual) - L::splat(n.omega * n.soft.impulse_scale) * tension;
+    const F delta = rigid_delta<L>(n, k, residual, tension);
     L::store(r.tension, tension + delta);
     a.push((-delta) * a.u, -(a.s * delta));
     b.push((-(ratio * delta)) * b.u, -(ratio * b.s * delta));

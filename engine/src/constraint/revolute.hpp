@@ -27,8 +27,6 @@ struct alignas(W * 4) HingeRows {
     Applied<W> applied;
     float angle[W];  // rad, when the step began
     CoordinateRows<W> free;
-    std::uint32_t parts;
-    std::uint8_t pad[W * 4 - 4];
 };
 
 inline JointKernel revolute_kernel(const Joint& j) { return coordinate_parts(j) == 0 ? JointKernel::point : JointKernel::hinge; }
@@ -53,7 +51,6 @@ WarmStart prepare(PointRows<W>& r, std::uint32_t lane, const Joint& j, const Joi
 template <std::uint32_t W>
 WarmStart prepare(HingeRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     r.angle[lane] = unwrap(angle_of(p), j.coordinate);
-    r.parts |= coordinate_parts(j);
     const float turning = set_coordinate(r.free, lane, j, in.numbers);
     return {in.numbers.warm * j.impulse, turning};
 }
@@ -72,8 +69,8 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, HingeRows<L::
 
     const F k = s.ia + s.ib;
     const F x = L::load(r.angle) + s.dqb - s.dqa;
-    s.push_angular(solve_motor_and_friction<L>(r.free, r.parts, k, s.wb - s.wa, n));
-    s.push_angular(solve_spring_and_limits<L>(r.free, r.parts, x, k, s.wb - s.wa, L::splat(0.0f), n));
+    s.push_angular(solve_motor_and_friction<L>(r.free, k, s.wb - s.wa, n));
+    s.push_angular(solve_spring_and_limits<L>(r.free, x, k, s.wb - s.wa, L::splat(0.0f), n));
     solve_point<L>(s, arms.ra, arms.rb, arms.d, n);
 }
 

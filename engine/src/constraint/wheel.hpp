@@ -18,8 +18,6 @@ struct alignas(W * 4) WheelRows {
     float ux[W], uy[W];      // the line's direction when the step began
     float across[W];         // N s
     CoordinateRows<W> free;  // spring and limits of the strut, motor and friction of the wheel
-    std::uint32_t parts;
-    std::uint8_t pad[W * 4 - 4];
 };
 
 template <std::uint32_t W>
@@ -27,7 +25,6 @@ WarmStart prepare(WheelRows<W>& r, std::uint32_t lane, const Joint& j, const Joi
     const Vec2 u = {p.qa.c, p.qa.s};
     r.ux[lane] = u.x;
     r.uy[lane] = u.y;
-    r.parts |= coordinate_parts(j);
     set_coordinate(r.free, lane, j, in.numbers);
     r.across[lane] = in.numbers.warm * j.impulse.x;
     const float along = r.free.spring[lane] + r.free.low[lane] - r.free.high[lane];
@@ -48,11 +45,11 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, WheelRows<L::
     const LaneVec<F> total = strut * along.e + p * across.e;
     aim<L>(s, n, total, cross(arm, total) + turning, cross(arms.rb, total) + turning);
 
-    s.push_angular(solve_motor_and_friction<L>(r.free, r.parts, s.ia + s.ib, s.wb - s.wa, n));
-    along.push(s, solve_spring_and_limits<L>(r.free, r.parts, dot(u, arms.d), along.k, along.speed(s), along.bend(s, arms), n));
+    s.push_angular(solve_motor_and_friction<L>(r.free, s.ia + s.ib, s.wb - s.wa, n));
+    along.push(s, solve_spring_and_limits<L>(r.free, dot(u, arms.d), along.k, along.speed(s), along.bend(s, arms), n));
 
     const F residual = across.speed(s) + curve<L>(across.bend(s, arms), n) + L::splat(n.soft.rate) * dot(across.e, arms.d);
-    const F delta = -(L::splat(n.omega * n.soft.mass_scale) * inverse_or_zero<L>(across.k) * residual) - L::splat(n.omega * n.soft.impulse_scale) * p;
+    const F delta = rigid_delta<L>(n, across.k, residual, p);
     L::store(r.across, p + delta);
     across.push(s, delta);
 }

@@ -1,6 +1,7 @@
 #include "island/joint_trees.hpp"
 
 #include "island/batches.hpp"
+#include "math/copies.hpp"
 #include "math/scalar.hpp"
 
 namespace islet::detail {
@@ -18,8 +19,8 @@ void choose_trees(Core& core, Arena temporary) {
     s.trees_stale = 0;
     s.exact_joints = 0;
     for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i) core.joints[i].flags &= ~static_cast<std::uint32_t>(joint_exact);
-    const SolverDef def = unpack(s.solver);
-    if (!has_joint(JointType::revolute) || def.joint_trees == JointTrees::off) return;
+    const auto wanted = static_cast<JointTrees>(s.solver.joint_trees);
+    if (!has_joint(JointType::revolute) || wanted == JointTrees::off) return;
 
     const std::uint32_t bodies = s.body_pool.high_water;
     const Forest forest(bodies, temporary);
@@ -40,7 +41,7 @@ void choose_trees(Core& core, Arena temporary) {
         const float own = core.bodies[b.body].mass;
         const float lighter = Forest::moves(core, parent) ? min(own, core.bodies[parent].mass) : own;
         Forest::Tree& of = forest.tree_of(core, core.joints[b.joint]);
-        of.loaded = of.loaded || load[b.body] >= def.joint_tree_load * lighter;
+        of.loaded = of.loaded || load[b.body] >= s.solver.joint_tree_load * lighter;
         load[parent] += load[b.body];
     }
 
@@ -48,7 +49,7 @@ void choose_trees(Core& core, Arena temporary) {
         Joint& j = core.joints[i];
         if ((j.flags & joint_exact) == 0) continue;
         const Forest::Tree& of = forest.tree_of(core, j);
-        if (def.joint_trees == JointTrees::all || (of.loaded && !of.swept)) {
+        if (wanted == JointTrees::all || (of.loaded && !of.swept)) {
             ++s.exact_joints;
         } else {
             j.flags &= ~static_cast<std::uint32_t>(joint_exact);
@@ -98,7 +99,7 @@ std::uint32_t order_trees(const Core& core, bool awake, TreeBody* out, Arena tem
     return count;
 }
 
-void plan_trees(const Core& core, Plan& plan, const std::uint32_t* batch_of, Arena temporary) {
+ISLET_APART void plan_trees(const Core& core, Plan& plan, const std::uint32_t* batch_of, Arena temporary) {
     TreeBody* ordered = temporary.take<TreeBody>(tree_capacity(core.capacity));
     std::uint32_t* place_of = temporary.take<std::uint32_t>(core.state->body_pool.high_water);  // of a body, among its batch's
     const std::uint32_t count = order_trees(core, true, ordered, temporary);

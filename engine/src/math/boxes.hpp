@@ -10,5 +10,7 @@ namespace islet::detail {
 ISLET_SHARED bool meet(const Aabb& a, const Aabb& b) { return overlaps(a, b); }
 /// merge()
 ISLET_SHARED Aabb both(const Aabb& a, const Aabb& b) { return merge(a, b); }
+/// The box of two points.
+ISLET_SHARED Aabb box_around(Vec2 a, Vec2 b) { return {min(a, b), max(a, b)}; }
 
 }  // namespace islet::detail

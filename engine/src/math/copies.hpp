@@ -9,7 +9,11 @@
 #define ISLET_SHARED [[gnu::noinline]] inline
 /// One copy in a build for size; elsewhere one in every caller.
 #define ISLET_COPIED [[gnu::noinline]] inline
+/// Before a function that is not inline: on its own in a build for size, even if it is called in one place only. Within a long caller too much would go
+/// to the stack.
+#define ISLET_APART [[gnu::noinline]]
 #else
 #define ISLET_SHARED inline
 #define ISLET_COPIED [[gnu::always_inline]] inline
+#define ISLET_APART
 #endif

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "islet/math.hpp"
+#include "math/copies.hpp"
 
 namespace islet::detail {
 
@@ -19,6 +20,9 @@ namespace islet::detail {
     return sqrt(dot(a, a));
 #endif
 }
+
+/// a, but at most `bound` on either side.
+ISLET_SHARED float within_bounds(float a, float bound) { return clamp(a, -bound, bound); }
 
 inline std::uint32_t bits_of(float a) { return __builtin_bit_cast(std::uint32_t, a); }
 

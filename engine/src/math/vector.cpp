@@ -33,7 +33,7 @@ Rot normalize(Rot q) {
 /// Sine and cosine by their series up to d^7, which lengths are then taken out of. Larger steps than pi/2, which no body makes, are cut.
 Rot integrate(Rot q, float delta_radians) {
     if (delta_radians != delta_radians) return normalize(q);
-    const float d = clamp(delta_radians, -0.5f * pi, 0.5f * pi);
+    const float d = detail::within_bounds(delta_radians, 0.5f * pi);
     const float z = d * d;
     const float c = 1.0f - z * (0.5f - z * (1.0f / 24 - z * (1.0f / 720)));
     const float s = d * (1.0f - z * (1.0f / 6 - z * (1.0f / 120 - z * (1.0f / 5040))));

@@ -33,7 +33,11 @@ struct BitSet {
     /// Bits set in the words first <= w < end.
     std::uint32_t count_in(std::uint32_t first, std::uint32_t end) const {
         std::uint32_t n = 0;
+#if defined(__OPTIMIZE_SIZE__)
+        for_each_in(first, end, [&](std::uint32_t) { ++n; });  // the walk is there anyway
+#else
         for (std::uint32_t w = first; w < end; ++w) n += bits_of(words[w]);
+#endif
         return n;
     }
 

@@ -8,6 +8,7 @@
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/types.hpp"
+#include "math/copies.hpp"
 #include "memory/features.hpp"
 #include "memory/pool.hpp"
 
@@ -246,7 +247,7 @@ struct SolverState {
     float tolerance = 0;
 };
 
-inline SolverState pack(const SolverDef& d) {
+ISLET_SHARED SolverState pack(const SolverDef& d) {
     return {static_cast<std::uint32_t>(d.schedule), d.substeps, d.iterations, d.relax_iterations,
             d.contact_hertz, d.contact_damping_ratio, d.contact_push_speed, d.joint_hertz, d.joint_damping_ratio,
             d.baumgarte, d.omega, d.warm_start ? 1u : 0u, static_cast<std::uint32_t>(d.joint_trees), d.joint_tree_load,
@@ -260,6 +261,7 @@ inline SolverDef unpack(const SolverState& s) {
             static_cast<SweepOrder>(s.sweep_order), s.block_contacts != 0, s.shock, s.measure_residual != 0, s.tolerance};
 }
 
+inline bool is_soft(const SolverState& s) { return static_cast<Schedule>(s.schedule) == Schedule::soft; }
 /// What only some programs ask for: part `tuning` (islet/config.hpp).
 inline bool is_ordered(const SolverState& s) {  // contacts are solved one by one, and not by colours
     return has_tuning && (static_cast<SweepOrder>(s.sweep_order) != SweepOrder::colored || s.block_contacts != 0);

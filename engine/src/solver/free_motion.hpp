@@ -28,7 +28,7 @@ inline void gather_motion(SolverMotion& m, const Core& core, std::uint32_t body,
 }
 
 /// a, but at most `bound` on either side, and 0 if it is not a number.
-ISLET_SHARED float within(float a, float bound) { return a == a ? clamp(a, -bound, bound) : 0; }
+ISLET_SHARED float within(float a, float bound) { return a == a ? within_bounds(a, bound) : 0; }
 
 // Also of velocities that overflowed: what is infinite becomes very large first, and what is not a number becomes zero.
 inline Vec2 limit_speed(Vec2 v, float max_speed) {

@@ -67,7 +67,7 @@ SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, floa
 
 void choose_numbers(Solve& s, float dt) {
     const State& state = *s.core.state;
-    const SolverDef def = unpack(state.solver);
+    const SolverState& def = state.solver;
     StepNumbers& n = s.numbers;
     n.dt = dt;
     n.h = dt / static_cast<float>(def.substeps);
@@ -75,14 +75,14 @@ void choose_numbers(Solve& s, float dt) {
     n.omega = def.omega;
     // Impulses grow with the substep: those of a shorter or longer one are scaled to this one's length.
     // From one that was nothing beside this one they say nothing.
-    n.warm = !def.warm_start ? 0.0f : state.last_substep > 0 ? n.h / state.last_substep : 1.0f;
+    n.warm = def.warm_start == 0 ? 0.0f : state.last_substep > 0 ? n.h / state.last_substep : 1.0f;
     if (!(n.warm <= 1.0e6f)) n.warm = 0;
     n.restitution_threshold = state.restitution_threshold;
     n.max_speed = state.max_speed;
     n.max_turn = max_turn_of(dt);
 
     s.relaxed.inv_h = n.inv_h;
-    if (def.schedule == Schedule::soft) {
+    if (is_soft(def)) {
         const float hertz = min(def.contact_hertz, 0.125f * n.inv_h);
         s.biased = soft_sweep(hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
         s.ground = soft_sweep(2.0f * hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
@@ -106,7 +106,7 @@ void choose_numbers(Solve& s, float dt) {
     s.relaxed_joints.omega = n.omega;
     s.biased_joints = s.relaxed_joints;
     s.biased_joints.biased = true;
-    if (def.schedule == Schedule::soft) {
+    if (is_soft(def)) {
         // As stiff as Gauss-Seidel bears. At 240 substeps a second the largest gap of joint_grid is 0.33 m at 60 Hz, 0.22 m at 75 Hz, 0.16 m at 90 Hz;
         // but from 65 Hz on figures that stand on jointed legs no longer come to rest (1e-3 m/s at 65 Hz, 0.1 m/s at 75 Hz, 3e-6 m/s at 60 Hz), and at
         // 120 Hz nets and chains under load swing up by themselves. So they do with a rigid bias, however weak.
@@ -192,7 +192,7 @@ void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) 
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         const std::uint32_t i = s.plan.body_of[slot];
         SolverBody& b = s.bodies[slot];
-        b.dq = clamp(b.dq, -max_turn, max_turn);
+        b.dq = within_bounds(b.dq, max_turn);
         Pose& pose = s.core.poses[i];
         Motion& motion = s.core.motions[i];
         motion.v = limit_speed(b.v, s.numbers.max_speed);
@@ -446,12 +446,12 @@ void BatchSolve<K>::store() {
 
 template <class K>
 void BatchSolve<K>::run() {
-    const SolverDef def = unpack(s.core.state->solver);
+    const SolverState& def = s.core.state->solver;
     prepare();
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_velocities(s, first, end, substep == 0); });
         hold();
-        const bool relaxes = def.schedule == Schedule::soft && def.relax_iterations > 0;
+        const bool relaxes = is_soft(def) && def.relax_iterations > 0;
         const bool measures = has_tuning && s.residuals != nullptr && substep + 1 == def.substeps;
         sweeps(def.iterations, s.biased, s.ground, s.biased_joints);
         if (measures && !relaxes) measure(s.biased, s.ground, s.biased_joints);

@@ -49,7 +49,9 @@ Aabb aabb_of(const Geometry& g, const Transform& t) {
     return expand({box.lower + t.p, box.upper + t.p}, corners.radius);
 }
 
-MassData mass_of(const Geometry& g, float density) {
+MassData mass_of(const Core& core, const Shape& shape) {
+    const Geometry& g = core.geometries[shape.geometry];
+    const float density = shape.density;
     switch (g.shape_type()) {
         case ShapeType::circle: return compute_mass(g.circle, density);
         case ShapeType::capsule:
@@ -133,6 +135,13 @@ Extent body_extent(const Core& core, std::uint32_t body) {
     return all;
 }
 
+namespace {
+
+// Of a mass or an inertia.
+ISLET_SHARED float inverse_of(float a, float least) { return 1.0f / clamp(a, least, max_mass); }
+
+}  // namespace
+
 void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     Body& b = core.bodies[body];
     Pose& pose = core.poses[body];
@@ -142,8 +151,8 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     b.mass = dynamic ? mass.mass : 0;
     b.inertia = dynamic ? mass.inertia : 0;
     if (b.joint_count != 0) core.state->trees_stale = 1;
-    pose.inv_mass = dynamic ? 1.0f / clamp(mass.mass, min_mass, max_mass) : 0;
-    pose.inv_inertia = turns ? 1.0f / clamp(mass.inertia, min_inertia, max_mass) : 0;
+    pose.inv_mass = dynamic ? inverse_of(mass.mass, min_mass) : 0;
+    pose.inv_inertia = turns ? inverse_of(mass.inertia, min_inertia) : 0;
 
     if (b.local_center != mass.center) {
         // Manifolds keep lever arms from the centre of mass, so they must be made anew.
@@ -169,7 +178,7 @@ void update_mass(Core& core, std::uint32_t body) {
     MassData total;
     float inertia = 0;  // about the body's origin
     for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
-        const MassData m = mass_of(core.geometries[core.shapes[s].geometry], core.shapes[s].density);
+        const MassData m = mass_of(core, core.shapes[s]);
         total.mass += m.mass;
         total.center += m.mass * m.center;
     }
@@ -180,7 +189,7 @@ void update_mass(Core& core, std::uint32_t body) {
     }
     total.center *= 1.0f / total.mass;
     for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
-        const MassData m = mass_of(core.geometries[core.shapes[s].geometry], core.shapes[s].density);
+        const MassData m = mass_of(core, core.shapes[s]);
         inertia += m.inertia + m.mass * distance_squared(m.center, total.center);
     }
     total.inertia = inertia;

@@ -1,6 +1,7 @@
 // Argument checks shared by the public functions: each records the error and says whether the call may go on.
 #pragma once
 
+#include "math/copies.hpp"
 #include "memory/core.hpp"
 
 namespace islet::detail {
@@ -17,10 +18,10 @@ inline bool check(const Core& core, bool good, Error error) {
     if (!good) writable(core).fail(error);
     return good;
 }
-/// A number less itself is 0, but for infinities and NaN.
+/// Nothing times a number is 0, but for infinities and NaN.
 template <class... Floats>
-bool all_finite(Floats... a) {
-    return ((a - a) + ...) == 0.0f;
+ISLET_SHARED bool all_finite(Floats... a) {
+    return ((0.0f * a) + ...) == 0.0f;
 }
 inline bool check_finite(const Core& core, float a) { return check(core, is_finite(a), Error::not_finite); }
 inline bool check_finite(const Core& core, Vec2 a) { return check(core, is_finite(a), Error::not_finite); }

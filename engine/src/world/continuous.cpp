@@ -9,6 +9,7 @@
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
 #include "collide/time_of_impact.hpp"
+#include "math/boxes.hpp"
 #include "math/scalar.hpp"
 #include "world/bounds.hpp"
 #include "world/hooks.hpp"
@@ -81,7 +82,7 @@ bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
 
 Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt) {
     const Motion& motion = core.motions[body];
-    return {core.poses[body].center, core.poses[body].q, dt * motion.v, clamp(dt * motion.w, -0.5f * pi, 0.5f * pi)};
+    return {core.poses[body].center, core.poses[body].q, dt * motion.v, within_bounds(dt * motion.w, 0.5f * pi)};
 }
 
 float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {
@@ -109,8 +110,7 @@ float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::ui
 }
 
 Aabb box_of_way(Vec2 start, Vec2 way, float reach) {
-    const Vec2 end = start + way;
-    return expand({min(start, end), max(start, end)}, reach);
+    return expand(box_around(start, start + way), reach);
 }
 
 void place_at_end(Core& core, std::uint32_t body, const Sweep& way, SolverBody& out) {

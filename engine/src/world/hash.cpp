@@ -1,6 +1,9 @@
 // The state hash: all persistent state that affects the future, word by word, so that it does not depend on the byte order of the machine, nor on
 // the capacity.
+#include <cstddef>
+
 #include "math/checksum.hpp"
+#include "math/copies.hpp"
 #include "math/scalar.hpp"
 #include "world/checks.hpp"
 
@@ -19,22 +22,39 @@ struct Hasher {
         word(static_cast<std::uint32_t>(w));
         word(static_cast<std::uint32_t>(w >> 32));
     }
-    /// Records made of 32-bit words only.
-    template <class T>
-    void records(const T* items, std::uint32_t count) {
-        static_assert(sizeof(T) % 4 == 0);
-        const auto* bytes = reinterpret_cast<const std::byte*>(items);
-        for (std::size_t i = 0; i < std::size_t{count} * sizeof(T); i += 4) {
+    /// `size` bytes that are 32-bit words.
+    ISLET_SHARED void words(const void* from, std::size_t size) {
+        const auto* bytes = static_cast<const std::byte*>(from);
+        for (std::size_t i = 0; i < size; i += 4) {
             std::uint32_t w = 0;
             __builtin_memcpy(&w, bytes + i, 4);  // std::memcpy may be a call (-ffreestanding)
             word(w);
         }
+    }
+    /// Records made of 32-bit words only.
+    template <class T>
+    void records(const T* items, std::uint32_t count) {
+        static_assert(sizeof(T) % 4 == 0);
+        words(items, std::size_t{count} * sizeof(T));
+    }
+    /// The same of records with user data, which is carried, but decides nothing: for it stand zeros.
+    template <class T>
+    void records_but_data(const T* items, std::uint32_t count) {
+        for (std::uint32_t i = 0; i < count; ++i) but_data(items + i, offsetof(T, user_data), sizeof(T));
     }
     /// As many words as the first `count` bits need: what lies beyond depends on the capacity.
     void bits(const BitSet& set, std::uint32_t count) {
         for (std::uint32_t i = 0; i < words_for(count); ++i) long_word(set.words[i]);
     }
     void pool(const PoolState& p) { records(&p, 1); }
+
+private:
+    ISLET_SHARED void but_data(const void* record, std::size_t user_data, std::size_t size) {
+        const auto* bytes = static_cast<const std::byte*>(record);
+        words(bytes, user_data);
+        long_word(0);
+        words(bytes + user_data + 8, size - user_data - 8);
+    }
 };
 
 }  // namespace
@@ -67,22 +87,9 @@ std::uint64_t World::hash() const {
 
     h.records(c.poses, s.body_pool.high_water);
     h.records(c.motions, s.body_pool.high_water);
-    for (std::uint32_t i = 0; i < s.body_pool.high_water; ++i) {
-        // User data is carried, but decides nothing.
-        Body b = c.bodies[i];
-        b.user_data = 0;
-        h.records(&b, 1);
-    }
-    for (std::uint32_t i = 0; i < s.shape_pool.high_water; ++i) {
-        Shape b = c.shapes[i];
-        b.user_data = 0;
-        h.records(&b, 1);
-    }
-    for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i) {
-        Joint j = c.joints[i];
-        j.user_data = 0;
-        h.records(&j, 1);
-    }
+    h.records_but_data(c.bodies, s.body_pool.high_water);
+    h.records_but_data(c.shapes, s.shape_pool.high_water);
+    h.records_but_data(c.joints, s.joint_pool.high_water);
     h.records(c.boxes, s.shape_pool.high_water);
     for (std::uint32_t i = 0; i < s.geometry_pool.high_water; ++i) {
         // Where a geometry in use stands in its bucket depends on the number of buckets, which is the capacity's.
