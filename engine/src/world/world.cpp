@@ -50,7 +50,7 @@ std::uint32_t choose_lanes(std::uint32_t wanted) {
 }
 
 // What definitions can ask for without a call of their own.
-void link_all() {
+[[maybe_unused]] void link_all() {
     link_sensors();
     link_hits();
     link_hooks();
