@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -20,7 +19,10 @@
 namespace islet::golden {
 
 /// golden.txt in the sources.
-inline std::string file() { return (std::filesystem::path(__FILE__).parent_path() / "golden.txt").string(); }
+inline std::string file() {
+    const std::string here = __FILE__;  // (<filesystem> is not to be had everywhere)
+    return here.substr(0, here.find_last_of("/\\") + 1) + "golden.txt";
+}
 
 struct Checkpoint {
     int steps = 0;

@@ -1,7 +1,6 @@
 // Recordings: every scene, with all its script does, replayed in another world to the same hash after each step.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 
 #include "golden.hpp"
@@ -20,7 +19,7 @@ class Recorded : public testing::TestWithParam<SceneInfo> {};
 
 TEST_P(Recorded, SceneIsReplayedToTheSameHashesAtAnyNumberOfLanes) {
     const SceneInfo& info = GetParam();
-    const golden::Table table = golden::read((std::filesystem::path(__FILE__).parent_path() / "golden.txt").string());
+    const golden::Table table = golden::read(golden::file());
     const bool large = std::string(info.group) == "benchmark";
     const std::vector<golden::Checkpoint> checkpoints = golden::checkpoints_of(table, info);
     const int steps = (large || slow_build ? checkpoints.front() : checkpoints.back()).steps;

@@ -2,7 +2,6 @@
 // that of another world.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -72,7 +71,7 @@ class EveryScene : public testing::TestWithParam<SceneInfo> {};
 
 TEST_P(EveryScene, RestoredGoesOnAsIfNothingHadHappened) {
     const SceneInfo& info = GetParam();
-    const golden::Table table = golden::read((std::filesystem::path(__FILE__).parent_path() / "golden.txt").string());
+    const golden::Table table = golden::read(golden::file());
     const bool large = std::string(info.group) == "benchmark";
     const std::vector<golden::Checkpoint> checkpoints = golden::checkpoints_of(table, info);
     const golden::Checkpoint due = large || slow_build ? checkpoints.front() : checkpoints.back();

@@ -2,7 +2,6 @@
 // by task systems that run everything on one thread, so they are the same in every run of this test.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <numeric>
 #include <string>
 #include <thread>
