@@ -201,6 +201,37 @@ TEST(PreSolve, ASurfaceSpeedOfTheHookCarriesAndEndsWithIt) {
     EXPECT_TRUE(w->is_valid(belt));
 }
 
+TEST(PreSolve, WhatTheHookMadeOfAContactIsOverWhenItIsNoLongerAsked) {
+    const auto hook = [](PreSolve& c, void*) {
+        c.tangent_speed = 1.5f;
+        c.friction = 2;
+    };
+    enum Way { shape_tells_no_more, hook_is_gone, another_shape_of_the_body_changes };
+    for (const Way way : {shape_tells_no_more, hook_is_gone, another_shape_of_the_body_changes}) {
+        TestWorld w(roomy, {.hooks = {.pre_solve = hook}});
+        // Rolling resistance, which a box has no use for, makes the contact one that looks for a surface speed.
+        const BodyId ground = w.add_ground(0, 100, {.friction = 0.5f, .rolling_resistance = 0.1f, .pre_solve = true});
+        const ShapeId belt = w.shape_of(ground);
+        const BodyId box = w.add_box({0, 0.5f});
+        w->enable_sleep(box, false);
+        w.step(120);
+        ASSERT_NEAR(w->linear_velocity(box).x, 1.5f, 0.01f);
+        if (way == shape_tells_no_more) w->enable_pre_solve(belt, false);
+        if (way == hook_is_gone) w->set_hooks({});
+        if (way == another_shape_of_the_body_changes) w->set_friction(belt, 0.4f);
+        ASSERT_EQ(w->validate(), nullptr) << w->validate();
+        w.step(1);
+        ASSERT_EQ(w->validate(), nullptr) << w->validate();
+        w.step(119);
+        EXPECT_NEAR(w->linear_velocity(box).x, way == another_shape_of_the_body_changes ? 1.5f : 0, 0.01f);
+        if (way != another_shape_of_the_body_changes) {
+            ContactInfo info;
+            ASSERT_TRUE(w->contact_at(0, info));
+            EXPECT_NEAR(info.friction, std::sqrt(0.5f * ShapeDef{}.friction), 1e-6f);
+        }
+    }
+}
+
 TEST(PreSolve, NumbersThatAreNoneAreRefused) {
     struct Bad {
         float friction, speed;

@@ -62,18 +62,13 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     Contact& c = core.contacts[index];
     c.shape_a = in_order ? shape_1 : shape_2;
     c.shape_b = in_order ? shape_2 : shape_1;
-    c.next_free = null_index;
-
     ContactManifold& m = core.manifolds[index];
     m = ContactManifold{};
     m.body_a = core.shapes[c.shape_a].body;
     m.body_b = core.shapes[c.shape_b].body;
     m.set_color(no_color);
-    if (is_sensor(core, shape_1) || is_sensor(core, shape_2)) {
-        m.flags |= contact_sensor;
-    } else {
-        mix_materials(core, index);
-    }
+    if (is_sensor(core, shape_1) || is_sensor(core, shape_2)) m.flags |= contact_sensor;
+    mix_materials(core, index);
 
     link(core, index, 0, m.body_a);
     link(core, index, 1, m.body_b);
@@ -100,14 +95,15 @@ void destroy_contact(Core& core, std::uint32_t index) {
 }
 
 void mix_materials(Core& core, std::uint32_t contact) {
-    const Contact& c = core.contacts[contact];
+    Contact& c = core.contacts[contact];
     const Shape& a = core.shapes[c.shape_a];
     const Shape& b = core.shapes[c.shape_b];
     ContactManifold& m = core.manifolds[contact];
+    c.next_free = null_index;
     if (has_sensors && (m.flags & contact_sensor) != 0) return;
     m.friction = mixed_friction(core, a, b);
     const bool bouncy = has_restitution && mixed_restitution(core, a, b) > 0;
-    const bool special = has_surfaces && (a.rolling_resistance > 0 || b.rolling_resistance > 0 || a.tangent_speed != 0 || b.tangent_speed != 0);
+    const bool special = has_surfaces && a.rolling_resistance + b.rolling_resistance + abs(a.tangent_speed) + abs(b.tangent_speed) > 0;
     const std::uint32_t told = a.flags | b.flags;
     m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy | contact_hits | contact_asks)) |
               (special ? std::uint32_t{contact_special} : 0u) | (bouncy ? std::uint32_t{contact_bouncy} : 0u) |

@@ -37,7 +37,7 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 /// Removes a contact and its colour. If it touched, an end event is recorded.
 void destroy_contact(Core& core, std::uint32_t contact);
 
-/// Friction, and whether restitution, rolling resistance or a tangent speed act, from the two shapes.
+/// Friction, and whether restitution, rolling resistance or a tangent speed act, from the two shapes; what the pre_solve hook made of them is over.
 void mix_materials(Core& core, std::uint32_t contact);
 
 void record_end_event(Core& core, std::uint32_t contact);

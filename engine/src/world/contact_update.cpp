@@ -185,7 +185,11 @@ void end_touch(Core& core, std::uint32_t index) {
 void commit(Core& core, std::uint32_t index, BitSet to_wake) {
     const ContactManifold& m = core.manifolds[index];
     if (has_sensors && (m.flags & contact_sensor) != 0) return (m.flags & contact_overlap) != 0 ? end_overlap(core, index) : begin_overlap(core, index);
-    if (has_hooks && (m.flags & contact_asks) != 0 && m.count() > 0 && core.hooks.pre_solve != nullptr) ask_pre_solve(core, index);
+    // What the hook made of it holds for one step, even if there is no hook any more.
+    if (has_hooks && (m.flags & contact_asks) != 0 && m.count() > 0) {
+        mix_materials(core, index);
+        if (core.hooks.pre_solve != nullptr) ask_pre_solve(core, index);
+    }
     const bool was = (m.flags & contact_touching) != 0;
     if (was == (m.count() > 0)) return;
     if (was) {

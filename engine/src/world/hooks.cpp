@@ -38,8 +38,6 @@ float restitution_by_hook(const Core& core, const Shape& a, const Shape& b) {
 void ask_pre_solve(Core& core, std::uint32_t index) {
     ContactManifold& m = core.manifolds[index];
     Contact& c = core.contacts[index];
-    c.next_free = null_index;
-    mix_materials(core, index);  // what the hook made of it in the last step is over
     PreSolve asked;
     read_contact(core, index, asked.contact);
     asked.friction = m.friction;
