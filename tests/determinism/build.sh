@@ -26,7 +26,7 @@ compile() {
     while IFS= read -r source; do
         object=$folder/$(echo "${source#"$root"/}" | tr / _).o
         case $source in
-        */kernel_avx2.cpp)
+        *_avx2.cpp)
             flags=("${engine[@]}")
             case $processor in x86_64 | amd64) flags+=(-mavx2) ;; esac
             ;;
@@ -66,6 +66,6 @@ build_scenes() {
 # build_engine FOLDER PROCESSOR COMPILER FLAG...: the engine and the program. (The engine of every other build is compiled file by file.)
 build_engine() {
     local folder=$1
-    find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name kernel_avx2.cpp | sort | as_one "$folder/engine.cpp"
-    printf '%s\n' "$folder/engine.cpp" "$root"/engine/src/solver/kernel_avx2.cpp "$root/tests/determinism/hashes.cpp" | compile "$@"
+    find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp' | sort | as_one "$folder/engine.cpp"
+    printf '%s\n' "$folder/engine.cpp" "$root"/engine/src/*/*_avx2.cpp "$root/tests/determinism/hashes.cpp" | compile "$@"
 }

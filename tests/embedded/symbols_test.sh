@@ -23,7 +23,7 @@ fi
 
 # Of a function that is inline in several objects the linker keeps one copy. If that were one compiled for AVX2, the engine would crash on
 # a processor without it: so the AVX2 object must define nothing that another object defines too.
-names() { "$nm" --defined-only --format=posix "$archive" | awk -v wanted="$1" '/:$/ { avx2 = /kernel_avx2/ } NF > 1 && avx2 == wanted && $2 ~ /[A-Zu]/ { print $1 }' | sort -u; }
+names() { "$nm" --defined-only --format=posix "$archive" | awk -v wanted="$1" '/:$/ { avx2 = /_avx2/ } NF > 1 && avx2 == wanted && $2 ~ /[A-Zu]/ { print $1 }' | sort -u; }
 shared=$(comm -12 <(names 1) <(names 0) | grep . || true)
 if [ -n "$shared" ]; then
     printf 'defined for AVX2 and elsewhere too:\n%s\n' "$shared" | c++filt

@@ -6,14 +6,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
+#include "broadphase/columns.hpp"
 #include "broadphase/contacts.hpp"
 #include "collide/manifold.hpp"
 #include "support/effort.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
+#include "world/cpu.hpp"
 
 namespace {
 
@@ -235,6 +238,46 @@ TEST(Filters, ShapesOfOneBodyNeverCollide) {
     w->create_shape(body, Circle{{0.2f, 0}, 0.5f});
     w.step();
     EXPECT_EQ(w->contact_count(), 0u);
+}
+
+TEST(Columns, EveryWidthOfScanFindsTheSameBoxesInTheSameOrder) {
+    Random random(7);
+    std::size_t found = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
+        const std::uint32_t count = 1 + random.below(70);
+        std::vector<Aabb> boxes(count);
+        // On a coarse grid, so that sides often touch.
+        const auto place = [&](std::uint32_t n) { return static_cast<float>(random.below(n)); };
+        for (Aabb& box : boxes) {
+            box.lower = {place(40), place(8)};
+            box.upper = box.lower + Vec2{place(6), place(3)};
+        }
+        std::sort(boxes.begin(), boxes.end(), [](const Aabb& a, const Aabb& b) { return a.lower.x < b.lower.x; });
+        std::vector<float> column[4];
+        for (const Aabb& box : boxes) {
+            column[0].push_back(box.lower.x);
+            column[1].push_back(box.upper.x);
+            column[2].push_back(box.lower.y);
+            column[3].push_back(box.upper.y);
+        }
+        for (int i = 0; i < 8; ++i)
+            for (int k = 0; k < 4; ++k) column[k].push_back(k % 2 == 0 ? 3.4e38f : -3.4e38f);
+        const Columns c{column[0].data(), column[1].data(), column[2].data(), column[3].data(), nullptr, nullptr, count};
+
+        const std::uint32_t i = random.below(count), first = i + 1;
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t j = first; j < count; ++j)
+            if (overlaps(boxes[i], boxes[j])) expected.push_back(j);
+        found += expected.size();
+        std::vector<std::uint32_t> room(count);
+        const auto scanned = [&](std::uint32_t n) { return std::vector<std::uint32_t>(room.begin(), room.begin() + n); };
+        EXPECT_EQ(scanned(scan_columns<Lane1>(c, first, c, i, room.data())), expected);
+        EXPECT_EQ(scanned(scan_columns<Lane4>(c, first, c, i, room.data())), expected);
+#if ISLET_MAX_LANES == 8
+        if (cpu_has_avx2()) { EXPECT_EQ(scanned(scan_columns_8(c, first, c, i, room.data())), expected); }
+#endif
+    }
+    EXPECT_GT(found, 1000u);
 }
 
 }  // namespace

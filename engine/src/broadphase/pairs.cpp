@@ -3,27 +3,16 @@
 // moved, keeping a tree up and querying it takes 9 times as long, for 64 boxes 3 times.
 #include "broadphase/pairs.hpp"
 
+#include "broadphase/columns.hpp"
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
-#include "math/lanes.hpp"
 #include "math/scalar.hpp"
 #include "memory/parallel.hpp"
+#include "world/bounds.hpp"
 
 namespace islet::detail {
 
 namespace {
-
-// Fat boxes as columns, sorted by `lower` along the sweep axis. Past the end stand boxes that begin beyond everything, so that four can always be
-// loaded at once and every scan ends.
-struct Columns {
-    float* lower = nullptr;   // along the sweep axis
-    float* upper = nullptr;
-    float* lower2 = nullptr;  // across it
-    float* upper2 = nullptr;
-    std::uint32_t* shape = nullptr;
-    std::uint32_t* place = nullptr;  // of the box in the columns of all shapes in motion
-    std::uint32_t count = 0;
-};
 
 void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     if (core.pairs.contains(PairSet::key(shape_1, shape_2)) || !may_collide(core, shape_1, shape_2)) return;
@@ -36,18 +25,21 @@ void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
 struct PairBuffer {
     static constexpr std::uint32_t size = max_lanes > 1 ? 64 : 1;
     Core& core;
+    std::uint64_t keys[size];
     std::uint32_t pairs[size][2];
     std::uint32_t count = 0;
 
     void push(std::uint32_t shape_1, std::uint32_t shape_2) {
         if constexpr (size == 1) return add_pair(core, shape_1, shape_2);
-        core.pairs.prefetch(PairSet::key(shape_1, shape_2));
+        keys[count] = PairSet::key(shape_1, shape_2);
+        core.pairs.prefetch(keys[count]);
         pairs[count][0] = shape_1;
         pairs[count][1] = shape_2;
         if (++count == size) flush();
     }
     void flush() {
-        for (std::uint32_t i = 0; i < count; ++i) add_pair(core, pairs[i][0], pairs[i][1]);
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (!core.pairs.contains(keys[i])) add_pair(core, pairs[i][0], pairs[i][1]);
         count = 0;
     }
 };
@@ -82,9 +74,9 @@ std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint3
 
 Columns take_columns(Arena& arena, std::uint32_t n) {
     Columns c;
-    for (float** column : {&c.lower, &c.upper, &c.lower2, &c.upper2}) *column = arena.take<float>(n + 4);
-    c.shape = arena.take<std::uint32_t>(n + 4);
-    c.place = arena.take<std::uint32_t>(n + 4);
+    for (float** column : {&c.lower, &c.upper, &c.lower2, &c.upper2}) *column = arena.take<float>(n + max_lanes);
+    c.shape = arena.take<std::uint32_t>(n + max_lanes);
+    c.place = arena.take<std::uint32_t>(n + max_lanes);
     return c;
 }
 
@@ -100,7 +92,7 @@ void push_box(Columns& c, float lower, float upper, float lower2, float upper2, 
 
 void close_columns(Columns& c) {
     const std::uint32_t count = c.count;
-    for (int i = 0; i < 4; ++i) push_box(c, 3.4e38f, -3.4e38f, 3.4e38f, -3.4e38f, null_index, null_index);
+    for (std::uint32_t i = 0; i < max_lanes; ++i) push_box(c, 3.4e38f, -3.4e38f, 3.4e38f, -3.4e38f, null_index, null_index);
     c.count = count;
 }
 
@@ -146,19 +138,19 @@ Motioned sorted_columns(Core& core, Arena& arena) {
     return c;
 }
 
-// Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order; four at a time where there are vectors.
+struct Scan {
+    std::uint32_t lanes = 1;         // of the world
+    std::uint32_t* found = nullptr;  // room for as many as there are boxes; a build for one lane needs none
+};
+
+// Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order.
 template <class Visit>
-[[gnu::always_inline]] inline void scan(const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i, Visit&& visit) {
+[[gnu::always_inline]] inline void scan([[maybe_unused]] const Scan& how, const Columns& c, std::uint32_t first, const Columns& from,
+                                        std::uint32_t i, Visit&& visit) {
 #if ISLET_MAX_LANES >= 4
-    const f4 upper = Lane4::splat(from.upper[i]);
-    const f4 lower2 = Lane4::splat(from.lower2[i]);
-    const f4 upper2 = Lane4::splat(from.upper2[i]);
-    for (std::uint32_t j = first;; j += 4) {
-        const auto begun = load4(c.lower + j) <= upper;
-        const auto meets = begun & (load4(c.lower2 + j) <= upper2) & (load4(c.upper2 + j) >= lower2);
-        for (std::uint32_t bits = mask_bits(meets); bits != 0; bits &= bits - 1) visit(j + static_cast<std::uint32_t>(__builtin_ctz(bits)));
-        if (mask_bits(begun) != 15u) return;
-    }
+    const std::uint32_t count = ISLET_MAX_LANES == 8 && how.lanes == 8 ? scan_columns_8(c, first, from, i, how.found)
+                                                                       : scan_columns<Lane4>(c, first, from, i, how.found);
+    for (std::uint32_t k = 0; k < count; ++k) visit(how.found[k]);
 #else
     for (std::uint32_t j = first; c.lower[j] <= from.upper[i]; ++j)
         if (c.lower2[j] <= from.upper2[i] && c.upper2[j] >= from.lower2[i]) visit(j);
@@ -166,15 +158,15 @@ template <class Visit>
 }
 
 // A box that changed meets the boxes that begin after it; one that did not meets the changed ones that begin after it.
-void sweep(PairBuffer& out, const Columns& all, const Columns& moved) {
+void sweep(PairBuffer& out, const Scan& how, const Columns& all, const Columns& moved) {
     for (std::uint32_t i = 0; i < moved.count; ++i)
-        scan(all, moved.place[i] + 1, moved, i, [&](std::uint32_t j) { out.push(moved.shape[i], all.shape[j]); });
+        scan(how, all, moved.place[i] + 1, moved, i, [&](std::uint32_t j) { out.push(moved.shape[i], all.shape[j]); });
     std::uint32_t first = 0;  // of the changed boxes behind box i
     for (std::uint32_t i = 0; i < all.count; ++i) {
         while (first < moved.count && moved.place[first] < i) ++first;
         if (first == moved.count) break;
         if (moved.place[first] == i) continue;
-        scan(moved, first, all, i, [&](std::uint32_t j) { out.push(all.shape[i], moved.shape[j]); });
+        scan(how, moved, first, all, i, [&](std::uint32_t j) { out.push(all.shape[i], moved.shape[j]); });
     }
 }
 
@@ -200,14 +192,25 @@ bool note_fast(Core& core, std::uint32_t body, float dt) {
 // True if it is known that nothing at rest overlaps a box near the body.
 bool is_clear(const Pose& pose, const Aabb& box) { return !is_lean && (pose.flags & pose_alone) != 0 && contains(surroundings_of(pose), box); }
 
+// True if it is known that nothing at rest overlaps any box ahead of the body. (A fat box is at most two extents, two margins and the speculative distance
+// wide, and begins within one extent of the centre, as the shape in it does. The last term is for rounding far from the origin.)
+bool stays_alone(const Core& core, std::uint32_t body, float dt) {
+    const Pose& pose = core.poses[body];
+    const Motion& motion = core.motions[body];
+    const float way = dt * (length_inline(motion.v) + abs(motion.w) * pose.max_extent);
+    const float inexact = 1e-6f * (abs(pose.center.x) + abs(pose.center.y));
+    const float reach = way + 3.0f * pose.max_extent + 2.0f * (max_box_margin + speculative_distance) + inexact;
+    return (pose.flags & pose_alone) != 0 && reach <= pose.max_extent + surroundings(pose);
+}
+
 // Every pair in which a fat box changed.
 void find_moved_pairs(Core& core) {
     Arena arena = core.arena();
     const Motioned columns = sorted_columns(core, arena);
     const Columns& all = columns.all;
     const Columns& moved = columns.moved;
-    PairBuffer out{core, {}};
-    sweep(out, all, moved);
+    PairBuffer out{core, {}, {}};
+    sweep(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(all.count) : nullptr}, all, moved);
 
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t i = 0; i < moved.count; ++i) {
@@ -271,7 +274,8 @@ void find_pairs(Core& core, float dt) {
     }
     if (core.state->moved_count != 0) find_moved_pairs(core);
     core.awake_bodies.for_each([&](std::uint32_t body) {
-        if (is_lean ? note_fast(core, body, dt) : (core.poses[body].flags & pose_fast) != 0) look_ahead(core, body, dt);
+        const bool looks = is_lean ? note_fast(core, body, dt) : (core.poses[body].flags & pose_fast) != 0 && !stays_alone(core, body, dt);
+        if (looks) look_ahead(core, body, dt);
     });
     if (core.report.dropped_contacts != 0) {
         core.fail(Error::contacts_full);  // what moved stays marked, so the same pairs are tried again in the next step

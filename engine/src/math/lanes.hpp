@@ -60,8 +60,10 @@ struct Lane1 {
     ISLET_LANE static void scatter4_where(std::uint32_t bits, float* base, const std::uint32_t* index, const F in[4]) {
         if (bits != 0) scatter4<stride>(base, index, in);
     }
+    /// Bit i is set if the comparison is true of lane i.
+    ISLET_LANE static std::uint32_t bits(bool mask) { return mask ? 1u : 0u; }
     /// Bit i is set if lane i is above zero.
-    ISLET_LANE static std::uint32_t positive(F a) { return a > 0 ? 1u : 0u; }
+    ISLET_LANE static std::uint32_t positive(F a) { return bits(a > 0); }
 };
 
 // Four lanes by the compiler's vector extension: SSE2, NEON, wasm-simd128, or plain code where there is none.
@@ -146,7 +148,8 @@ struct Lane4 {
         for (std::uint32_t i = 0; i < 4; ++i)
             if ((bits >> i & 1u) != 0) store4(base + std::size_t{stride} * index[i], r[i]);
     }
-    ISLET_LANE static std::uint32_t positive(F a) { return mask_bits(a > F{}); }
+    ISLET_LANE static std::uint32_t bits(i4 mask) { return mask_bits(mask); }
+    ISLET_LANE static std::uint32_t positive(F a) { return bits(a > F{}); }
 };
 
 #if defined(__AVX2__)
@@ -200,7 +203,8 @@ struct Lane8 {
             if ((bits >> i & 16u) != 0) _mm_storeu_ps(base + std::size_t{stride} * index[i + 4], _mm256_extractf128_ps(r[i], 1));
         }
     }
-    ISLET_LANE static std::uint32_t positive(F a) { return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<f8>(a > F{}))); }
+    ISLET_LANE static std::uint32_t bits(i8 mask) { return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<f8>(mask))); }
+    ISLET_LANE static std::uint32_t positive(F a) { return bits(a > F{}); }
 
 private:
     ISLET_LANE static void transpose(const f8 r[4], f8 out[4]) {
