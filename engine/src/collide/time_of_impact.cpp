@@ -4,6 +4,7 @@
 #include "collide/time_of_impact.hpp"
 
 #include "math/scalar.hpp"
+#include "memory/features.hpp"
 
 namespace islet::detail {
 
@@ -19,6 +20,8 @@ void place(Vec2* out, const SweptCore& s, float fraction, Vec2 from) {
     for (std::uint32_t i = 0; i < s.core.count; ++i) out[i] = center + rotate(q, s.core.points[i]);
 }
 
+bool rests(const Sweep& sweep) { return sweep.way == Vec2{0, 0} && sweep.turn == 0; }
+
 }  // namespace
 
 Rot rotation_at(const Sweep& sweep, float fraction) { return integrate(sweep.q, fraction * sweep.turn); }
@@ -29,10 +32,10 @@ float time_of_impact(const SweptCore& a, const SweptCore& b, float gap, float en
     const float turning = uneven * (abs(a.sweep.turn) * a.reach + abs(b.sweep.turn) * b.reach);
     const float near = a.core.radius + b.core.radius + gap;
     float fraction = 0;
+    Vec2 points_a[max_polygon_vertices], points_b[max_polygon_vertices];
     for (std::uint32_t pass = 0; pass < max_advances; ++pass) {
-        Vec2 points_a[max_polygon_vertices], points_b[max_polygon_vertices];
-        place(points_a, a, fraction, a.sweep.center);
-        place(points_b, b, fraction, a.sweep.center);
+        if (is_lean || pass == 0 || !rests(a.sweep)) place(points_a, a, fraction, a.sweep.center);
+        if (is_lean || pass == 0 || !rests(b.sweep)) place(points_b, b, fraction, a.sweep.center);
         const DistanceResult nearest = core_distance(points_a, a.core.count, points_b, b.core.count);
         const float left = nearest.distance - near;
         const float approach = dot(a.sweep.way - b.sweep.way, nearest.normal) + turning;

@@ -30,13 +30,13 @@ inline constexpr std::uint32_t clear_grain = 16;                // words of 64 b
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
 // One of the two is not dynamic.
-ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return a.inv_mass == 0 || b.inv_mass == 0; }
+ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return !(min(a.inv_mass, b.inv_mass) > 0); }
 
 // Against what cannot be pushed, a fast body looks as far ahead as it may come in this step.
 ISLET_SHARED bool looks_ahead(const Pose& a, const Pose& b) { return ((a.flags | b.flags) & pose_fast) != 0 && has_floor(a, b); }
 
 bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
-    if ((m.flags & contact_posed) == 0 || looks_ahead(a, b)) return false;
+    if ((m.flags & contact_posed) == 0) return false;
     const Rot turn_a = inv_mul(m.rotation_a, a.q);
     const Rot turn_b = inv_mul(m.rotation_b, b.q);
     if (min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn) return false;
@@ -80,10 +80,8 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
 
 // Of what a fast body is about to hit in this step the manifold is made as the two will stand when they meet, whatever way that is off: from there to
 // where they are now is but a slip. (A plane through what is nearest now would throw back what is about to pass.)
-Stand stand_of(const Core& core, const ContactManifold& m, std::uint32_t shape_a, std::uint32_t shape_b, float dt) {
-    const Pose& pa = core.poses[m.body_a];
-    const Pose& pb = core.poses[m.body_b];
-    if (has_continuous && looks_ahead(pa, pb)) {
+Stand stand_of(const Core& core, const ContactManifold& m, std::uint32_t shape_a, std::uint32_t shape_b, bool ahead, float dt) {
+    if (has_continuous && ahead) {
         const Sweep a = sweep_ahead(core, m.body_a, dt), b = sweep_ahead(core, m.body_b, dt);
         const float t = time_to_touch(core, shape_a, a, shape_b, b);
         if (t > 0 && t < 1) return {center_at(b, t) - center_at(a, t), rotation_at(a, t), rotation_at(b, t)};
@@ -92,10 +90,10 @@ Stand stand_of(const Core& core, const ContactManifold& m, std::uint32_t shape_a
 }
 
 // A new manifold that keeps the impulses of points whose features it shares with the old one.
-ISLET_SHARED void remake(Core& core, std::uint32_t index, float dt) {
+ISLET_SHARED void remake(Core& core, std::uint32_t index, bool ahead, float dt) {
     const Contact& c = core.contacts[index];
     ContactManifold& m = core.manifolds[index];
-    const Stand stand = stand_of(core, m, c.shape_a, c.shape_b, dt);
+    const Stand stand = stand_of(core, m, c.shape_a, c.shape_b, ahead, dt);
     const Vec2 center_a = core.bodies[m.body_a].local_center;
     const Transform b_in_a = pose_between(core, m.body_a, m.body_b, stand);
     Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
@@ -155,10 +153,11 @@ Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled
     }
     if (has_sensors && (m.flags & contact_sensor) != 0)
         return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
-    if (can_recycle(m, a, b)) {
+    const bool ahead = looks_ahead(a, b);
+    if (!ahead && can_recycle(m, a, b)) {
         ++recycled;
     } else {
-        remake(core, index, dt);
+        remake(core, index, ahead, dt);
     }
     const bool is = m.count() > 0;
     if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // maybe: what the hook will say is not known yet

@@ -8,9 +8,11 @@
 
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
+#include "collide/clear_way.hpp"
 #include "collide/time_of_impact.hpp"
 #include "math/boxes.hpp"
 #include "math/scalar.hpp"
+#include "memory/features.hpp"
 #include "world/bounds.hpp"
 #include "world/hooks.hpp"
 
@@ -18,6 +20,7 @@ namespace islet::detail {
 
 namespace {
 
+inline constexpr float most_tolerance = 0.25f * linear_slop;  // m
 inline constexpr float least_gap = 0.05f * linear_slop;  // m that the middle of a shape keeps from what it must not pass
 
 // Smallest distance of the polygon's faces from its middle.
@@ -99,7 +102,7 @@ Sweep at_rest(const Core& core, std::uint32_t body) { return {core.poses[body].c
 
 float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::uint32_t other, const Sweep& other_way, float end) {
     if (!is_solid(core, shape, other) || comes_from_behind(core, shape, way, other)) return no_impact;
-    const float tolerance = clamp(0.25f * half_thickness(core.geometries[core.shapes[shape].geometry]), 0.1f * linear_slop, 0.25f * linear_slop);
+    const float tolerance = clamp(0.25f * half_thickness(core.geometries[core.shapes[shape].geometry]), 0.1f * linear_slop, most_tolerance);
     const SweptCore obstacle = swept(core, other, other_way, Part::whole);
     float passing = time_of_impact(swept(core, shape, way, Part::core), obstacle, 0.5f * tolerance, end);
     // Where it has been squeezed in so deep already, its middle must at least stay on this side.
@@ -126,12 +129,18 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     std::uint32_t other = walk.next();
     if (other == null_index) return;  // so it is for most that fall or fly
     Sweep sweep = sweep_of(core, body, way);
+    ClearWay clear_way;
+    if (!is_lean) clear_way = clear_way_of(sweep, core.poses[body].max_extent, core.bodies[body].min_extent, 0.5f * most_tolerance);
     float end = 1;
     do {
         const std::uint32_t wall = core.shapes[other].body;
         if (core.bodies[wall].type() != BodyType::static_body) continue;
-        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
+        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+            if (!is_lean && keeps_clear(clear_way, core.geometries[core.shapes[s].geometry], core.bodies[body].local_center,
+                                        core.geometries[core.shapes[other].geometry], body_transform(core, wall)))
+                continue;
             end = min(end, stop_time(core, s, sweep, other, at_rest(core, wall), end));
+        }
     } while ((other = walk.next()) != null_index);
     if (end >= 1) return;
     sweep.way = end * sweep.way;

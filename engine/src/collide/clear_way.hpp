@@ -1,0 +1,24 @@
+// Proof, without a search, that what moves stays in front of a wall.
+#pragma once
+
+#include "collide/time_of_impact.hpp"
+#include "memory/records.hpp"
+
+namespace islet::detail {
+
+/// What is asked of a body's way again and again.
+struct ClearWay {
+    Vec2 start, way;   // m, of the centre of mass
+    Rot q_start, q_end;
+    float needed = 0;  // m, that a core must stay away from a wall's line to be clear of it
+    float min_extent = 0;
+};
+
+/// Of a body of whose points none is farther than `reach` (m) from its centre of mass, and whose shapes are half as thick as `min_extent` (m) at least.
+ClearWay clear_way_of(const Sweep& sweep, float reach, float min_extent, float gap);
+
+/// True only if time_of_impact, for the gap given, of the shape's core, which is half as thick as the shape (world/continuous.cpp), and the wall, which is at
+/// rest, would find no impact. False says nothing. `center` is the centre of mass, in the frame of the shape.
+bool keeps_clear(const ClearWay& way, const Geometry& shape, Vec2 center, const Geometry& wall, const Transform& wall_pose);
+
+}  // namespace islet::detail
