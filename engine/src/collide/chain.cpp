@@ -183,7 +183,7 @@ Manifold collide(const ChainSegment& a, const Capsule& b, const Transform& b_in_
     const Transform t = {b_in_a.p - origin, b_in_a.q};
     const Vec2 p1 = transform_point(t, b.point1);
     const Vec2 p2 = transform_point(t, b.point2);
-    return collide_link(link_of(a), outline_of(p1, p2, b.radius), 0.5f * (p1 + p2), origin, margin);
+    return collide_link(link_of(a), outline_of<Outline>(p1, p2, b.radius), 0.5f * (p1 + p2), origin, margin);
 }
 
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& b_in_a, float margin) {

@@ -3,17 +3,6 @@
 
 namespace islet::detail {
 
-ISLET_APART Outline outline_of(const Polygon& p, Vec2 origin) {
-    Outline o;
-    o.count = p.count;
-    o.radius = p.radius;
-    for (std::uint32_t i = 0; i < p.count; ++i) {
-        o.vertices[i] = p.vertices[i] - origin;
-        o.normals[i] = p.normals[i];
-    }
-    return o;
-}
-
 Outline outline_of(const Polygon& p, const Transform& t, Vec2 origin) {
     Outline o;
     o.count = p.count;
@@ -25,17 +14,6 @@ Outline outline_of(const Polygon& p, const Transform& t, Vec2 origin) {
         o.vertices[i] = moved + rotate(t.q, p.vertices[i] - base);
         o.normals[i] = rotate(t.q, p.normals[i]);
     }
-    return o;
-}
-
-Outline outline_of(Vec2 p1, Vec2 p2, float radius) {
-    Outline o;
-    o.count = 2;
-    o.radius = radius;
-    o.vertices[0] = p1;
-    o.vertices[1] = p2;
-    o.normals[0] = right_perp(direction_of(p2 - p1, {1, 0}).unit);
-    o.normals[1] = -o.normals[0];
     return o;
 }
 

@@ -17,12 +17,20 @@ inline constexpr float separation_tie = 0.1f * linear_slop;
 
 // A convex core, counter-clockwise, with outward normals, grown by a radius. Capsules and segments are outlines with two corners and two
 // opposite faces. Positions are relative to an origin near the contact, to keep digits.
-struct Outline {
-    Vec2 vertices[max_polygon_vertices];
-    Vec2 normals[max_polygon_vertices];
+template <std::uint32_t most>
+struct OutlineOf {
+    Vec2 vertices[most];
+    Vec2 normals[most];
     std::uint32_t count = 0;
     float radius = 0;
 };
+
+using Outline = OutlineOf<max_polygon_vertices>;
+#if defined(__OPTIMIZE_SIZE__)
+using LineOutline = Outline;  // so that there is one copy of what works on outlines
+#else
+using LineOutline = OutlineOf<2>;
+#endif
 
 struct Face {
     Vec2 v1;
@@ -50,13 +58,15 @@ inline Direction direction_of(Vec2 v, Vec2 fallback) {
     return {(1.0f / length) * v, length};
 }
 
-ISLET_SHARED Face face_of(const Outline& o, std::uint32_t i) {
+template <class Shape>
+ISLET_SHARED Face face_of(const Shape& o, std::uint32_t i) {
     const std::uint32_t next = i + 1 < o.count ? i + 1 : 0;
     return {o.vertices[i], o.vertices[next], o.normals[i], o.radius, i, next};
 }
 
 // The face that looks most directly against direction n.
-inline std::uint32_t face_against(const Outline& o, Vec2 n) {
+template <class Shape>
+inline std::uint32_t face_against(const Shape& o, Vec2 n) {
     std::uint32_t best = 0;
     float best_value = dot(n, o.normals[0]);
     for (std::uint32_t i = 1; i < o.count; ++i) {
@@ -68,7 +78,8 @@ inline std::uint32_t face_against(const Outline& o, Vec2 n) {
 }
 
 // The corner furthest against direction n.
-inline std::uint32_t corner_against(const Outline& o, Vec2 n) {
+template <class Shape>
+inline std::uint32_t corner_against(const Shape& o, Vec2 n) {
     std::uint32_t best = 0;
     float best_value = dot(n, o.vertices[0]);
     for (std::uint32_t i = 1; i < o.count; ++i) {
@@ -80,11 +91,30 @@ inline std::uint32_t corner_against(const Outline& o, Vec2 n) {
 }
 
 // p relative to origin, in frame A already.
-Outline outline_of(const Polygon& p, Vec2 origin);
+ISLET_COPIED Outline outline_of(const Polygon& p, Vec2 origin) {
+    Outline o;
+    o.count = p.count;
+    o.radius = p.radius;
+    for (std::uint32_t i = 0; i < p.count; ++i) {
+        o.vertices[i] = p.vertices[i] - origin;
+        o.normals[i] = p.normals[i];
+    }
+    return o;
+}
 // p moved by t, relative to origin.
 Outline outline_of(const Polygon& p, const Transform& t, Vec2 origin);
 // Two-cornered outline around p1-p2, already relative to the origin.
-Outline outline_of(Vec2 p1, Vec2 p2, float radius);
+template <class Shape = LineOutline>
+ISLET_COPIED Shape outline_of(Vec2 p1, Vec2 p2, float radius) {
+    Shape o;
+    o.count = 2;
+    o.radius = radius;
+    o.vertices[0] = p1;
+    o.vertices[1] = p2;
+    o.normals[0] = right_perp(direction_of(p2 - p1, {1, 0}).unit);
+    o.normals[1] = -o.normals[0];
+    return o;
+}
 
 // One point between a corner or surface point `a` of core A and `b` of core B, which are `gap` apart along the unit normal.
 Manifold point_manifold(Vec2 a, float radius_a, Vec2 b, float radius_b, Vec2 normal, float gap, std::uint16_t id);

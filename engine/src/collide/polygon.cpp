@@ -16,7 +16,8 @@ struct Axis {
 };
 
 // The face of p that q is furthest in front of.
-Axis best_axis(const Outline& p, const Outline& q) {
+template <class P, class Q>
+ISLET_COPIED Axis best_axis(const P& p, const Q& q) {
     Axis best = {-3e38f, 0};
     for (std::uint32_t i = 0; i < p.count; ++i) {
         const Vec2 n = p.normals[i];
@@ -30,7 +31,8 @@ Axis best_axis(const Outline& p, const Outline& q) {
 }
 
 // Overlapping outlines whose faces miss each other: the deepest corner alone.
-Manifold deepest_corner(const Outline& reference, const Axis& axis, const Outline& other, bool reference_is_b, Vec2 origin) {
+template <class Reference, class Other>
+Manifold deepest_corner(const Reference& reference, const Axis& axis, const Other& other, bool reference_is_b, Vec2 origin) {
     const Face face = face_of(reference, axis.face);
     const std::uint32_t deepest = corner_against(other, face.normal);
     const Vec2 corner = other.vertices[deepest] + origin;
@@ -46,9 +48,8 @@ ISLET_SHARED float least_separation(const Manifold& m) {
     return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
 }
 
-}  // namespace
-
-Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float margin) {
+template <class A, class B>
+ISLET_COPIED Manifold collide_cores(const A& a, const B& b, Vec2 origin, float margin) {
     const float radii = a.radius + b.radius;
     const float limit = margin + radii;
     const Axis axis_a = best_axis(a, b);
@@ -58,11 +59,9 @@ Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float
 
     // A is the reference unless B is clearly better.
     const bool reference_is_b = axis_b.separation > axis_a.separation + separation_tie;
-    const Outline& reference = reference_is_b ? b : a;
-    const Outline& other = reference_is_b ? a : b;
-    const Axis& axis = reference_is_b ? axis_b : axis_a;
-    const Face face = face_of(reference, axis.face);
-    const Manifold clipped = clip_faces(face, face_of(other, face_against(other, face.normal)), reference_is_b, origin, margin);
+    const Face face = reference_is_b ? face_of(b, axis_b.face) : face_of(a, axis_a.face);
+    const Face other = reference_is_b ? face_of(a, face_against(a, face.normal)) : face_of(b, face_against(b, face.normal));
+    const Manifold clipped = clip_faces(face, other, reference_is_b, origin, margin);
 
     // No clipped point can be closer than the best axis says, and none needs to be.
     const float bound = max(axis_a.separation, axis_b.separation);
@@ -80,23 +79,26 @@ Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float
                           feature_id(near.index_a[0], near.index_b[0]));
 }
 
+}  // namespace
+
+Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float margin) { return collide_cores(a, b, origin, margin); }
+
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin) {
     Manifold m;
     if (is_box(a) && is_box(b) && collide_boxes(a, b, b_in_a, margin, m)) { return m; }
     const Vec2 origin = a.vertices[0];
-    return collide_outlines(outline_of(a, origin), outline_of(b, b_in_a, origin), origin, margin);
+    return collide_cores(outline_of(a, origin), outline_of(b, b_in_a, origin), origin, margin);
 }
 
 Manifold collide(const Polygon& a, const Capsule& b, const Transform& b_in_a, float margin) {
     const Vec2 origin = a.vertices[0];
     const Transform t = {b_in_a.p - origin, b_in_a.q};
-    return collide_outlines(outline_of(a, origin), outline_of(transform_point(t, b.point1), transform_point(t, b.point2), b.radius), origin,
-                            margin);
+    return collide_cores(outline_of(a, origin), outline_of(transform_point(t, b.point1), transform_point(t, b.point2), b.radius), origin, margin);
 }
 
 Manifold collide(const Capsule& a, const Polygon& b, const Transform& b_in_a, float margin) {
     const Vec2 origin = a.point1;
-    return collide_outlines(outline_of({}, a.point2 - origin, a.radius), outline_of(b, b_in_a, origin), origin, margin);
+    return collide_cores(outline_of({}, a.point2 - origin, a.radius), outline_of(b, b_in_a, origin), origin, margin);
 }
 
 Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, float margin) {
@@ -108,7 +110,7 @@ Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, fl
     // Most capsules that the broad phase pairs are further apart than this; it saves the square roots.
     const float limit = margin + a.radius + b.radius;
     if (!meet(expand(box_around({}, end), limit), box_around(b1, b2))) { return {}; }
-    return collide_outlines(outline_of({}, end, a.radius), outline_of(b1, b2, b.radius), origin, margin);
+    return collide_cores(outline_of({}, end, a.radius), outline_of(b1, b2, b.radius), origin, margin);
 }
 
 }  // namespace islet::detail
