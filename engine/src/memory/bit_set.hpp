@@ -50,8 +50,13 @@ struct BitSet {
     /// The same for the words first <= w < end only.
     template <class Visit>
     [[gnu::always_inline]] void for_each_in(std::uint32_t first, std::uint32_t end, Visit&& visit) const {
+#if defined(__OPTIMIZE_SIZE__)
         Walk walk{words, first, end};
         for (std::uint32_t i = walk.next(); i != none; i = walk.next()) visit(i);
+#else
+        for (std::uint32_t w = first; w < end; ++w)
+            for (std::uint64_t bits = words[w]; bits != 0; bits &= bits - 1) visit(64 * w + lowest(bits));
+#endif
     }
 
 private:
@@ -66,8 +71,18 @@ private:
 
     Part& part(std::uint32_t i) const { return reinterpret_cast<Part*>(words)[(i / part_bits) ^ first_part]; }
 
+    // Without a call of the compiler's runtime where registers have 32 bits.
+    static std::uint32_t lowest(std::uint64_t all) {
+        if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(all));
+        const auto low = static_cast<std::uint32_t>(all);
+        const auto high = static_cast<std::uint32_t>(all >> 32);
+        return static_cast<std::uint32_t>(low != 0 ? __builtin_ctz(low) : 32 + __builtin_ctz(high));
+    }
+
+#if defined(__OPTIMIZE_SIZE__)
     static constexpr std::uint32_t none = 0xffffffffu;
 
+    // One copy of the walk.
     struct Walk {
         const std::uint64_t* words;
         std::uint32_t word, end;  // the next to look into
@@ -82,14 +97,8 @@ private:
             bits &= bits - 1;
             return (word - 1) * 64 + lowest(all);
         }
-        // Without a call of the compiler's runtime where registers have 32 bits.
-        static std::uint32_t lowest(std::uint64_t all) {
-            if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(all));
-            const auto low = static_cast<std::uint32_t>(all);
-            const auto high = static_cast<std::uint32_t>(all >> 32);
-            return static_cast<std::uint32_t>(low != 0 ? __builtin_ctz(low) : 32 + __builtin_ctz(high));
-        }
     };
+#endif
 };
 
 }  // namespace islet::detail

@@ -24,7 +24,9 @@ inline MixedSurface surface_of(const Core& core, std::uint32_t contact) {
         default: return 0.0f;
         }
     };
-    return {mixed_restitution(core, a, b), max(a.rolling_resistance, b.rolling_resistance) * max(radius(a), radius(b)),
+    // (Without rolling resistance, as most are, the geometries need not come from memory.)
+    const float rolling = max(a.rolling_resistance, b.rolling_resistance);
+    return {mixed_restitution(core, a, b), !is_lean && rolling == 0 ? rolling : rolling * max(radius(a), radius(b)),
             has_hooks && c.has_own_speed() ? c.own_speed() : a.tangent_speed + b.tangent_speed};
 }
 
