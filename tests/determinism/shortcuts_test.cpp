@@ -2,6 +2,7 @@
 // without, and must give the same bits.
 #include <gtest/gtest.h>
 
+#include "broadphase/pairs.hpp"
 #include "collide/clear_way.hpp"
 #include "collide/manifold.hpp"
 #include "support/random.hpp"

@@ -151,7 +151,8 @@ struct SolverDef {
     float contact_damping_ratio = 10.0f; ///< >= 0. Soft contacts are overdamped so that they do not bounce.
     float contact_push_speed = 3.0f;     ///< m/s, >= 0. Fastest that overlap is pushed apart.
     float joint_hertz = 60.0f;           ///< Hz, > 0. Stiffness with which joints mend their errors; capped at a quarter of the substep rate. A rigid
-                                         ///< joint under a steady force F gives by F / (m (2 pi joint_hertz)^2), m the mass it moves.
+                                         ///< joint under a steady force F gives by F / (m (2 pi joint_hertz)^2), m the mass it moves; a
+                                         ///< limit of an angle under a torque likewise, with the inertia about the centre of mass.
     float joint_damping_ratio = 2.0f;    ///< >= 0
     float baumgarte = 0.2f;              ///< 0 to 1. Share of overlaps and joint errors mended per step (classic schedule).
     float omega = 1.0f;                  ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
@@ -252,7 +253,9 @@ struct ShapeDef {
     std::uint64_t user_data = 0;
 };
 
-/// Two shapes began or ceased to touch in the last step (or ceased because one was destroyed since). An id in an end event may be stale.
+/// Two shapes began or ceased to touch in the last step (or ceased because one was destroyed since). An id in an end event may be stale. Here and in all
+/// that tells of contacts, shape_a is the shape whose type comes later in the row circle, capsule, polygon, segment, chain segment; of equal types the one
+/// in the lower slot.
 struct TouchEvent {
     ShapeId shape_a = {};
     ShapeId shape_b = {};

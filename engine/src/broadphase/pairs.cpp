@@ -6,9 +6,9 @@
 #include "broadphase/columns.hpp"
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
+#include "collide/manifold.hpp"
 #include "math/scalar.hpp"
 #include "memory/parallel.hpp"
-#include "world/bounds.hpp"
 
 namespace islet::detail {
 

@@ -5,6 +5,8 @@
 
 namespace islet::detail {
 
+inline constexpr float max_box_margin = 0.05f;  // m, by which a fat box exceeds its shape: so far a body can move before its pairs are found anew
+
 /// Creates contacts for the shapes whose fat boxes changed since the last call, and for fast bodies with the static shapes they may reach within dt.
 /// The cost follows what moved; nothing moved costs nothing. Pairs that find no room are counted in report.dropped_contacts and tried again in every
 /// later call.

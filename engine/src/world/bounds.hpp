@@ -12,8 +12,6 @@ inline constexpr float min_mass = 1.0e-12f;     // kg
 inline constexpr float min_inertia = 1.0e-15f;  // kg m^2
 inline constexpr float max_mass = 1.0e30f;      // kg; the largest inertia too, kg m^2
 
-inline constexpr float max_box_margin = 0.05f;  // m, by which a fat box exceeds its shape: so far a body can move before its pairs are found anew
-
 /// A point well inside a shape, body frame.
 Vec2 middle_of(const Geometry& g);
 

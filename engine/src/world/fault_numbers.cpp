@@ -1,5 +1,6 @@
 // Numbers that no sound world holds, record by record. Every comparison is written so that NaN fails it.
 #include "collide/manifold.hpp"
+#include "broadphase/pairs.hpp"
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/faults.hpp"
