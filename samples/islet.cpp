@@ -17,6 +17,7 @@
 #include "bench.hpp"
 #include "finite_number.hpp"
 #include "html.hpp"
+#include "output_file.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 #include "runner.hpp"
@@ -319,7 +320,8 @@ int main(int argc, char** argv) {
         }
         const std::string& scene = line.scene->parsed() ? line.scene_name : line.command.scene;
         try {
-            return execute(line);
+            const int status = execute(line);
+            return all_printed() ? status : wrong("cannot write all of the standard output");
         } catch (const std::exception& error) { return wrong(is_file(scene) ? fmt::format("'{}': {}", scene, error.what()) : error.what()); }
     } catch (const std::exception& error) { return wrong(error.what()); }
 }

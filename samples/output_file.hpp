@@ -1,6 +1,7 @@
 // A file of results that is known to be writable before the work begins.
 #pragma once
 
+#include <cstdio>
 #include <fstream>
 #include <string>
 
@@ -25,5 +26,8 @@ private:
     std::string path_;
     std::ofstream file_;
 };
+
+/// True if all that was printed so far has reached its end.
+inline bool all_printed() { return std::fflush(stdout) == 0 && std::ferror(stdout) == 0; }
 
 }  // namespace islet::samples

@@ -334,7 +334,7 @@ std::string draw_svg(const Run& run, const DebugDraw& what) {
     const EngineCounts counts = run.engine.counts();
     std::string details = fmt::format("step {}  ·  {:.4g} s  ·  {} bodies  ·  {} contacts", world.step_count(),
                                       double(world.step_count()) * double(run.scene.dt), counts.bodies, counts.contacts);
-    if (counts.joints > 0) details += fmt::format("  ·  {} joints", counts.joints);
+    if (counts.joints > 0) details += fmt::format("  ·  {} joint{}", counts.joints, counts.joints == 1 ? "" : "s");
     const int height = camera.height + units(caption_height);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" "

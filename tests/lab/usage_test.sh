@@ -29,11 +29,8 @@ expect 2 '--substep-h' hello --substep-h nan
 expect 2 '--iterations' hello --iterations many
 expect 2 '--islands' hello --islands some
 expect 2 'cannot write' hello --csv "$scratch/missing/out.csv"
+expect_no_room hello "${few[@]}"
 
-complain() {
-    printf '%s\n' "$*"
-    failures=$((failures + 1))
-}
 [ "$(head -n 1 "$scratch/out.csv")" = scene,island,method,start,iteration,seconds,residual ] || complain "out.csv has no header"
 if command -v gnuplot >/dev/null; then
     expect 0 'pgs' hello "${few[@]}" --svg "$scratch/out"

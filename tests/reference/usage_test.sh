@@ -22,10 +22,6 @@ expect 2 'cannot write' hello --csv "$scratch/missing/out.csv"
 expect 2 'cannot write' hello --svg "$scratch/missing/out.svg"
 expect 0 ratio --time hello --steps 5
 
-complain() {
-    printf '%s\n' "$*"
-    failures=$((failures + 1))
-}
 [ "$(grep -c '^hello,' "$scratch/out.csv")" -eq 11 ] || complain "out.csv must have a line for each step and one for the start"
 for picture in out-hello.svg out-pyramid.svg; do
     grep -q '</svg>' "$scratch/$picture" || complain "$picture is not whole"

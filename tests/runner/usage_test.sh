@@ -22,6 +22,7 @@ expect 2 'cannot write' run hello --html "$scratch/missing/out.html"
 if [ -e /dev/full ]; then
     expect 2 'cannot write all' run hello --html /dev/full
 fi
+expect_no_room run hello
 
 "$program" scene pyramid >"$scratch/pyramid.json"
 expect 0 "$("$program" run pyramid --json | grep '"hash"')" run "$scratch/pyramid.json" --json
@@ -34,10 +35,6 @@ expect 2 "rough.json': cannot make body 0 of the scene: A number is outside its 
 printf '{"steps": 5,\n "bodies": [}' >"$scratch/torn.json"
 expect 2 "torn.json': line 2, column 13" run "$scratch/torn.json"
 
-complain() {
-    printf '%s\n' "$*"
-    failures=$((failures + 1))
-}
 [ "$(wc -l <"$scratch/out.csv")" -eq 8 ] || complain "out.csv must have a header and a line for each step"
 grep -q '</svg>' "$scratch/out.svg" || complain "out.svg is not whole"
 grep -q '>wheel<' "$scratch/drawn.svg" || complain "--draw names must name the car's joints"

@@ -15,3 +15,17 @@ expect() {
         failures=$((failures + 1))
     fi
 }
+
+complain() {
+    printf '%s\n' "$*"
+    failures=$((failures + 1))
+}
+
+# expect_no_room ARGUMENT...: where nothing can be printed the command says so and fails.
+expect_no_room() {
+    local status=0
+    [ -e /dev/full ] || return 0
+    "$program" "$@" >/dev/full 2>"$scratch/no_room" || status=$?
+    [ "$status" -eq 2 ] || complain "$name $*: status $status though nothing could be printed"
+    grep -q 'cannot write' "$scratch/no_room" || complain "$name $*: no word of what could not be printed"
+}

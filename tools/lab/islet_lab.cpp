@@ -22,6 +22,7 @@
 namespace {
 
 using namespace islet::lab;
+using islet::samples::all_printed;
 using islet::samples::OutputFile;
 using islet::samples::ProgressBar;
 using islet::samples::SceneInfo;
@@ -137,13 +138,14 @@ int run(Command& command) {
             fmt::print(stderr, "islet-lab: in {} nothing touches or is joined after step {}\n", info->name, command.options.step);
         for (IslandReport& report : reports) {
             if (!command.json) fmt::print("{}{}", all.empty() ? "" : "\n", table_of(report));
-            std::fflush(stdout);
+            std::fflush(stdout);  // one island after another may take long
             if (!command.svg_prefix.empty())
                 drawn = run_gnuplot(plot_script(report, picture_path(command.svg_prefix, report.island))) && drawn;
             all.push_back(std::move(report));
         }
     }
     if (command.json) fmt::print("{}", json_of(all));
+    if (!all_printed()) return wrong("cannot write all of the standard output");
     if (!csv.write(csv_of(all))) return wrong(fmt::format("cannot write all of '{}'", command.csv_path));
     if (!drawn) fmt::print(stderr, "islet-lab: gnuplot could not draw all pictures\n");
     return drawn ? ok : failed;
