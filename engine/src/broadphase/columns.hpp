@@ -19,6 +19,7 @@ struct Columns {
 };
 
 /// Writes to `out`, in order, which boxes of `c` from `first` on overlap box i of `from`, up to the first that begins beyond it; returns how many.
+/// L has several lanes.
 template <class L>
 ISLET_LANE std::uint32_t scan_columns(const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i, std::uint32_t* out) {
     const auto upper = L::splat(from.upper[i]);
