@@ -332,9 +332,11 @@ std::string draw_svg(const Run& run, const DebugDraw& what) {
     const MarkLayers layers = layers_of(drawing, camera, size >= smallest_ringed);
 
     const EngineCounts counts = run.engine.counts();
-    std::string details = fmt::format("step {}  ·  {:.4g} s  ·  {} bodies  ·  {} contacts", world.step_count(),
-                                      double(world.step_count()) * double(run.scene.dt), counts.bodies, counts.contacts);
-    if (counts.joints > 0) details += fmt::format("  ·  {} joint{}", counts.joints, counts.joints == 1 ? "" : "s");
+    std::string details = fmt::format("step {}  ·  {:.4g} s", world.step_count(), double(world.step_count()) * double(run.scene.dt));
+    const auto count = [&](auto number, const char* one, const char* many) { details += fmt::format("  ·  {} {}", number, number == 1 ? one : many); };
+    count(counts.bodies, "body", "bodies");
+    count(counts.contacts, "contact", "contacts");
+    if (counts.joints > 0) count(counts.joints, "joint", "joints");
     const int height = camera.height + units(caption_height);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" "

@@ -1,4 +1,4 @@
-// A game's loop: steps of equal length, as many as real time asks for, and what is drawn lies between the last two. A player's shots pass through the player.
+// A game's loop: steps of equal length, as many as real time asks for, and what is drawn lies between the last two. Shots pass through players.
 #include <cstdio>
 
 #include <islet/islet.hpp>
@@ -30,9 +30,9 @@ int main() {
     World& world = storage.create();
     const BodyId ground = world.create_body({});
     world.create_shape(ground, make_box(50, 1), {.filter = {.category = wall}});
-    Seen hero{world.create_body({.type = BodyType::dynamic, .position = {0, 1.5f}}), {}, {}};
+    Seen hero{world.create_body({.type = BodyType::dynamic, .position = {2, 1.5f}}), {}, {}};
     world.create_shape(hero.body, make_box(0.4f, 0.5f), {.filter = {.category = player, .mask = wall}});
-    Seen ball{world.create_body({.type = BodyType::dynamic, .position = {0, 1.5f}, .linear_velocity = {10, 6}, .bullet = true}), {}, {}};
+    Seen ball{world.create_body({.type = BodyType::dynamic, .position = {0, 1.5f}, .linear_velocity = {10, 1}, .bullet = true}), {}, {}};
     world.create_shape(ball.body, Circle{{}, 0.1f}, {.restitution = 0.5f, .filter = {.category = shot, .mask = wall | shot}});
     for (Seen* seen : {&hero, &ball}) seen->before = seen->now = world.transform(seen->body);
 
@@ -51,8 +51,8 @@ int main() {
         const Transform drawn = between(ball.before, ball.now, owed / dt);
         std::printf("frame %d: %2d steps, the ball is drawn at (%.3f, %.3f)\n", frame, steps, double(drawn.p.x), double(drawn.p.y));
     }
-    const Vec2 stands = world.position(hero.body);
-    const bool was_hit = abs(stands.x) > 0.001f;
-    std::printf("the hero %s and stands at (%.3f, %.3f)\n", was_hit ? "was hit" : "was not hit", double(stands.x), double(stands.y));
-    return was_hit ? 1 : 0;
+    const float speed = world.linear_velocity(ball.body).x;  // m/s; nothing was in the way of its 10
+    const bool has_passed = abs(speed - 10) < 0.001f;
+    std::printf("the ball %s the hero, and flies on at %.3f m/s\n", has_passed ? "passed" : "hit", double(speed));
+    return has_passed ? 0 : 1;
 }

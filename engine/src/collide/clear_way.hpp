@@ -11,10 +11,11 @@ struct ClearWay {
     Vec2 start, way;   // m, of the centre of mass
     Rot q_start, q_end;
     float needed = 0;  // m, that a core must stay away from a wall's line to be clear of it
-    float min_extent = 0;
+    float min_extent = 0;  // m, smallest half-thickness of the body's shapes
 };
 
-/// Of a body of whose points none is farther than `reach` (m) from its centre of mass, and whose shapes are half as thick as `min_extent` (m) at least.
+/// Of a body of whose points none is farther than `reach` (m) from its centre of mass, and whose shapes have a half-thickness of `min_extent` (m) at least;
+/// `gap` (m) is the largest that time_of_impact is asked for.
 ClearWay clear_way_of(const Sweep& sweep, float reach, float min_extent, float gap);
 
 /// True only if time_of_impact, for the gap given, of the shape's core, which is half as thick as the shape (world/continuous.cpp), and the wall, which is at

@@ -16,7 +16,7 @@ namespace islet::detail {
 inline constexpr float separation_tie = 0.1f * linear_slop;
 
 // A convex core, counter-clockwise, with outward normals, grown by a radius. Capsules and segments are outlines with two corners and two
-// opposite faces. Positions are relative to an origin near the contact, to keep digits.
+// opposite faces; `most` corners have room. Positions are relative to an origin near the contact, to keep digits.
 template <std::uint32_t most>
 struct OutlineOf {
     Vec2 vertices[most];
@@ -122,7 +122,7 @@ Manifold point_manifold(Vec2 a, float radius_a, Vec2 b, float radius_b, Vec2 nor
 // Up to two points where the incident face lies over the reference face; none where they do not lie over each other.
 Manifold clip_faces(const Face& reference, const Face& incident, bool reference_is_b, Vec2 origin, float margin);
 
-// The whole test of two outlines in one frame; the manifold is moved by origin.
+// The whole test of two outlines in one frame; the manifold is moved by origin. (By itself for tests: the pairs of shapes have it inlined.)
 Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float margin);
 
 // Box against box, when both are rectangles by their normals.

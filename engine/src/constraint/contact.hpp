@@ -69,6 +69,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
         float live[W], second[W];
         r.two_points = r.special = r.bouncy = false;
         for (std::uint32_t i = 0; i < W; ++i) {
+            // The next block's manifolds may be anywhere in memory.
             if (W > 1 && block + 1 < count && rows[block + 1].contact[i] != null_index) {
                 const ContactManifold& soon = in.manifolds[rows[block + 1].contact[i]];
                 __builtin_prefetch(&soon);

@@ -213,7 +213,7 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
         for (std::uint32_t i = 0; i < W; ++i) {
             const std::uint32_t c = contacts[block * W + i];
             const std::uint32_t soon = block + 1 < count ? contacts[(block + 1) * W + i] : null_index;
-            if (W > 1 && soon != null_index) {
+            if (W > 1 && soon != null_index) {  // these may be anywhere in memory
                 __builtin_prefetch(&core.manifolds[soon].flags);
                 __builtin_prefetch(&core.contacts[soon]);
             }
