@@ -1,7 +1,6 @@
 // Small problems for the tests of the laboratory.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "problem.hpp"
@@ -11,7 +10,6 @@ namespace islet::test {
 
 /// M = [4 2; 2 9], q = (-8, 3), x >= 0. The first row alone wants x = 2; then w = (0, 7): that is the solution.
 inline lab::Problem two_rows() {
-    const double inf = std::numeric_limits<double>::infinity();
     lab::Problem p;
     p.row_starts = {0, 2, 4};
     p.columns = {0, 1, 0, 1};

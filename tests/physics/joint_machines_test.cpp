@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "measure.hpp"
+#include "support/joint_world.hpp"
 
 namespace islet::test {
 namespace {

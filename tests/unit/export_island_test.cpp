@@ -18,6 +18,7 @@ namespace {
 using namespace islet;
 using islet::test::ExportedIsland;
 using islet::test::Random;
+using islet::test::substep;
 using islet::test::TestWorld;
 using islet::test::WideProblem;
 

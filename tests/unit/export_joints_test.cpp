@@ -16,6 +16,7 @@ namespace {
 
 using namespace islet;
 using islet::test::ExportedIsland;
+using islet::test::substep;
 using islet::test::TestWorld;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -92,7 +92,6 @@ struct OwnResiduals {
 template <class T>
 OwnResiduals own_residuals(const LcpData<T>& p, const std::vector<T>& x) {
     using Wide = long double;
-    constexpr Wide inf = std::numeric_limits<Wide>::infinity();
     OwnResiduals worst;
     for (std::size_t i = 0; i < x.size(); ++i) {
         Wide w = p.q[i], terms = std::fabs(Wide(p.q[i]));
