@@ -143,5 +143,40 @@ TEST(Attacks, AGearHangsOnWhatItsJointsMove) {
     EXPECT_FALSE(victim->load(image.bytes()));
 }
 
+// A disabled body has no leaf in the tree, so its boxes may be any that hold its shapes. Enabled again it must get its own.
+TEST(Attacks, ADisabledBodyIsSoundWhenItIsEnabled) {
+    for (const BodyType type : {BodyType::static_body, BodyType::kinematic, BodyType::dynamic}) {
+        SCOPED_TRACE(int(type));
+        TestWorld source;
+        source.add_ground();
+        const BodyId box = source.add_box({0, 0.5f}, 0.5f, 0.5f, {}, type);
+        source->set_enabled(box, false);
+        Image image = save(*source);
+        const detail::ImageHeader h = header_of(image.bytes());
+        detail::Core nowhere;
+        std::size_t at = sizeof h;
+        detail::for_each_part(nowhere, h, [&](auto& part, std::uint64_t bytes) {
+            if (static_cast<const void*>(&part) == static_cast<const void*>(&nowhere.boxes)) {
+                std::byte* where = image.bytes().data() + at + (source.shape_of(box).index1 - 1) * sizeof(Aabb);
+                Aabb box_there;
+                std::memcpy(&box_there, where, sizeof box_there);
+                box_there = expand(box_there, 3);
+                std::memcpy(where, &box_there, sizeof box_there);
+            }
+            at += bytes;
+        });
+        seal(image.bytes());
+        TestWorld victim;
+        if (!victim->load(image.bytes())) continue;
+        ASSERT_EQ(victim->validate(), nullptr);
+        victim->set_enabled(box, true);
+        EXPECT_STREQ(victim->validate(), nullptr);
+        victim.step(5);
+        EXPECT_STREQ(victim->validate(), nullptr);
+        TestWorld other;
+        EXPECT_TRUE(other->load(save(*victim).bytes()));
+    }
+}
+
 }  // namespace
 }  // namespace islet::test

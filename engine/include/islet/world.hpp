@@ -86,7 +86,7 @@ public:
     /// The last error since creation or clear_error().
     Error last_error() const;
     void clear_error();
-    /// Hash of all persistent state that affects the future, and nothing else: equal worlds have equal futures.
+    /// Hash of all persistent state that affects the future, and nothing else: equal worlds have equal futures, what the next step tells included.
     std::uint64_t hash() const;
     /// Steps taken since creation.
     std::uint64_t step_count() const;
@@ -101,7 +101,8 @@ public:
     std::size_t save(std::span<std::byte> out) const;
     /// Goes back to an image that this program made. What the image uses must fit this world's capacity, which need not be that of the world it was
     /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook,
-    /// the clock and the task system. Until the next step there are no events, and the report holds only how full the pools are.
+    /// the clock and the task system. Until the next step there are no events, and the report holds only how full the pools are. What had ended since
+    /// the last step (a touching shape was destroyed) is part of the image: the next step tells of it.
     /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut where this build leaves out what the image
     /// needs. (A program that neither makes joints nor calls load has none linked, so an image with joints needs what it leaves out.)
     bool restore(std::span<const std::byte> image);
