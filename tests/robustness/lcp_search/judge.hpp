@@ -151,6 +151,7 @@ Judged natural_of(const Case<T>& c, std::span<const T> x) {
         Wide lo = c.lo.empty() ? 0 : Wide(c.lo[i]), hi = c.hi.empty() ? Wide(INFINITY) : Wide(c.hi[i]);
         if (!c.friction.empty() && c.friction[i] != lcp::no_row) {
             hi = Wide(c.hi[i]) * std::max(Wide(x[c.friction[i]]), Wide(0));
+            if (hi > Wide(std::numeric_limits<T>::max())) hi = INFINITY;
             lo = -hi;
         }
         const Wide at = x[i];
