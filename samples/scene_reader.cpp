@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "near_names.hpp"
+#include "printable.hpp"
 #include "scene_fields.hpp"
 #include "scene_file.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-[[noreturn]] void refuse(const std::string& place, const std::string& why) { throw SceneFileError(place.empty() ? why : place + ": " + why); }
+[[noreturn]] void refuse(const std::string& place, const std::string& why) { throw SceneFileError(printable(place.empty() ? why : place + ": " + why)); }
 
 [[noreturn]] void refuse_type(const std::string& place, const char* wanted, const Json& got) {
     refuse(place, fmt::format("must be {}, not {}", wanted, got.is_null() ? "null" : got.is_object() ? "an object" : got.is_array() ? "a list"
@@ -92,7 +93,7 @@ public:
         if (told == nullptr) refuse(place_, fmt::format("\"{}\" is missing", name));
         return *told;
     }
-    std::string at(const std::string& name) const { return place_.empty() ? name : place_ + "." + name; }
+    std::string at(const std::string& name) const { return (place_.empty() ? "" : place_ + ".") + (name.empty() ? "\"\"" : name); }
     void end() const {
         for (const auto& [name, value] : object_.items()) {
             if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
@@ -298,7 +299,7 @@ public:
     bool end_array() override { return close(); }
     bool key(string_t& name) override {
         const auto [field, is_new] = open_.back()->get_ref<Json::object_t&>().emplace(std::move(name), nullptr);
-        if (!is_new) refuse(field->first, "there are two such fields in one object");
+        if (!is_new) refuse(field->first.empty() ? "\"\"" : field->first, "there are two such fields in one object");
         field_ = &field->second;
         return true;
     }
