@@ -261,7 +261,7 @@ SceneJoint joint_from(const Json& told, const std::string& place, const Scene& s
 /// What the rest of the runner takes for granted.
 void check_head(const Scene& scene) {
     if (scene.steps < 0 || scene.steps > 100'000'000) refuse("steps", "must be from 0 to 100000000");
-    if (!(scene.dt > 0 && scene.dt <= 1)) refuse("dt", "must be above 0 and at most 1 s");
+    if (!(scene.dt >= min_time_step && scene.dt <= 1)) refuse("dt", fmt::format("must be from {} to 1 s", min_time_step));
     if (!(scene.view.lower.x < scene.view.upper.x && scene.view.lower.y < scene.view.upper.y)) refuse("view", "must be [left, bottom, right, top]");
     // What a file asks for is bounded by what it holds: 64 contacts a shape are ten times those of a dense pile.
     const std::size_t most_contacts = 4096 + 64 * std::size_t{capacity_of(scene).shapes};

@@ -17,6 +17,8 @@ inline constexpr float max_position = 1.0e7f;
 inline constexpr float max_coefficient = 1.0e9f;
 /// Speed limits and surface speeds go up to this, m/s.
 inline constexpr float max_speed_limit = 1.0e6f;
+/// Steps are at least this long, s: what a shorter one adds to a speed or a place, a float mostly cannot hold.
+inline constexpr float min_time_step = 1.0e-6f;
 
 /// Handle of a body. Default-constructed: null. Safe to keep: an id whose object was destroyed is stale, never wrong.
 struct BodyId {
@@ -52,7 +54,7 @@ enum class Error : std::uint8_t {
     stale_id,            ///< the object was destroyed, or the id belongs to another world
     not_finite,          ///< an argument is NaN or infinite
     out_of_range,        ///< a number is outside the range its comment states
-    bad_time_step,       ///< dt is not above 0 and at most 1 s
+    bad_time_step,       ///< dt is not from min_time_step to 1 s
     bad_geometry,        ///< the geometry breaks its own rules
     bad_chain,           ///< fewer than 2 points (3 for a loop), or neighbours closer than 0.005 m
     bodies_full,         ///< raise Capacity::bodies

@@ -41,7 +41,8 @@ public:
 
     // -- the world ---------------------------------------------------------------------------------------------------------------
 
-    /// Advances time by dt seconds: 0 < dt <= 1. 1/60 is usual; see SolverDef for what a step consists of.
+    /// Advances time by dt seconds, min_time_step <= dt <= 1 (else bad_time_step, and nothing changes). 1/60 is usual; see SolverDef for what a step
+    /// consists of.
     void step(float dt);
 
     Vec2 gravity() const;
@@ -426,7 +427,7 @@ public:
 
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------
 
-    /// Writes to `memory` the complementarity problem that a substep of `h` seconds, 0 < h <= 1, would pose to the island of a dynamic body as it stands
+    /// Writes to `memory` the complementarity problem that a substep of `h` seconds, min_time_step / 64 <= h <= 1, would pose to the island of a dynamic body as it stands
     /// now, and points `out` to it. (Contacts have the normals and arms that the last step found; a centre of mass moved since then is not seen by them.)
     /// Returns the bytes needed, and writes neither to memory nor to out if there are fewer; memory needs no alignment. Motion locks are not in it. It is the
     /// same problem whichever of the island's bodies is named, asleep or awake. Not part of the state: no hash knows of it, and solving it changes no body; but it uses the world's scratch memory, so no other call to the world may run at the same time. Bodies of absurd masses may

@@ -163,6 +163,7 @@ struct ContactManifold {
     ISLET_INLINE std::uint32_t count() const { return flags >> contact_count_shift & 3u; }
     ISLET_INLINE std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
+    void forget_impulses() { normal_impulse[0] = normal_impulse[1] = tangent_impulse[0] = tangent_impulse[1] = rolling_impulse = 0; }
 };
 
 enum JointFlags : std::uint32_t {

@@ -46,8 +46,7 @@ inline Vec2 free_velocity(const SolverMotion& m, Vec2 v, float max_speed) {
 }
 inline float free_turn(const SolverMotion& m, float w, float max_turn) { return within(m.angular_factor * (w + m.alpha), max_turn); }
 
-/// The fastest a body may turn in a step of dt seconds, rad/s: separations follow the turning to first order. Finite for any dt: times a substep of which
-/// nothing is left it is 0.
-inline float max_turn_of(float dt) { return min(0.5f * pi / dt, 1.0e30f); }
+/// The fastest a body may turn in a step of dt seconds, rad/s: separations follow the turning to first order.
+inline float max_turn_of(float dt) { return 0.5f * pi / dt; }
 
 }  // namespace islet::detail

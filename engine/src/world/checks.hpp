@@ -35,6 +35,8 @@ inline bool check_position(const Core& core, Vec2 p) {
     return check_range(core, p.x, -max_position, max_position) && check_range(core, p.y, -max_position, max_position);
 }
 
+inline bool is_time_step(float dt) { return dt >= min_time_step && dt <= 1; }
+
 bool check_not_negative(const Core& core, float a);
 bool check_frame(const Core& core, const JointFrame& frame);
 bool check_spring(const Core& core, const JointSpring& spring);

@@ -9,7 +9,7 @@ const char* describe(Error e) {
         case Error::stale_id: return "The id is stale: the object was destroyed, or belongs to another world. Drop the id.";
         case Error::not_finite: return "A number is NaN or infinite: check the arguments of the call.";
         case Error::out_of_range: return "A number is outside its range: the comment on the field or function gives the range.";
-        case Error::bad_time_step: return "The time step must be above 0 and at most 1 second: 1/60 is usual.";
+        case Error::bad_time_step: return "The time step must be from a microsecond to a second: 1/60 is usual.";
         case Error::bad_geometry: return "The geometry breaks its rules (size above 0, convex, counter-clockwise): make polygons with make_polygon or make_box.";
         case Error::bad_chain: return "A chain needs at least 2 points (3 for a loop), neighbours more than 0.005 m apart.";
         case Error::bodies_full: return "No room for another body: raise Capacity::bodies.";

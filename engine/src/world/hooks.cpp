@@ -48,9 +48,7 @@ void ask_pre_solve(Core& core, std::uint32_t index) {
     if (!asked.enabled) {
         // Made anew in the next step, so that the hook can be asked again.
         m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
-        m.rolling_impulse = 0;
-        for (std::uint32_t i = 0; i < 2; ++i) m.normal_impulse[i] = m.tangent_impulse[i] = 0;
-        return;
+        return m.forget_impulses();
     }
     if (asked.friction != before.friction && check_range(core, asked.friction, 0, max_coefficient)) m.friction = asked.friction;
     if (asked.tangent_speed == before.tangent_speed || !check_range(core, asked.tangent_speed, -max_speed_limit, max_speed_limit)) return;

@@ -3,6 +3,7 @@
 #include "math/float_mode.hpp"
 #include "island/batches.hpp"
 #include "solver/solver.hpp"
+#include "world/checks.hpp"
 #include "world/contact_update.hpp"
 #include "world/finish.hpp"
 #include "world/joints.hpp"
@@ -56,7 +57,7 @@ void fill_report(Core& core, const Plan& plan) {
 void World::step(float dt) {
     Core& c = core();
     note_call<Call::step>(c, dt);
-    if (!(dt > 0) || !(dt <= 1.0f)) return c.fail(Error::bad_time_step);
+    if (!is_time_step(dt)) return c.fail(Error::bad_time_step);
     const DefaultFloatMode mode;
     note(c, Stage::begin);
     clear_events(c);
