@@ -98,7 +98,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, bool ahead, float dt) 
     const Transform b_in_a = pose_between(core, m.body_a, m.body_b, stand);
     Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
                               speculative_distance);
-    if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) drop_inner_edges(core, c, b_in_a, fresh);
+    if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) mend_inner_edges(core, c, b_in_a, fresh);
 
     const ContactManifold old = m;
     m.normal = rotate(stand.a, fresh.normal);
