@@ -35,11 +35,13 @@ struct RunCommand {
     std::string scene, csv_path, svg_path, html_path, recording_path;
     std::vector<std::string> draw;  // names of layers
     RunOptions options;
+    std::uint64_t memory_limit = islet::samples::usual_memory_limit;
     bool json = false;
 };
 
 struct ReplayCommand {
     std::string path;
+    std::uint64_t memory_limit = islet::samples::usual_memory_limit;
     std::uint64_t until = ~std::uint64_t{0};
     std::uint32_t lanes = 0;
 };
@@ -132,6 +134,8 @@ int write_scene_file(const std::string& name) {
 int run_scene(const RunCommand& command) {
     NamedScene named = scene_named(command.scene);
     if (!named.is_found) return unknown_scene(command.scene);
+    if (const std::string why = beyond_memory_limit(capacity_of(named.scene), command.memory_limit); !why.empty())
+        return wrong(fmt::format("'{}': {}", command.scene, why));
     std::ofstream csv, svg, html, recording;
     if (!open_output(csv, command.csv_path)) return wrong(fmt::format("cannot write '{}'", command.csv_path));
     if (!open_output(svg, command.svg_path)) return wrong(fmt::format("cannot write '{}'", command.svg_path));
@@ -174,7 +178,7 @@ int run_scene(const RunCommand& command) {
 }
 
 int replay_recording(const ReplayCommand& command) {
-    const Replayed replayed = replay_file(command.path, command.until, command.lanes);
+    const Replayed replayed = replay_file(command.path, command.until, command.lanes, command.memory_limit);
     if (!replayed.error.empty()) return wrong(fmt::format("'{}': {}", command.path, replayed.error));
     const islet::ReplayResult& result = replayed.result;
     if (result.end == islet::ReplayEnd::differs) {
@@ -229,6 +233,10 @@ int run_bench(const BenchCommand& command) {
     return ok;
 }
 
+void limit_memory(CLI::App& command, std::uint64_t& limit) {
+    command.add_option("--memory-limit", limit, "the most bytes that the world may take, such as 500MB or 4GB; 2GB if not given")->transform(CLI::AsSizeValue(true));
+}
+
 /// The command line, and where what it says is kept.
 struct CommandLine {
     CLI::App app{"Islet: runs the scenes of the 2D physics engine without a screen"};
@@ -280,10 +288,12 @@ struct CommandLine {
         run->add_option("--html", command.html_path, "write a page that plays the run back to this file");
         run->add_option("--record", command.recording_path, "write every call and the hash after each step to this file, for `islet replay`");
         run->add_flag("--json", command.json, "print one JSON object");
+        limit_memory(*run, command.memory_limit);
 
         replay->add_option("file", replay_command.path, "a recording, made by `islet run --record` or by a program of yours")->required();
         replay->add_option("--until", replay_command.until, "stop after so many steps")->check(CLI::Range(1ull, ~0ull));
         replay->add_option("--lanes", replay_command.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
+        limit_memory(*replay, replay_command.memory_limit);
 
         // The bounds keep the number of all steps below 2^31.
         BenchOptions& b = bench_command.options;

@@ -18,6 +18,12 @@ protected:
     Attack() {
         TestWorld source(busy_capacity);
         fill_busy(*source);
+        const std::vector<BodyId> bodies = source.bodies();
+        for (std::size_t i = 0; i < bodies.size(); i += 5) source->set_enabled(bodies[i], false);
+        for (int i = 0; i < 4; ++i) {
+            const BodyId off = source->create_body({.position = {60 + 3 * static_cast<float>(i), 0}, .enabled = false});
+            EXPECT_TRUE(source->create_shape(off, make_box(1, 1)));
+        }
         image_ = save(*source);
         TestWorld victim(busy_capacity);
         EXPECT_TRUE(victim->load(image_.bytes()));
@@ -38,11 +44,45 @@ protected:
         for (int i = 0; i < 10; ++i) victim_->step(1.0f / 60);
         broken = victim_->validate();
         ASSERT_EQ(broken, nullptr) << broken << ": " << what << ", word " << where << ", 10 steps later";
+        if (!random_.one_in(slow_build ? 30 : 4)) return;
+        ASSERT_TRUE(victim_->load(forged.bytes()));
+        for (int round = 0; round < 2; ++round) {
+            use(round);
+            broken = victim_->validate();
+            ASSERT_EQ(broken, nullptr) << broken << ": " << what << ", word " << where << ", used, round " << round;
+        }
+        ASSERT_TRUE(second_->load(save(*victim_).bytes())) << what << ", word " << where << ": its own image is refused";
+    }
+
+    /// What is in the image in places that no step looks at, calls may.
+    void use(int round) {
+        World& w = *victim_;
+        for (const BodyId body : victim_.bodies()) {
+            if (round == 0 && !w.is_enabled(body)) continue;
+            const ShapeId shape = victim_.shape_of(body);
+            switch ((body.index1 + static_cast<std::uint32_t>(round)) % 8) {
+                case 0: w.set_enabled(body, !w.is_enabled(body)); break;
+                case 1: w.set_type(body, w.type(body) == BodyType::static_body ? BodyType::dynamic : BodyType::static_body); break;
+                case 2: w.reset_mass(body); break;
+                case 3: w.set_transform(body, w.position(body), w.angle(body)); break;
+                case 4: if (shape) w.set_circle(shape, Circle{{0, 0}, 0.4f}); break;
+                case 5: w.destroy_body(body); break;
+                case 6: w.create_shape(body, make_box(0.2f, 0.1f)); break;
+                default: if (shape) w.destroy_shape(shape);
+            }
+        }
+        for (const BodyId body : victim_.bodies()) w.set_enabled(body, true);
+        for (std::uint32_t slot = 0; slot < w.capacity().joints; slot += 3)
+            if (const JointId joint = w.joint_at(slot)) w.destroy_joint(joint);
+        while (const BodyId body = w.create_body({.type = BodyType::dynamic, .position = {3, 3}}))
+            w.create_shape(body, Circle{{0, 0}, 0.1f * static_cast<float>(body.index1 % 9 + 1)});
+        for (int i = 0; i < 3; ++i) w.step(1.0f / 60);
     }
 
     Image image_;
-    TestWorld victim_{busy_capacity};
+    TestWorld victim_{busy_capacity}, second_{busy_capacity};
     int accepted_ = 0, refused_ = 0;
+    Random random_{7};
 };
 
 TEST_F(Attack, EveryWordMayLie) {

@@ -85,12 +85,13 @@ enum class Error : std::uint8_t {
     recording_full,      ///< the memory given for a recording is too small, or was used up: it ends before this call
     not_a_recording,     ///< the bytes are no recording, or the world is not being recorded
     corrupt_recording,   ///< the recording is not as it was made
+    in_step,             ///< called from a function that the world itself calls: a hook, a drawing function
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.
 const char* describe(Error e);
 
-/// Receives each error as it happens. Must not call the world.
+/// Receives each error as it happens. May read the world's bodies and shapes; what would change it is refused (in_step), and it is not told of that.
 using ErrorHook = void (*)(Error error, void* context);
 
 struct PreSolve;  // below
@@ -99,7 +100,7 @@ struct PreSolve;  // below
 /// them and no snapshot holds them, so worlds that are to have equal futures must be given equal ones, which answer alike.
 ///
 /// filter and pre_solve are called on the thread that steps, one after another, in an order that does not depend on the number of workers; they may read the
-/// world's bodies and shapes, and must not change it. mix_friction and mix_restitution are called on any worker, as often as the engine likes: they must be
+/// world's bodies and shapes, but not change it (in_step). mix_friction and mix_restitution are called on any worker, as often as the engine likes: they must be
 /// functions of their arguments alone.
 struct Hooks {
     /// May these two shapes meet, or may this sensor see that shape? (The one in the lower slot comes first.) Asked when their fat boxes begin to overlap
@@ -117,7 +118,7 @@ struct Hooks {
     friend bool operator==(const Hooks&, const Hooks&) = default;
 };
 
-/// Reads a clock of yours, which counts on in whatever unit you like. Must not call the world.
+/// Reads a clock of yours, which counts on in whatever unit you like. Must not call the world; it cannot change it (in_step).
 using Clock = std::uint64_t (*)(void* context);
 
 /// The order of the numbers in a step. `soft` is the default; `classic` is one position-corrected velocity solve per step.

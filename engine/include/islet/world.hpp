@@ -29,6 +29,9 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
 /// Every function checks its arguments in every build. On bad input it changes nothing, returns a null or zero value, sets last_error() and
 /// calls the error hook, if there is one. Units: metres, kilograms, seconds, radians.
 ///
+/// Functions that a world calls (hooks, the error hook, the clock, drawing functions) may read it, but not change it, and not step, save, hash, validate,
+/// export or draw it: in_step. Nor is such a call recorded.
+///
 /// Spans returned by a world are valid until the next call that changes it.
 class World {
 public:
@@ -438,7 +441,7 @@ public:
     // -- drawing (debug_draw.hpp) ------------------------------------------------------------------------------------------------
 
     /// Hands what `draw` asks for to its functions. Changes nothing and calls no function on an error: not_finite or out_of_range of its view, size or
-    /// scale. With BodyColors::island it uses the world's scratch memory, so then no other call to the world may run at the same time.
+    /// scale. No other drawing of the world may run at the same time; with BodyColors::island, which uses the world's scratch memory, no other call.
     void draw(const DebugDraw& draw) const;
     /// Draws a shape alone, as if its body were at `pose`, by draw's functions; nothing else of `draw` is looked at.
     void draw_shape(const DebugDraw& draw, ShapeId shape, const Transform& pose, const DrawStyle& style) const;

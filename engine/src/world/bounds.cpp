@@ -114,7 +114,9 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
         }
         slack = min(slack, room_in(fat, tight));
     }
-    core.motions[body].slack = slack;
+    // From beyond the end of the world the next step takes the body back, and counts no way for that.
+    const Vec2 center = core.poses[body].center;
+    core.motions[body].slack = max(abs(center.x), abs(center.y)) > max_position ? -1.0f : slack;
 }
 
 void update_boxes(Core& core, std::uint32_t body, bool force) { fit_boxes(core, body, force, nullptr); }

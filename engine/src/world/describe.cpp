@@ -39,6 +39,7 @@ const char* describe(Error e) {
         case Error::recording_full: return "The memory for the recording is used up: it holds everything before this call. Give more, or move it in time.";
         case Error::not_a_recording: return "These bytes are no recording, or nothing is being recorded: start_recording begins one.";
         case Error::corrupt_recording: return "The recording is not as it was made: its sums are wrong. Get it again.";
+        case Error::in_step: return "A hook, the error hook or a drawing function must not change, step, save, hash or draw the world that calls it: note what to do, and do it after.";
         case Error::hits_full: return "More hits in one step than there is room to report: raise Capacity::hits or the hit threshold.";
     }
     return "Unknown error.";

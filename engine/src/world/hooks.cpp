@@ -26,11 +26,13 @@ bool stops_by_hook(const Core& core, std::uint32_t shape, std::uint32_t other) {
 }
 
 float friction_by_hook(const Core& core, const Shape& a, const Shape& b) {
+    const Closed closed(core);
     const float mixed = core.hooks.mix_friction(a.friction, a.material, b.friction, b.material, core.hooks.context);
     return mixed >= 0 ? min(mixed, max_coefficient) : 0.0f;  // 0 for NaN too
 }
 
 float restitution_by_hook(const Core& core, const Shape& a, const Shape& b) {
+    const Closed closed(core);
     const float mixed = core.hooks.mix_restitution(a.restitution, a.material, b.restitution, b.material, core.hooks.context);
     return has_restitution && mixed >= 0 ? min(mixed, 1.0f) : 0.0f;
 }
@@ -66,7 +68,7 @@ Hooks World::hooks() const {
 
 void World::set_hooks(const Hooks& hooks) {
     link_hooks();
-    if (check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
+    if (may_change(core()) && check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
 }
 
 }  // namespace islet

@@ -100,6 +100,7 @@ void World::set_density(ShapeId id, float density) {
     c.shapes[i].density = density;
     wake_island(c, c.shapes[i].body, c.arena());
     update_mass(c, c.shapes[i].body);
+    update_boxes(c, c.shapes[i].body, false);
 }
 
 SurfaceMaterial World::material(ShapeId id) const {

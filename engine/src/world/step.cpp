@@ -57,8 +57,9 @@ void fill_report(Core& core, const Plan& plan) {
 void World::step(float dt) {
     Core& c = core();
     note_call<Call::step>(c, dt);
-    if (!is_time_step(dt)) return c.fail(Error::bad_time_step);
+    if (!may_change(c) || !check(c, is_time_step(dt), Error::bad_time_step)) return;
     const DefaultFloatMode mode;
+    c.inside = inside_call;
     note(c, Stage::begin);
     clear_events(c);
 
@@ -77,6 +78,7 @@ void World::step(float dt) {
     if (c.state->joint_pool.count != 0) break_joints(c);
     fill_report(c, plan);
     note(c, Stage::finish);
+    c.inside = 0;
     if (has_recorder && c.recording != nullptr) write_stepped(*this);
 }
 
