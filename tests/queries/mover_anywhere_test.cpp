@@ -122,6 +122,7 @@ TEST(Mover, BadInputIsRefusedAndChangesNothing) {
     using S = MoverState;
     using I = MoverInput;
     refused(Error::bad_time_step, [](D&, S&, I&, float& t) { t = 0; });
+    refused(Error::bad_time_step, [](D&, S&, I&, float& t) { t = 9.0e-7f; });
     refused(Error::bad_time_step, [&](D&, S&, I&, float& t) { t = nan; });
     refused(Error::bad_geometry, [](D& d, S&, I&, float&) { d.capsule.radius = -1; });
     refused(Error::out_of_range, [](D& d, S&, I&, float&) { d.up = {0, 2}; });

@@ -102,6 +102,46 @@ TEST_F(Attack, EveryWordMayLie) {
     EXPECT_GT(refused_, 1000);
 }
 
+// Every number that the next step or a reader would meet: of the world, of bodies, contacts and joints.
+TEST_F(Attack, NoNumberMayBeInfiniteOrNone) {
+    using namespace detail;
+    const ImageHeader h = header_of(image_.bytes());
+    struct Field {
+        const char* what;
+        std::size_t at, bytes;  // of floats in the first record
+    };
+    std::vector<Field> fields;
+    std::size_t at = sizeof h;
+    Core nowhere;
+    for_each_part(nowhere, h, [&](auto& part, std::uint64_t bytes) {
+        using Record = std::remove_cvref_t<decltype(*part)>;
+        const auto add = [&](const char* what, std::size_t first, std::size_t end) { fields.push_back({what, at + first, end - first}); };
+        if constexpr (std::is_same_v<Record, State>) add("gravity", offsetof(State, gravity), offsetof(State, solver));
+        if constexpr (std::is_same_v<Record, Pose>) add("a pose", 0, offsetof(Pose, flags));
+        if constexpr (std::is_same_v<Record, Motion>) add("a motion", 0, sizeof(Motion));
+        if constexpr (std::is_same_v<Record, Body>) {
+            add("a body", 0, offsetof(Body, flags));
+            add("a body's stretch", offsetof(Body, stretch), offsetof(Body, stretch) + 4);
+        }
+        if constexpr (std::is_same_v<Record, ContactManifold>) add("a contact", offsetof(ContactManifold, normal), sizeof(ContactManifold));
+        if constexpr (std::is_same_v<Record, Joint>) {
+            add("a joint", offsetof(Joint, local_a), offsetof(Joint, gear_count));
+            add("a joint's impulse", offsetof(Joint, impulse), offsetof(Joint, user_data));
+        }
+        at += bytes;
+    });
+    for (const Field& field : fields) {
+        for (std::size_t i = field.at; i < field.at + field.bytes; i += 4) {
+            for (const std::uint32_t none : {0x7fc00000u, 0xffc00000u, 0x7f800000u, 0xff800000u}) {
+                Image forged = image_;
+                set_word(forged, i / 4, none);
+                seal(forged.bytes());
+                EXPECT_FALSE(victim_->load(forged.bytes())) << field.what << ", byte " << i - field.at;
+            }
+        }
+    }
+}
+
 TEST_F(Attack, TwoWordsMayBeExchangedAndRecordsRepeated) {
     Random random(7);
     const auto words = static_cast<std::uint32_t>(image_.bytes().size() / 4);

@@ -337,7 +337,6 @@ template <class L>
 void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) {
     for (std::uint32_t block = 0; block < count; ++block) {
         const Rows& r = rows[block];
-        const std::uint32_t sound = L::bits(size_of(r) < L::splat(unsound_impulse));
         for (std::uint32_t i = 0; i < W; ++i) {
             if (W > 1 && r.contact[i] == null_index) continue;
             ContactManifold& m = manifolds[r.contact[i]];
@@ -348,8 +347,11 @@ void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::
                 m.tangent_impulse[1] = r.points[1].tangent_impulse[i];
             }
             m.rolling_impulse = (m.flags & contact_special) != 0 ? r.rolling_impulse[i] : 0;
-            if ((sound >> i & 1u) == 0) m.forget_impulses();
         }
+        const std::uint32_t sound = L::bits(size_of(r) < L::splat(unsound_impulse));
+        if (sound == (1u << W) - 1) continue;
+        for (std::uint32_t i = 0; i < W; ++i)
+            if ((sound >> i & 1u) == 0 && (W == 1 || r.contact[i] != null_index)) manifolds[r.contact[i]].forget_impulses();
     }
 }
 

@@ -291,7 +291,10 @@ inline void forget_unsound(Joint& j) {
 /// be pushed is not stretched.
 inline void add_stretch(const JointOutput& out, std::uint32_t slot, std::uint32_t body, Vec2 arm, Vec2 p) {
     const SolverBody& b = out.solved[slot];
-    if (b.inv_mass > 0) out.bodies[body].stretch += out.h * dot(turned(b.dq, arm.x, arm.y), p);
+    if (!(b.inv_mass > 0)) return;
+    constexpr float most = 1.0e37f;  // so many joints may pull at a body that their sum would be no number
+    float& stretch = out.bodies[body].stretch;
+    stretch = within_bounds(stretch + out.h * dot(turned(b.dq, arm.x, arm.y), p), most);
 }
 
 /// Writes back the impulse, for readers, and how the joint stretched its bodies.

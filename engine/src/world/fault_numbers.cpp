@@ -61,8 +61,8 @@ const char* fault_in_numbers(const Body& b, const Pose& pose, const Motion& moti
     if (!not_negative(motion.sleep_time) || !is_finite(motion.slack)) return "a body's rest is not finite";
     if (!not_negative(b.linear_damping) || !not_negative(b.angular_damping) || !is_finite(b.gravity_scale) || !not_negative(b.sleep_threshold))
         return "a body's damping, gravity or sleep threshold is out of range";
-    if (!(b.mass >= 0) || !(b.inertia >= 0)) return "a body's mass or inertia is out of range";
-    // The solver bears any force and any stretch, so those are not looked at.
+    if (!not_negative(b.mass) || !not_negative(b.inertia)) return "a body's mass or inertia is out of range";
+    if (!is_finite(motion.force) || !all_finite(motion.torque, b.stretch)) return "what pulls at a body is not finite";
     constexpr float rounding = 1.001f;
     const bool dynamic = b.type() == BodyType::dynamic;
     if (dynamic && !within(pose.inv_mass, 1.0f / (rounding * max_mass), rounding / min_mass)) return "a dynamic body has no mass";
