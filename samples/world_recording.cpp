@@ -1,9 +1,9 @@
 #include "world_recording.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <utility>
+
+#include "read_file.hpp"
 
 namespace islet::samples {
 
@@ -32,14 +32,15 @@ std::span<const std::byte> WorldRecording::finish() {
 }
 
 Replayed replay_file(const std::string& path, std::uint64_t until, std::uint32_t lanes) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {"cannot be read", {}, 0};
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::string bytes = read_file(path);
     const AlignedBytes recording(bytes.size());
     std::transform(bytes.begin(), bytes.end(), recording.span().begin(), [](char c) { return static_cast<std::byte>(c); });
 
     RecordingInfo info;
-    if (const Error error = read_recording(recording.span(), info); error != Error::none) return {describe(error), {}, 0};
+    if (const Error error = read_recording(recording.span(), info); error == Error::not_a_recording)
+        return {"this is " + kind_of(bytes) + ", no recording; `islet run SCENE --record FILE` makes one", {}, 0};
+    else if (error != Error::none)
+        return {describe(error), {}, 0};
     // What a file says of itself may be anything, so memory is taken only for as much as it could really hold.
     const Capacity& c = info.capacity;
     if (std::max({c.bodies, c.shapes, c.contacts, c.joints, c.geometries, c.hits}) > max_capacity) return {describe(Error::corrupt_recording), {}, 0};

@@ -42,6 +42,7 @@ struct Replayed {
     std::uint64_t hash = 0;  // of the world in the end
 };
 
+/// Throws a FileError if the file cannot be read.
 Replayed replay_file(const std::string& path, std::uint64_t until, std::uint32_t lanes);
 
 }  // namespace islet::samples
