@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
+#include <string>
 #include <utility>
+
+#include "read_file.hpp"
 
 namespace islet::samples {
 
@@ -41,14 +42,15 @@ std::string beyond_memory_limit(const Capacity& c, std::uint64_t limit) {
 }
 
 Replayed replay_file(const std::string& path, std::uint64_t until, std::uint32_t lanes, std::uint64_t memory_limit) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {"cannot be read", {}, 0};
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::string bytes = read_file(path);
     const AlignedBytes recording(bytes.size());
     std::transform(bytes.begin(), bytes.end(), recording.span().begin(), [](char c) { return static_cast<std::byte>(c); });
 
     RecordingInfo info;
-    if (const Error error = read_recording(recording.span(), info); error != Error::none) return {describe(error), {}, 0};
+    if (const Error error = read_recording(recording.span(), info); error == Error::not_a_recording)
+        return {"this is " + kind_of(bytes) + ", no recording; `islet run SCENE --record FILE` makes one", {}, 0};
+    else if (error != Error::none)
+        return {describe(error), {}, 0};
     const Capacity& c = info.needed;
     if (const std::string why = beyond_memory_limit(c, memory_limit); !why.empty()) return {why, {}, 0};
     const AlignedBytes block(world_bytes(c));

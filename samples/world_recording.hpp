@@ -48,7 +48,7 @@ struct Replayed {
     std::uint64_t hash = 0;  // of the world in the end
 };
 
-/// In a world as large as the recording needs, whatever it says, and within the limit, bytes.
+/// In a world as large as the recording needs, whatever it says, and within the limit, bytes. Throws a FileError if the file cannot be read.
 Replayed replay_file(const std::string& path, std::uint64_t until, std::uint32_t lanes, std::uint64_t memory_limit = usual_memory_limit);
 
 }  // namespace islet::samples
