@@ -155,7 +155,7 @@ Setup ImageHunt::setup(std::uint64_t seed) {
 
 ImageHunt::Base ImageHunt::make_base(std::uint64_t seed) {
     Base base;
-    for (int i = 0; i < 100; ++i, seed += 0x10000) {
+    for (int tries = 0; tries < 100; ++tries, seed += 0x10000) {
         Setup setup = setup_of(seed, -1);
         setup.capacity = {.bodies = 3 + static_cast<std::uint32_t>(seed % 5), .shapes = 16, .contacts = 24, .joints = 5};
         if (seed % 16 == 15) setup.capacity = test::busy_capacity;
