@@ -3,11 +3,33 @@
 
 #include <cstdint>
 
+#include "robustness/lockstep/play.hpp"
+
 namespace islet::lockstep {
 
-struct Tally;
+/// What mutants are made of and tried with.
+class ImageHunt {
+public:
+    ImageHunt();
+    /// Makes mutant `seed` and tries it: load refuses it and changes nothing, or what it loads is sound, and stays so.
+    void attack(std::uint64_t seed, Chorus& all);
 
-/// Mutants until `seconds` are over or `count` were tried. Returns the exit status.
-int hunt_images(std::uint64_t seed, std::uint64_t count, double seconds);
+    static Setup setup(std::uint64_t seed);
+    unsigned long accepted = 0, deltas = 0, replays = 0;
+
+private:
+    struct Base {
+        std::vector<std::uint64_t> image, later, delta, recording;
+        std::size_t delta_bytes = 0, recording_bytes = 0;
+    };
+    void fill(std::uint64_t bank);
+    Base make_base(std::uint64_t seed);
+
+    bool at_home_ = false;  ///< the worlds are as home_ says
+    std::uint64_t bank_ = ~std::uint64_t{0};
+    std::vector<Base> bases_;
+    std::vector<std::uint64_t> home_, scratch_;
+    Stand stand_;
+};
 
 }  // namespace islet::lockstep

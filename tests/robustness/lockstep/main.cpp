@@ -32,6 +32,7 @@ struct Options {
 /// What the hunting process leaves for the one that watches it.
 struct Shared {
     std::uint64_t seed, worlds, calls, steps;
+    unsigned long accepted, deltas, replays;  // of mutants
     std::uint32_t told;
     char what[256];
 };
@@ -54,17 +55,21 @@ int usage() {
 // The hunting process. Whatever happens to it, `shared` says in which world.
 [[noreturn]] void hunt(const Options& o, Shared& shared) {
     static Stand stand;
+    static ImageHunt images;
     const double end = o.seconds > 0 ? seconds_now() + o.seconds : 1e300;
     for (std::uint64_t i = 0; i < o.worlds && shared.steps < o.steps && seconds_now() < end; ++i) {
         shared.seed = o.seed + i;
         shared.told = 0;
-        alarm(120);
-        const Setup setup = setup_of(shared.seed, o.family);
-        Chorus all;
+        if (!o.images || i % 1024 == 0) alarm(120);
+        const Setup setup = o.images ? ImageHunt::setup(shared.seed) : setup_of(shared.seed, o.family);
+        static Chorus all;
         try {
-            stand.begin(setup, all);
+            if (!o.images || i == 0) stand.begin(setup, all);
+            all.told = 0;
+            all.steps = 0;
             all.told_to = &shared.told;
-            play(setup, all, o.calls);
+            if (o.images) images.attack(shared.seed, all);
+            else play(setup, all, o.calls);
         } catch (const Broken& broken) {
             std::snprintf(shared.what, sizeof shared.what, "%s", broken.what.c_str());
             _exit(1);
@@ -72,6 +77,9 @@ int usage() {
         ++shared.worlds;
         shared.calls += all.told - all.steps;
         shared.steps += all.steps;
+        shared.accepted = images.accepted;
+        shared.deltas = images.deltas;
+        shared.replays = images.replays;
     }
     _exit(0);
 }
@@ -79,7 +87,7 @@ int usage() {
 int report(const Options& o, const Shared& shared) {
     std::printf("seed %llu: %s (after %u calls and steps)\n", static_cast<unsigned long long>(shared.seed), shared.what, shared.told);
     std::fflush(stdout);
-    Setup setup = setup_of(shared.seed, o.family);
+    Setup setup = o.images ? ImageHunt::setup(shared.seed) : setup_of(shared.seed, o.family);
     Deeds deeds;
     std::string what;
     {
@@ -89,7 +97,9 @@ int report(const Options& o, const Shared& shared) {
         all.log = &deeds;
         all.last_call = shared.told;
         try {
-            play(setup, all, o.calls);
+            static ImageHunt images;
+            if (o.images) images.attack(shared.seed, all);
+            else play(setup, all, o.calls);
         } catch (const Broken& broken) {
             what = broken.what;
         }
@@ -102,7 +112,7 @@ int report(const Options& o, const Shared& shared) {
     return 1;
 }
 
-int hunt_worlds(const Options& o) {
+int watch(const Options& o) {
     auto* shared = static_cast<Shared*>(mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
     if (shared == MAP_FAILED) return 2;
     std::memset(static_cast<void*>(shared), 0, sizeof *shared);
@@ -113,9 +123,15 @@ int hunt_worlds(const Options& o) {
     int status = 0;
     waitpid(hunter, &status, 0);
     const double took = seconds_now() - begin;
-    std::printf("%llu worlds from seed %llu: %llu calls, %llu steps in lockstep, %.0f steps/s\n", static_cast<unsigned long long>(shared->worlds),
-                static_cast<unsigned long long>(o.seed), static_cast<unsigned long long>(shared->calls), static_cast<unsigned long long>(shared->steps),
-                static_cast<double>(shared->steps) / took);
+    const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+    if (o.images) {
+        std::printf("%llu mutants from seed %llu: %lu images accepted, %lu deltas applied, %lu recordings replayed; %llu steps in lockstep; %.0f mutants/s\n",
+                    number(shared->worlds), number(o.seed), shared->accepted, shared->deltas, shared->replays, number(shared->steps),
+                    static_cast<double>(shared->worlds) / took);
+    } else {
+        std::printf("%llu worlds from seed %llu: %llu calls, %llu steps in lockstep, %.0f steps/s\n", number(shared->worlds), number(o.seed),
+                    number(shared->calls), number(shared->steps), static_cast<double>(shared->steps) / took);
+    }
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return 0;
     if (WIFSIGNALED(status)) std::snprintf(shared->what, sizeof shared->what, WTERMSIG(status) == SIGALRM ? "it takes for ever" : "it crashes");
     else if (shared->what[0] == 0) std::snprintf(shared->what, sizeof shared->what, "it ends with status %d", WEXITSTATUS(status));
@@ -153,5 +169,5 @@ int main(int count, char** arguments) {
             if (o.family < 0) return usage();
         } else return usage();
     }
-    return o.images ? hunt_images(o.seed, o.worlds, o.seconds) : hunt_worlds(o);
+    return watch(o);
 }

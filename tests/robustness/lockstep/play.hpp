@@ -25,6 +25,7 @@ struct Setup {
     Capacity capacity = {};
     WorldDef def = {};
     bool threads = false;  ///< real ones
+    bool images = false;   ///< for forged images: no world of other capacity
 };
 
 Setup setup_of(std::uint64_t seed, int family);
@@ -35,6 +36,9 @@ public:
     Stand();
     /// Makes the worlds.
     void begin(const Setup& setup, Chorus& all);
+
+    /// So large that what any world here saves can be loaded.
+    static const Capacity largest;
 
 private:
     test::Block blocks_[5];

@@ -181,7 +181,7 @@ Deeds renamed(const Setup& setup, const Deeds& deeds) {
 }
 
 std::string program(const Setup& setup, const Deeds& deeds, const std::string& what) {
-    bool hooks = false, travels = false, records = false;
+    bool hooks = false, travels = false, records = false, loads = false;
     std::string calls, last;
     int times = 0;
     const auto flush = [&] {
@@ -195,6 +195,7 @@ std::string program(const Setup& setup, const Deeds& deeds, const std::string& w
         hooks |= line.find("hooks_of") != std::string::npos;
         travels |= line.find("travel(") == 0;
         records |= line.find("begin_recording") == 0;
+        loads |= line.find("load(image") != std::string::npos;
         if (line != last || !deed->is_step()) {
             flush();
             last = line;
@@ -229,6 +230,11 @@ std::string program(const Setup& setup, const Deeds& deeds, const std::string& w
              "    w = &there.create();\n"
              "    w->set_hooks(hooks);\n"
              "    if (!w->load(image)) std::printf(\"  its own image is refused: %s\\n\", describe(w->last_error())), ++mistakes;\n"
+             "}\n";
+    if (loads)
+        s += "static void load(const unsigned long long* image, std::size_t bytes) {\n"
+             "    const bool loaded = w->load({reinterpret_cast<const std::byte*>(image), bytes});\n"
+             "    std::printf(\"  the image is %s\\n\", loaded ? \"loaded\" : \"refused\");\n"
              "}\n";
     if (records)
         s += "static std::vector<unsigned long long> tape(1 << 17);\n"
