@@ -119,7 +119,6 @@ struct Stage {
 struct Refused {
     const char* name;
     std::function<bool(Stage&)> call;  // true if it came back with something
-    friend void PrintTo(const Refused& call, std::ostream* out) { *out << call.name; }
 };
 
 template <class T>
