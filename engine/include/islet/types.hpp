@@ -112,7 +112,7 @@ struct Hooks {
     /// Coefficient of two shapes, in place of the geometric mean; `material` is SurfaceMaterial::id. Taken as 0 to max_coefficient. Asked when two shapes
     /// meet or a material changes.
     float (*mix_friction)(float friction_a, std::uint32_t material_a, float friction_b, std::uint32_t material_b, void* context) = nullptr;
-    /// The same for restitution, in place of the larger. Taken as 0 to 1.
+    /// The same for restitution, in place of the larger. Taken as 0 to 1. Asked in steps too.
     float (*mix_restitution)(float restitution_a, std::uint32_t material_a, float restitution_b, std::uint32_t material_b, void* context) = nullptr;
     void* context = nullptr;
     friend bool operator==(const Hooks&, const Hooks&) = default;

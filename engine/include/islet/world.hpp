@@ -74,8 +74,9 @@ public:
     void enable_continuous(bool enable);
 
     Hooks hooks() const;
-    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. (In a
-    /// lean build, ISLET_LEAN, only programs that call this function or hooks() have hooks; World::create refuses them in others.)
+    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part: their friction, and whether they bounce (how
+    /// much is asked anew in every step). (In a lean build, ISLET_LEAN, only programs that call this function or hooks() have hooks; World::create refuses
+    /// them in others.)
     void set_hooks(const Hooks& hooks);
     float hit_threshold() const;
     void set_hit_threshold(float speed);
