@@ -287,6 +287,7 @@ inline void forget_unsound(Joint& j) {
     j.impulse = j.force_impulse = {0, 0};
     j.angular_impulse = j.torque_impulse = 0;
     j.spring_impulse = j.motor_impulse = j.friction_impulse = j.lower_impulse = j.upper_impulse = 0;
+    if ((j.flags & joint_limit) != 0) j.limit_load() = 0;
 }
 
 /// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in free_motion.hpp). What cannot
