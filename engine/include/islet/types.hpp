@@ -154,8 +154,9 @@ struct SolverDef {
     float contact_damping_ratio = 10.0f; ///< >= 0. Soft contacts are overdamped so that they do not bounce.
     float contact_push_speed = 3.0f;     ///< m/s, >= 0. Fastest that overlap is pushed apart.
     float joint_hertz = 60.0f;           ///< Hz, > 0. Stiffness with which joints mend their errors; capped at a quarter of the substep rate. A rigid
-                                         ///< joint under a steady force F gives by F / (m (2 pi joint_hertz)^2), m the mass it moves; a
-                                         ///< limit of an angle under a torque likewise, with the inertia about the centre of mass.
+                                         ///< joint under a steady force F gives by F / (m (2 pi joint_hertz)^2), m the mass it moves. A
+                                         ///< limit holds where it is set: at once against the joint's own motor, within two seconds
+                                         ///< under a load from elsewhere.
     float joint_damping_ratio = 2.0f;    ///< >= 0
     float baumgarte = 0.2f;              ///< 0 to 1. Share of overlaps and joint errors mended per step (classic schedule).
     float omega = 1.0f;                  ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.

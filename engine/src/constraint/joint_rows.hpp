@@ -284,7 +284,9 @@ inline void forget_unsound(Joint& j) {
     std::memcpy(impulses, reinterpret_cast<const std::byte*>(&j) + first, bytes);
     float size = 0;
     for (const float impulse : impulses) size += impulse;
-    if (!(abs(size) < unsound_impulse)) std::memset(reinterpret_cast<std::byte*>(&j) + first, 0, bytes);
+    if (abs(size) < unsound_impulse) return;
+    std::memset(reinterpret_cast<std::byte*>(&j) + first, 0, bytes);
+    if ((j.flags & joint_limit) != 0) j.limit_load() = 0;
 }
 
 /// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in free_motion.hpp). What cannot
