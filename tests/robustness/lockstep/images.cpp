@@ -37,7 +37,7 @@ struct LoadDeed final : test::Deed {
     }
     void run(Chorus& all) const override;
     std::string text() const override {
-        std::string s = "{\n        static const unsigned long long image[] = {";
+        std::string s = "{\n" + what_changed() + "        static const unsigned long long image[] = {";
         char word[32];
         for (const std::uint64_t w : forged()) {
             std::snprintf(word, sizeof word, "0x%llx,", static_cast<unsigned long long>(w));
@@ -45,9 +45,31 @@ struct LoadDeed final : test::Deed {
         }
         return s + "};\n        load(image, sizeof image);\n    }";
     }
+    std::string what_changed() const {
+        std::string s;
+        const detail::ImageHeader h = test::header_of(bytes_of(*base));
+        for (const Edit& e : edits) {
+            std::size_t at = sizeof h / 4, part = 0;
+            char line[160];
+            std::snprintf(line, sizeof line, "        // word %u of the header or behind: %08x instead of %08x\n", e.at, e.word, word_at(*base, e.at));
+            detail::Core nowhere;
+            detail::for_each_part(nowhere, h, [&](const auto* pointer, std::uint64_t bytes) {
+                const std::size_t record = sizeof *pointer / 4, words = static_cast<std::size_t>(bytes / 4);
+                const float f = __builtin_bit_cast(float, e.word), old = __builtin_bit_cast(float, word_at(*base, e.at));
+                if (e.at >= at && e.at < at + words)
+                    std::snprintf(line, sizeof line, "        // %s, record %d, word %d of %d: %08x (%g) instead of %08x (%g)\n",
+                                  part < std::size(test::chorus_detail::part_names) ? test::chorus_detail::part_names[part] : "events waiting",
+                                  int((e.at - at) / record), int((e.at - at) % record), int(record), e.word, double(f), word_at(*base, e.at), double(old));
+                at += words;
+                ++part;
+            });
+            s += line;
+        }
+        return s;
+    }
     std::uint32_t numbers() const override { return static_cast<std::uint32_t>(edits.size()); }
     std::shared_ptr<const Deed> simpler(std::uint32_t k, std::uint32_t how) const override {
-        if (how != 0) return nullptr;
+        if (how != 0 || k >= edits.size()) return nullptr;
         auto other = std::make_shared<LoadDeed>(*this);
         other->edits.erase(other->edits.begin() + k);
         return other;
@@ -210,16 +232,18 @@ void ImageHunt::attack(std::uint64_t seed, Chorus& all) {
     fill(seed >> 16);
     Random random(seed);
     const Base& base = bases_[random.below(static_cast<std::uint32_t>(bases_.size()))];
-    if (!at_home_ || all.log != nullptr) {
+    bool& at_home = at_home_[seed % 2];
+    if (!at_home || all.log != nullptr) {
         if (all.log != nullptr) {  // the finding's calls begin with it
             auto deed = std::make_shared<LoadDeed>();
             deed->base = std::make_shared<Words>(home_);
             deed->run(all);
+            all.told = 0;
         } else if (!load(all, bytes_of(home_))) {
             test::broken("the image to begin with is refused");
         }
     }
-    at_home_ = true;
+    at_home = true;
     const Setup setup = ImageHunt::setup(seed);
 
     if (random.one_in(32) && base.recording_bytes > 0) {  // a recording with something else in it
@@ -240,7 +264,7 @@ void ImageHunt::attack(std::uint64_t seed, Chorus& all) {
         if (const char* fault = all.first().validate()) test::broken(fault);
         all.check();
         for (std::uint32_t i = 0; i < all.size(); ++i) all.voice(i).world->set_hooks({});
-        at_home_ = false;
+        at_home = false;
         return;
     }
     auto deed = std::make_shared<LoadDeed>();
@@ -276,7 +300,7 @@ void ImageHunt::attack(std::uint64_t seed, Chorus& all) {
     const Words forged = deed->forged();
     if (!load(all, bytes_of(forged))) return;
     ++accepted;
-    at_home_ = false;
+    at_home = false;
     Life life(all, random, setup);
     for (std::uint32_t i = 0; i < 10; ++i) {
         all.step(1.0f / 60);

@@ -14,6 +14,7 @@ public:
     /// Makes mutant `seed` and tries it: load refuses it and changes nothing, or what it loads is sound, and stays so.
     void attack(std::uint64_t seed, Chorus& all);
 
+    /// Of even seeds one lane is compared with eight, of odd ones with four.
     static Setup setup(std::uint64_t seed);
     unsigned long accepted = 0, deltas = 0, replays = 0;
 
@@ -25,7 +26,7 @@ private:
     void fill(std::uint64_t bank);
     Base make_base(std::uint64_t seed);
 
-    bool at_home_ = false;  ///< the worlds are as home_ says
+    bool at_home_[2] = {};  ///< the worlds of even and odd seeds are as home_ says
     std::uint64_t bank_ = ~std::uint64_t{0};
     std::vector<Base> bases_;
     std::vector<std::uint64_t> home_, scratch_;

@@ -54,7 +54,7 @@ int usage() {
 
 // The hunting process. Whatever happens to it, `shared` says in which world.
 [[noreturn]] void hunt(const Options& o, Shared& shared) {
-    static Stand stand;
+    static Stand stands[2];
     static ImageHunt images;
     const double end = o.seconds > 0 ? seconds_now() + o.seconds : 1e300;
     for (std::uint64_t i = 0; i < o.worlds && shared.steps < o.steps && seconds_now() < end; ++i) {
@@ -62,9 +62,11 @@ int usage() {
         shared.told = 0;
         if (!o.images || i % 1024 == 0) alarm(120);
         const Setup setup = o.images ? ImageHunt::setup(shared.seed) : setup_of(shared.seed, o.family);
-        static Chorus all;
+        static Chorus pairs[2];
+        const std::size_t which = o.images ? shared.seed % 2 : 0;
+        Chorus& all = pairs[which];
         try {
-            if (!o.images || i == 0) stand.begin(setup, all);
+            if (!o.images || i < 2) stands[which].begin(setup, all);
             all.told = 0;
             all.steps = 0;
             all.told_to = &shared.told;

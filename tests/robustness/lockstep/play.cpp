@@ -89,7 +89,8 @@ void Stand::begin(const Setup& setup, Chorus& all) {
         Error error = Error::none;
         World* world = World::create(blocks_[i].span(), capacity, def, &error);
         if (world == nullptr) test::broken(describe(error));
-        if (i < 3 || (i == 3 && !setup.images)) all.add(world, names[i], i == 3);
+        const bool sings = setup.images ? i == 0 || i == 2 - setup.seed % 2 : i < 4;
+        if (sings) all.add(world, names[i], i == 3);
         else if (i == 4) all.replayer = world;
     }
 }

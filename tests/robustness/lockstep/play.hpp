@@ -25,7 +25,7 @@ struct Setup {
     Capacity capacity = {};
     WorldDef def = {};
     bool threads = false;  ///< real ones
-    bool images = false;   ///< for forged images: no world of other capacity
+    bool images = false;   ///< for forged images: two worlds only
 };
 
 Setup setup_of(std::uint64_t seed, int family);
