@@ -83,6 +83,7 @@ enum class Error : std::uint8_t {
     recording_full,      ///< the memory given for a recording is too small, or was used up: it ends before this call
     not_a_recording,     ///< the bytes are no recording, or the world is not being recorded
     corrupt_recording,   ///< the recording is not as it was made
+    inexact_build,       ///< the engine was compiled with flags under which floats are not IEEE's: no world keeps the same bits
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.

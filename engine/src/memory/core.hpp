@@ -23,6 +23,7 @@ struct Core {
     Capacity capacity;
     std::uint32_t lanes = 1;
     Error last_error = Error::none;
+    bool exact = true;  // false: no step is taken (Error::inexact_build)
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     TaskSystem tasks;

@@ -55,6 +55,7 @@ void fill_report(Core& core, const Plan& plan) {
 
 void World::step(float dt) {
     Core& c = core();
+    if (!c.exact) return c.fail(Error::inexact_build);
     note_call<Call::step>(c, dt);
     if (!(dt > 0) || !(dt <= 1.0f)) return c.fail(Error::bad_time_step);
     const DefaultFloatMode mode;
