@@ -66,7 +66,7 @@ lap() {
 build_tests() {
     local preset=$1
     say "$preset: building"
-    configure "$preset" -DCMAKE_UNITY_BUILD=ON -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON \
+    configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON \
         -DISLET_BROWSER_TESTS="$([ "$preset" = release ] && $all && echo ON || echo OFF)"
     build "$preset" "${targets[@]}"
     lap "$preset: build"

@@ -86,6 +86,7 @@ enum class Error : std::uint8_t {
     not_a_recording,     ///< the bytes are no recording, or the world is not being recorded
     corrupt_recording,   ///< the recording is not as it was made
     in_step,             ///< called from a function that the world itself calls: a hook, a drawing function
+    inexact_build,       ///< the engine was compiled with flags under which floats are not IEEE's: no world keeps the same bits
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.

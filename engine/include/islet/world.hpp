@@ -36,7 +36,8 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
 class World {
 public:
     /// Makes a world in `block`, which must be aligned to world_alignment and hold at least world_bytes(capacity) bytes, all of which the
-    /// world then owns. Returns null, and sets *error if given, when the block or the capacity or the definition will not do.
+    /// world then owns. Returns null, and sets *error if given, when the block or the capacity or the definition will not do,
+    /// or the engine was compiled in a way that changes the bits (inexact_build).
     static World* create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error = nullptr);
 
     World(const World&) = delete;
@@ -467,7 +468,7 @@ class StaticWorld {
 
 public:
     /// Makes the world anew, dropping whatever it held. A definition that breaks its rules falls back to the default one with the error set:
-    /// see World::last_error.
+    /// see World::last_error. Of an engine that was compiled in a way that changes the bits (inexact_build) the world takes no step.
     World& create(const WorldDef& def = {}) {
         return detail::create_static(block_, C, layout, def);
     }

@@ -154,8 +154,8 @@ struct Lane4 {
     ISLET_LANE static std::uint32_t positive(F a) { return bits(a > F{}); }
 };
 
-#if defined(__AVX2__)
-// Eight lanes. This part is seen only by the translation units compiled for AVX2.
+#if defined(ISLET_AVX2)
+// Eight lanes, seen only by the files compiled for AVX2 (math/avx2.hpp).
 typedef float f8 __attribute__((vector_size(32)));
 typedef int i8 __attribute__((vector_size(32)));
 

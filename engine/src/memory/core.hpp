@@ -30,6 +30,7 @@ struct Core {
     std::uint32_t lanes = 1;
     Error last_error = Error::none;
     std::uint32_t inside = 0;            // Inside
+    bool exact = true;  // false: no step is taken (Error::inexact_build)
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     TaskSystem tasks;

@@ -40,6 +40,7 @@ const char* describe(Error e) {
         case Error::not_a_recording: return "These bytes are no recording, or nothing is being recorded: start_recording begins one.";
         case Error::corrupt_recording: return "The recording is not as it was made: its sums are wrong. Get it again.";
         case Error::in_step: return "A hook, the error hook or a drawing function must not change, step, save, hash or draw the world that calls it: note what to do, and do it after.";
+        case Error::inexact_build: return "The engine's floats are not IEEE's: compile it without -ffast-math and -ffp-contract=fast, for a unit that keeps denormal numbers.";
         case Error::hits_full: return "More hits in one step than there is room to report: raise Capacity::hits or the hit threshold.";
     }
     return "Unknown error.";

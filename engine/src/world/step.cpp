@@ -56,6 +56,7 @@ void fill_report(Core& core, const Plan& plan) {
 
 void World::step(float dt) {
     Core& c = core();
+    if (!c.exact) return c.fail(Error::inexact_build);
     note_call<Call::step>(c, dt);
     if (!may_change(c) || !check(c, is_time_step(dt), Error::bad_time_step)) return;
     const DefaultFloatMode mode;

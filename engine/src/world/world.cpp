@@ -2,6 +2,8 @@
 #include "islet/world.hpp"
 
 #include "broadphase/sensors.hpp"
+#include "math/float_mode.hpp"
+#include "math/scalar.hpp"
 #include "memory/joint_graph.hpp"
 #include "solver/hits.hpp"
 #include "solver/ordered_sweep.hpp"
@@ -29,9 +31,21 @@ Error check_block(std::span<std::byte> block, std::size_t wanted) {
     return block.data() == nullptr || block.size() < wanted ? Error::block_too_small : Error::none;
 }
 
+// Whether a product is rounded before it is subtracted from, and small differences are kept. The source cannot bring every compiler to that (exact.hpp), nor
+// a run-time library that stands in for a floating-point unit.
+bool is_exact() {
+    const DefaultFloatMode mode;
+    volatile float known = 0x1.001p-62f;  // to us, not to the compiler
+    const float x = known;
+    // x^2 is 2^-124 (1 + 2^-11 + 2^-24), and the last term is lost to rounding. 2^-135 is denormal.
+    known = x * x - 0x1p-124f;
+    return bits_of(known) == 0x4000u;
+}
+
 bool is_usable(const TaskSystem& tasks) { return tasks.workers >= 1 && tasks.workers <= max_workers; }
 
 Error check_def(const WorldDef& def) {
+    if (!is_exact()) return Error::inexact_build;
     if (!all_finite(def.gravity.x, def.gravity.y, def.restitution_threshold, def.max_speed, def.hit_threshold)) return Error::not_finite;
     if (!are_there(def.hooks)) return Error::feature_cut;
     if (def.restitution_threshold < 0 || def.hit_threshold < 0 || def.max_speed <= 0 || def.max_speed > max_speed_limit) return Error::out_of_range;
@@ -129,6 +143,7 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
     core.error_hook = def.error_hook;
     core.error_context = def.error_context;
     core.last_error = problem;
+    core.exact = problem != Error::inexact_build;
     core.tasks = def.tasks;
     core.hooks = def.hooks;
     if (has_profile && ISLET_IS_LINKED(note_stage)) core.clock = def.clock;
