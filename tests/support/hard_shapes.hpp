@@ -28,6 +28,9 @@ inline float hard_angle(exact::Random& r) {
     }
 }
 
+/// A pose within `reach` of the origin (m) at such an angle.
+inline Transform hard_pose(exact::Random& r, double reach) { return {{r.in(-reach, reach), r.in(-reach, reach)}, make_rot(hard_angle(r))}; }
+
 /// Corners around the frame's origin: regular, boxes, needles, random ones, some with a corner that hardly stands out.
 inline Polygon hard_polygon(exact::Random& r, double size, float radius = 0) {
     for (;;) {
