@@ -24,7 +24,14 @@ constexpr Part parts[body_part_count] = {
     {BodyPart::pelvis, 0.142f, 0.550f, 0.590f, 0.055f, 0, 0, 0, 0},
     {BodyPart::pelvis, 0.355f, 0.650f, 0.780f, 0.055f, 0.610f, -80, 25, 1},
     {BodyPart::torso, 0.081f, 0.885f, 0.955f, 0.045f, 0.840f, -45, 45, 0.3f},
-    thigh, left_shank, thigh, right_shank, upper_arm, left_forearm, upper_arm, right_forearm,
+    thigh,
+    left_shank,
+    thigh,
+    right_shank,
+    upper_arm,
+    left_forearm,
+    upper_arm,
+    right_forearm,
 };
 
 // The foot lies along the ground, from the heel behind the ankle to the toes.
@@ -54,14 +61,14 @@ BodyId create_part(World& world, const Part& part, const RagdollDef& def) {
 
 JointId create_hinge(World& world, const Part& part, BodyId parent, BodyId body, const RagdollDef& def) {
     const float h = def.height;
-    return world.create_joint(RevoluteJointDef{
-        .base = {.body_a = parent,
-                 .body_b = body,
-                 .frame_a = {{0, (part.pivot - middle_of(parts[static_cast<std::size_t>(part.parent)])) * h}},
-                 .frame_b = {{0, (part.pivot - middle_of(part)) * h}}},
-        .spring = {.enable = def.hertz > 0, .hertz = def.hertz, .damping_ratio = def.damping_ratio},
-        .limit = {.enable = true, .lower = radians(part.lower), .upper = radians(part.upper)},
-        .motor = {.enable = true, .speed = 0, .max_force = part.torque * def.joint_torque * def.mass}});
+    return world.create_joint(
+        RevoluteJointDef{.base = {.body_a = parent,
+                                  .body_b = body,
+                                  .frame_a = {{0, (part.pivot - middle_of(parts[static_cast<std::size_t>(part.parent)])) * h}},
+                                  .frame_b = {{0, (part.pivot - middle_of(part)) * h}}},
+                         .spring = {.enable = def.hertz > 0, .hertz = def.hertz, .damping_ratio = def.damping_ratio},
+                         .limit = {.enable = true, .lower = radians(part.lower), .upper = radians(part.upper)},
+                         .motor = {.enable = true, .speed = 0, .max_force = part.torque * def.joint_torque * def.mass}});
 }
 
 }  // namespace

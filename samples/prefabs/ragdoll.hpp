@@ -33,19 +33,19 @@ enum class BodyPart : std::size_t {
 inline constexpr std::size_t body_part_count = 11;
 
 struct RagdollDef {
-    Vec2 position = {};        ///< m, of the ground at its ankles when it stands upright
-    float height = 1.6f;       ///< m, from the soles to the crown
-    float mass = 60;           ///< kg, of all of it
-    float friction = 0.6f;     ///< of the skin
-    float joint_torque = 0.1f; ///< N m for each kilogram of the person, in the stiffest joint: what muscles at rest hold back. 0: none
-    float hertz = 0;           ///< Hz, of springs that hold it upright; 0: it is limp
-    float damping_ratio = 1;   ///< of the springs
+    Vec2 position = {};         ///< m, of the ground at its ankles when it stands upright
+    float height = 1.6f;        ///< m, from the soles to the crown
+    float mass = 60;            ///< kg, of all of it
+    float friction = 0.6f;      ///< of the skin
+    float joint_torque = 0.1f;  ///< N m for each kilogram of the person, in the stiffest joint: what muscles at rest hold back. 0: none
+    float hertz = 0;            ///< Hz, of springs that hold it upright; 0: it is limp
+    float damping_ratio = 1;    ///< of the springs
     /// Of all its shapes. A negative group keeps its parts from colliding with each other: give each ragdoll its own.
     Filter filter = {.group = -1};
 };
 
 struct Ragdoll {
-    BodyId bodies[body_part_count] = {};      ///< by BodyPart
+    BodyId bodies[body_part_count] = {};       ///< by BodyPart
     JointId joints[body_part_count - 1] = {};  ///< joints[i - 1] hangs body i on the one nearer to the pelvis
 
     BodyId operator[](BodyPart part) const { return bodies[static_cast<std::size_t>(part)]; }

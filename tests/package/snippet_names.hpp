@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <islet/islet.hpp>
 #include <islet/island.hpp>
+#include <islet/islet.hpp>
 #include <islet/lcp.hpp>
 #include <islet/mover.hpp>
 

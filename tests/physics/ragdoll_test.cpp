@@ -36,7 +36,8 @@ Aabb extent_of(const World& world, const Ragdoll& doll) {
 void create_floor(World& world) { world.create_shape(world.create_body({}), make_offset_box(50, 1, {{0, -1}}), {.friction = 0.6f}); }
 
 TEST(RagdollToTake, HasTheHeightAndMassAskedFor) {
-    for (const RagdollDef& def : {RagdollDef{}, RagdollDef{.position = {3, 2}, .height = 1.9f, .mass = 95}, RagdollDef{.position = {-7, 0.5f}, .height = 0.8f, .mass = 11}}) {
+    for (const RagdollDef& def : {RagdollDef{}, RagdollDef{.position = {3, 2}, .height = 1.9f, .mass = 95},
+                                  RagdollDef{.position = {-7, 0.5f}, .height = 0.8f, .mass = 11}}) {
         TestWorld world(room);
         const Ragdoll doll = create_ragdoll(*world, def);
         ASSERT_TRUE(doll);
