@@ -23,10 +23,13 @@ namespace islet::samples {
 
 /// An option whose value is one of a few names. Help lists them, and so does what is said of another word.
 template <class Target, class Enum>
-CLI::Option* add_choice(CLI::App& app, const char* name, Target& target, const std::map<std::string, Enum>& choices, const char* description) {
+CLI::Option* add_choice(CLI::App& app, const char* name, Target& target, const std::map<std::string, Enum>& choices,
+                        const char* description) {
     std::vector<std::string> names;
     for (const auto& choice : choices) names.push_back(choice.first);
-    return app.add_option_function<std::string>(name, [&target, choices](const std::string& chosen) { target = choices.at(chosen); }, description)
+    return app
+        .add_option_function<std::string>(
+            name, [&target, choices](const std::string& chosen) { target = choices.at(chosen); }, description)
         ->check(CLI::IsMember(names));
 }
 
@@ -39,7 +42,8 @@ inline std::string suggestion(const CLI::App& app, int argc, const char* const* 
     std::vector<std::string> names;
     const auto look_up = [&](const char* what, const std::string& word) {
         const std::vector<std::string> near = near_names(word, names);
-        return near.empty() ? std::string() : fmt::format("there is no {} '{}'; near names: {}", what, printable(word), fmt::join(near, ", "));
+        return near.empty() ? std::string()
+                            : fmt::format("there is no {} '{}'; near names: {}", what, printable(word), fmt::join(near, ", "));
     };
     int first = 1;
     const std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });

@@ -15,7 +15,7 @@ public:
 
     template <class T>
     void operator()(const char* name, T& value, const T& usual) {
-        if constexpr (requires(Restored& io) { fields(io, value, usual); }) {
+        if constexpr (requires(Restored & io) { fields(io, value, usual); }) {
             const std::string outer = prefix_;
             prefix_ += std::string(name) + ".";
             fields(*this, value, usual);
@@ -61,11 +61,13 @@ bool can_make(World& world, const SceneBody& body) {
 
 std::string faulty_field(World& world, const SceneBody& body) {
     const auto bare = [](const BodyDef& def) { return SceneBody{def, {}}; };
-    if (!can_make(world, bare(body.def))) return first_cure(body.def, visit_fields, [&](const BodyDef& def) { return can_make(world, bare(def)); });
+    if (!can_make(world, bare(body.def)))
+        return first_cure(body.def, visit_fields, [&](const BodyDef& def) { return can_make(world, bare(def)); });
     for (std::size_t i = 0; i < body.shapes.size(); ++i) {
         const auto with = [&](const ShapeDef& def) { return SceneBody{body.def, {{body.shapes[i].geometry, def}}}; };
         if (can_make(world, with(body.shapes[i].def))) continue;
-        const std::string field = first_cure(body.shapes[i].def, visit_fields, [&](const ShapeDef& def) { return can_make(world, with(def)); });
+        const std::string field =
+            first_cure(body.shapes[i].def, visit_fields, [&](const ShapeDef& def) { return can_make(world, with(def)); });
         const std::string place = "shapes[" + std::to_string(i) + "].";
         return place + (field.empty() ? geometry_names[body.shapes[i].geometry.index()] : field);
     }
@@ -83,6 +85,8 @@ std::string faulty_field(World& world, const SceneJoint& joint, std::span<const 
     return std::visit([&](const auto& def) { return first_cure(def, visit, is_good); }, joint.def);
 }
 
-std::string faulty_field(const WorldDef& def, const std::function<bool(const WorldDef&)>& is_good) { return first_cure(def, visit_fields, is_good); }
+std::string faulty_field(const WorldDef& def, const std::function<bool(const WorldDef&)>& is_good) {
+    return first_cure(def, visit_fields, is_good);
+}
 
 }  // namespace islet::samples

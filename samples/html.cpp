@@ -94,6 +94,7 @@ Json run_json(const Run& run, const RunResult& result, const Recorder& recorder)
         {"dt", result.dt},
         {"substeps", result.substeps},
         {"hash", fmt::format("{:016x}", result.hash)},
+        {"dropped", result.most_dropped_contacts},
         {"checked", result.checked},
         {"passed", result.passed()},
         {"stride", recorder.stride()},

@@ -343,6 +343,7 @@ std::string draw_svg(const Run& run, const DebugDraw& what) {
     count(counts.bodies, "body", "bodies");
     count(counts.contacts, "contact", "contacts");
     if (counts.joints > 0) count(counts.joints, "joint", "joints");
+    if (run.most_dropped_contacts > 0) details += fmt::format("  ·  {} without room", run.most_dropped_contacts);
     const int height = camera.height + units(caption_height);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" "

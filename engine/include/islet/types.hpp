@@ -307,7 +307,9 @@ struct StepReport {
     std::uint32_t contacts = 0;          ///< pairs with overlapping fat boxes, touching or not, asleep or not
     std::uint32_t touching_contacts = 0; ///< of the awake ones
     std::uint32_t recycled_contacts = 0; ///< awake contacts whose manifold was kept
-    std::uint32_t dropped_contacts = 0;  ///< pairs that found no room this step, counted up to Capacity::contacts; they are retried every step
+    /// Pairs that found no room this step, counted up to Capacity::contacts: they pass through each other. They are tried again every step, and each such
+    /// step tells Error::contacts_full. Raise Capacity::contacts: 3 to 5 for each moving shape of a dense pile, 7 where it is squeezed.
+    std::uint32_t dropped_contacts = 0;
     std::uint32_t dropped_events = 0;    ///< end events that found no room since the last step began
     std::uint32_t dropped_hits = 0;      ///< hits that found no room among the hit events
     std::uint32_t islands = 0;           ///< awake islands
