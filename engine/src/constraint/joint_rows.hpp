@@ -277,14 +277,14 @@ ISLET_LANE void solve_point(JointBodies<L>& s, LaneVec<typename L::F> ra, LaneVe
     return {v.x, v.y};
 }
 
-/// See unsound_impulse. All are looked at, as not all of them are part of what the joint applies; the sum is no number if one of them is none.
+/// See unsound_impulse: so of what the joint applies; of the rest, which may cancel out in that, if it is not finite (then the sum is not).
 inline void forget_unsound(Joint& j) {
     constexpr std::size_t first = offsetof(Joint, impulse), bytes = offsetof(Joint, torque_impulse) + 4 - first;
     float impulses[bytes / 4];
     std::memcpy(impulses, reinterpret_cast<const std::byte*>(&j) + first, bytes);
     float size = 0;
     for (const float impulse : impulses) size += impulse;
-    if (abs(size) < unsound_impulse) return;
+    if (abs(j.force_impulse.x) + abs(j.force_impulse.y) + abs(j.torque_impulse) < unsound_impulse && is_finite(size)) return;
     std::memset(reinterpret_cast<std::byte*>(&j) + first, 0, bytes);
     if ((j.flags & joint_limit) != 0) j.limit_load() = 0;
 }
