@@ -250,6 +250,10 @@ struct ShapeDef {
                                      ///< version 3.1 on both shapes have to be told to.)
     bool hit_events = false;         ///< Tell of hits of this shape: World::hit_events.
     bool pre_solve = false;          ///< Ask the pre_solve hook about contacts of this shape.
+    Vec2 one_way = {};               ///< Not zero: a platform that holds only what came from the side of this direction, in the body's frame ({0, 1}: from
+                                     ///< above), to 1/1000 rad. The other shape is held once all of it is beyond the platform's farthest point, until it
+                                     ///< leaves; before, it passes. Bodies, fast ones too, and movers are held alike; queries see the shape as any other.
+                                     ///< One that stands on it drops through when the pre_solve hook says no once, or when its filter does.
     std::uint32_t material = 0;      ///< SurfaceMaterial::id
     std::uint64_t user_data = 0;
 };

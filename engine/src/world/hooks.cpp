@@ -48,6 +48,7 @@ void ask_pre_solve(Core& core, std::uint32_t index) {
     if (!asked.enabled) {
         // Made anew in the next step, so that the hook can be asked again.
         m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
+        if ((m.flags & contact_one_way) != 0) m.flags |= contact_passes | contact_dropped;
         m.rolling_impulse = 0;
         for (std::uint32_t i = 0; i < 2; ++i) m.normal_impulse[i] = m.tangent_impulse[i] = 0;
         return;

@@ -162,7 +162,13 @@ void Player::change_shape() {
     }
     case 12: w.enable_sensor_events(s, in.flag()); break;
     case 13: w.enable_hit_events(s, in.flag()); break;
-    case 14: w.enable_pre_solve(s, in.flag()); break;
+    case 14:
+        if (in.flag()) {
+            w.enable_pre_solve(s, in.flag());
+        } else {
+            w.set_one_way(s, {in.number(), in.number()});
+        }
+        break;
     case 15: {
         WindDef wind;
         wind.velocity = in.point();
