@@ -104,7 +104,8 @@ struct Hooks {
     /// and whenever that pair is found again, of pairs that their filters allow. A pair once made is not asked about again before it parts.
     bool (*filter)(ShapeId shape_a, ShapeId shape_b, void* context) = nullptr;
     /// May look at a contact before it is solved, and change it for this step: see PreSolve. Called in every step for every awake contact that has points
-    /// and a shape with ShapeDef::pre_solve, in the order of their slots.
+    /// and a shape with ShapeDef::pre_solve, in the order of their slots. Of a fast body the contact with what it may hit in the step is made ahead, and what
+    /// is said of it holds for continuous collision too; of a one-way shape (ShapeDef::one_way) only contacts that it holds are asked about.
     void (*pre_solve)(PreSolve& contact, void* context) = nullptr;
     /// Coefficient of two shapes, in place of the geometric mean; `material` is SurfaceMaterial::id. Taken as 0 to max_coefficient. Asked when two shapes
     /// meet or a material changes.

@@ -34,22 +34,28 @@ struct Pair {
     Corners corners, other;
     Transform to_shape;
 
-    Pair(const Core& core, std::uint32_t shape, const Corners& its, const Transform& pose)
+    Pair(const Core& core, std::uint32_t shape, const Transform& shape_pose, const Corners& its, const Transform& pose)
         : up(direction_of_flags(core.shapes[shape].flags)),
           corners(corners_of(core.geometries[core.shapes[shape].geometry])),
           other(its),
-          to_shape(inv_mul(body_transform(core, core.shapes[shape].body), pose)) {}
+          to_shape(inv_mul(shape_pose, pose)) {}
     Pair(const Core& core, std::uint32_t shape, std::uint32_t other_shape)
-        : Pair(core, shape, corners_of(core.geometries[core.shapes[other_shape].geometry]), body_transform(core, core.shapes[other_shape].body)) {}
+        : Pair(core, shape, body_transform(core, core.shapes[shape].body), corners_of(core.geometries[core.shapes[other_shape].geometry]), body_transform(core, core.shapes[other_shape].body)) {}
 
     Lowest lowest() const { return lowest_of(other, inv_rotate(to_shape.q, up)); }
     float height() const { return lowest().height + dot(up, to_shape.p) + lowest_of(corners, -up).height; }
 };
 
-// m/s that the other's body rises at along the direction of a one-way shape.
-float climb(const Core& core, std::uint32_t shape, std::uint32_t other) {
-    const std::uint32_t body = core.shapes[shape].body;
-    return dot(rotate(core.poses[body].q, direction_of_flags(core.shapes[shape].flags)), core.motions[core.shapes[other].body].v - core.motions[body].v);
+// Where a body stood a step ago, if it has moved as it moves now.
+Transform pose_before(const Core& core, std::uint32_t body, float dt) {
+    const Rot q = integrate(core.poses[body].q, -dt * core.motions[body].w);
+    return {core.poses[body].center - dt * core.motions[body].v - rotate(q, core.bodies[body].local_center), q};
+}
+
+float height_before(const Core& core, std::uint32_t shape, std::uint32_t other, float dt) {
+    if ((core.shapes[shape].flags & shape_one_way_bits) == 0) return out_of_reach;
+    const Transform shape_pose = pose_before(core, core.shapes[shape].body, dt);
+    return Pair(core, shape, shape_pose, corners_of(core.geometries[core.shapes[other].geometry]), pose_before(core, core.shapes[other].body, dt)).height();
 }
 
 }  // namespace
@@ -59,7 +65,7 @@ float height_above(const Core& core, std::uint32_t shape, std::uint32_t other) {
 }
 
 float height_above(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose) {
-    return (core.shapes[shape].flags & shape_one_way_bits) == 0 ? out_of_reach : Pair(core, shape, other, pose).height();
+    return (core.shapes[shape].flags & shape_one_way_bits) == 0 ? out_of_reach : Pair(core, shape, body_transform(core, core.shapes[shape].body), other, pose).height();
 }
 
 bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flags, float dt) {
@@ -69,8 +75,8 @@ bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flag
     bool passes = (flags & contact_passes) != 0 && height < -linear_slop;
     if ((flags & (contact_passes | contact_posed)) == 0) {
         // A new contact. The other may have come as far as a step's way into the shape before their boxes met: where was it then?
-        const float risen = dt * min(climb(core, c.shape_a, c.shape_b), climb(core, c.shape_b, c.shape_a));
-        passes = height - min(risen, 0.0f) < -linear_slop;
+        const float before = min(height_before(core, c.shape_a, c.shape_b, dt), height_before(core, c.shape_b, c.shape_a, dt));
+        passes = max(height, before) < -linear_slop;
     }
     flags &= ~static_cast<std::uint32_t>(contact_passes | contact_dropped);
     flags |= (dropped ? std::uint32_t{contact_dropped} : 0u) | (dropped || passes ? std::uint32_t{contact_passes} : 0u);
