@@ -123,6 +123,27 @@ TEST(OneWay, AFastBodyIsHeldByAPlatformThatThePreSolveHookAllows) {
     }
 }
 
+TEST(OneWay, OfThreeThousandFastAndSpinningBodiesNonePassesAPlateThatThePreSolveHookAllows) {
+    int through = 0;
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        Random random(seed);
+        ShapeDef asks;
+        asks.pre_solve = true;
+        Site site(0.02f, asks);
+        site.world->set_hooks({.pre_solve = [](PreSolve& c, void*) { c.enabled = true; }});
+        BodyDef def;
+        def.type = BodyType::dynamic;
+        def.position = {0, ledge_top + random.between(1, 12)};
+        def.angle = random.between(-pi, pi);
+        def.linear_velocity = {random.between(-20, 20), -random.between(0, 200)};
+        def.angular_velocity = random.between(-20, 20);
+        const BodyId body = add_thrown(site.world, seed % 2 != 0 ? Thrown::box : Thrown::capsule, def);
+        site.world.step(60, 1.0f / 30);
+        if (site.world->position(body).y < ledge_top) ++through;
+    }
+    EXPECT_EQ(through, 0);
+}
+
 TEST(OneWay, WhatStandsOnItDropsThroughWhenTheHookSaysNoOnce) {
     ShapeDef def = upwards();
     def.pre_solve = true;
