@@ -157,6 +157,7 @@ public:
     ISLET_ALL(enable_sensor_events)
     ISLET_ALL(enable_hit_events)
     ISLET_ALL(enable_pre_solve)
+    ISLET_ALL(set_one_way)
     ISLET_ALL(apply_wind)
     ISLET_ALL(set_filter)
     ISLET_ALL(create_joint)

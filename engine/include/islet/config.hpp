@@ -65,6 +65,9 @@
 #if !defined(ISLET_HOOKS)
 #define ISLET_HOOKS 1  // the user's filter, pre-solve and mixing
 #endif
+#if !defined(ISLET_ONE_WAY)
+#define ISLET_ONE_WAY 1  // platforms that are passed from below
+#endif
 #if !defined(ISLET_QUERIES)
 #define ISLET_QUERIES 1  // ray and shape casts, overlaps, closest points in a world
 #endif

@@ -108,7 +108,8 @@ struct Hooks {
     /// and whenever that pair is found again, of pairs that their filters allow. A pair once made is not asked about again before it parts.
     bool (*filter)(ShapeId shape_a, ShapeId shape_b, void* context) = nullptr;
     /// May look at a contact before it is solved, and change it for this step: see PreSolve. Called in every step for every awake contact that has points
-    /// and a shape with ShapeDef::pre_solve, in the order of their slots.
+    /// and a shape with ShapeDef::pre_solve, in the order of their slots. Of a fast body the contact with what it may hit in the step is made ahead, and what
+    /// is said of it holds for continuous collision too; of a one-way shape (ShapeDef::one_way) only contacts that it holds are asked about.
     void (*pre_solve)(PreSolve& contact, void* context) = nullptr;
     /// Coefficient of two shapes, in place of the geometric mean; `material` is SurfaceMaterial::id. Taken as 0 to max_coefficient. Asked when two shapes
     /// meet or a material changes.
@@ -254,6 +255,10 @@ struct ShapeDef {
                                      ///< version 3.1 on both shapes have to be told to.)
     bool hit_events = false;         ///< Tell of hits of this shape: World::hit_events.
     bool pre_solve = false;          ///< Ask the pre_solve hook about contacts of this shape.
+    Vec2 one_way = {};               ///< Not zero: a platform that holds only what came from the side of this direction, in the body's frame ({0, 1}: from
+                                     ///< above), to 1/1000 rad. The other shape is held once all of it is beyond the platform's farthest point, until it
+                                     ///< leaves; before, it passes. Bodies, fast ones too, and movers are held alike; queries see the shape as any other.
+                                     ///< One that stands on it drops through when the pre_solve hook says no once, or when its filter does.
     std::uint32_t material = 0;      ///< SurfaceMaterial::id
     std::uint64_t user_data = 0;
 };

@@ -294,6 +294,9 @@ public:
     void enable_hit_events(ShapeId shape, bool enable);
     bool pre_solve_enabled(ShapeId shape) const;
     void enable_pre_solve(ShapeId shape, bool enable);
+    /// ShapeDef::one_way: unit or zero. What has come to stand on it stays where it is, if that is above in the new direction too.
+    Vec2 one_way(ShapeId shape) const;
+    void set_one_way(ShapeId shape, Vec2 direction);
     /// Adds the force of a wind on what of the shape's outline faces it, from the shape's own motion too; acts over the next step, as apply_force does:
     /// rho u^2 / 2 times width times coefficient, u being the air's velocity past the shape's middle. Each face of a polygon is pushed at its middle; only
     /// flat faces have lift. No effect on segments and on bodies that are not dynamic. Nothing shields anything.

@@ -78,7 +78,8 @@ enum ShapeFlags : std::uint32_t {
     shape_unseen = 2u,         // sensors do not see it
     shape_hit_events = 4u,
     shape_pre_solve = 8u,      // the pre-solve hook is asked about its contacts
-    shape_all_flags = 15u,
+    shape_all_flags = 15u,     // of those that a world has to know of
+    shape_one_way_bits = ~255u,  // the direction in which it holds what comes, as two numbers of 12 bits; 0: no one-way shape
 };
 
 struct Shape {
@@ -95,6 +96,15 @@ struct Shape {
     std::uint32_t flags = 0;                             // ShapeFlags
     std::uint32_t material = 0;                          // the user's id
 };
+
+/// The direction of a one-way shape in its flags, to 1/1000 rad, along an axis exactly; and back, unit or zero.
+inline std::uint32_t flags_of_direction(Vec2 unit) {
+    const auto bits = [](float a) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(1024.0f * a + (a < 0 ? -0.5f : 0.5f))); };
+    return (bits(unit.x) & 0xfffu) << 8 | bits(unit.y) << 20;
+}
+inline Vec2 direction_of_flags(std::uint32_t flags) {
+    return normalize(Vec2{static_cast<float>(static_cast<std::int32_t>(flags << 12) >> 20), static_cast<float>(static_cast<std::int32_t>(flags) >> 20)});
+}
 
 /// A geometry, stored once however many shapes share it.
 struct Geometry {
@@ -126,6 +136,9 @@ enum ContactFlags : std::uint32_t {
     contact_color_shift = 8,   // 8 bits: colour, or no_color
     contact_hits = 1u << 16,   // tells of hits
     contact_asks = 1u << 17,   // the pre_solve hook is asked
+    contact_one_way = 1u << 18,  // one of the shapes is a one-way shape
+    contact_passes = 1u << 19,   // and lets the other pass
+    contact_dropped = 1u << 20,  // because the hook said so
 };
 inline constexpr std::uint32_t no_color = 0xff;
 

@@ -85,7 +85,8 @@
     X(set_joint_length, set_joint_length, JointId, float) \
     X(set_joint_velocity, set_joint_velocity, JointId, Vec2, float) \
     X(set_joint_strength, set_joint_strength, JointId, float, float) \
-    X(set_joint_target, set_target, JointId, Vec2)
+    X(set_joint_target, set_target, JointId, Vec2) \
+    X(set_one_way, set_one_way, ShapeId, Vec2)
 // clang-format on
 
 namespace islet::detail {
@@ -146,7 +147,7 @@ template <class V> constexpr void members(V& v, BodyDef& a) {
 }
 template <class V> constexpr void members(V& v, ShapeDef& a) {
     v(a.friction, a.restitution, a.rolling_resistance, a.tangent_speed, a.density, a.filter, a.sensor, a.sensor_events, a.hit_events, a.pre_solve,
-      a.material, a.user_data);
+      a.one_way, a.material, a.user_data);
 }
 template <class V> constexpr void members(V& v, JointFrame& a) { v(a.position, a.angle); }
 template <class V> constexpr void members(V& v, JointSpring& a) { v(a.enable, a.hertz, a.damping_ratio, a.target); }

@@ -17,6 +17,7 @@
 #include "memory/parallel.hpp"
 #include "world/continuous.hpp"
 #include "world/hooks.hpp"
+#include "world/one_way.hpp"
 #include "world/seams.hpp"
 #include "world/sleep.hpp"
 
@@ -154,10 +155,16 @@ Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled
     if (has_sensors && (m.flags & contact_sensor) != 0)
         return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
     const bool ahead = looks_ahead(a, b);
-    if (!ahead && can_recycle(m, a, b)) {
+    const bool one_way = has_one_way && (m.flags & contact_one_way) != 0;
+    if (one_way && !decide_one_way(core, index, m.flags, dt)) {
+        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
+        m.rolling_impulse = 0;
+        for (std::uint32_t i = 0; i < 2; ++i) m.normal_impulse[i] = m.tangent_impulse[i] = 0;
+    } else if (!ahead && can_recycle(m, a, b)) {
         ++recycled;
     } else {
         remake(core, index, ahead, dt);
+        if (one_way) mend_one_way(core, index);
     }
     const bool is = m.count() > 0;
     if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // maybe: what the hook will say is not known yet

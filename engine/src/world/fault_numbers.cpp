@@ -75,7 +75,7 @@ const char* fault_in_numbers(const Shape& s, const Aabb& box) {
     const bool sane = within(s.friction, 0, max_coefficient) && within(s.restitution, 0, 1) && within(s.rolling_resistance, 0, max_coefficient) &&
                       within(s.tangent_speed, -max_speed_limit, max_speed_limit) && not_negative(s.density) && within(s.margin, 0, max_box_margin);
     if (!sane) return "a shape's material is out of range";
-    if (s.flags > shape_all_flags) return "a shape's flags are none";
+    if ((s.flags & ~static_cast<std::uint32_t>(shape_all_flags | shape_one_way_bits)) != 0) return "a shape's flags are none";
     const bool ordered = box.lower.x <= box.upper.x && box.lower.y <= box.upper.y;
     return ordered && is_near(box.lower) && is_near(box.upper) ? nullptr : "a box is inside out or far away";
 }
@@ -87,7 +87,7 @@ const char* fault_in_numbers(const Geometry& g) {
 
 const char* fault_in_numbers(const ContactManifold& m) {
     constexpr std::uint32_t known = contact_touching | contact_posed | contact_special | contact_bouncy | 3u << contact_count_shift | contact_sensor | contact_overlap |
-                                    contact_hits | contact_asks |
+                                    contact_hits | contact_asks | contact_one_way | contact_passes | contact_dropped |
                                     0xffu << contact_color_shift;
     if ((m.flags & ~known) != 0 || m.count() > 2) return "a contact's flags are none";
     if (m.color() != no_color && m.color() >= color_count) return "a contact has a colour that is none";

@@ -271,6 +271,8 @@ const char* fault_in_told(const Core& c, const Contact& contact, const ContactMa
     if (!sensor && (m.flags & contact_overlap) != 0) return "a contact that is no sensor's has an overlap";
     if (!sensor && (m.flags & contact_hits) != 0 && (flags & shape_hit_events) == 0) return "a contact tells of hits unasked";
     if (!sensor && (m.flags & contact_asks) != 0 && (flags & shape_pre_solve) == 0) return "a contact asks the hook unasked";
+    if (((m.flags & contact_one_way) != 0) != (!sensor && has_one_way && (flags & shape_one_way_bits) != 0)) return "a contact of a one-way shape is not marked as one, or the reverse";
+    if ((m.flags & contact_one_way) == 0 && (m.flags & (contact_passes | contact_dropped)) != 0) return "a contact passes unasked";
     if (!contact.has_own_speed()) return nullptr;
     const float speed = contact.own_speed();
     return (m.flags & contact_asks) != 0 && abs(speed) <= max_speed_limit ? nullptr : "a contact's surface speed is out of range";
@@ -347,7 +349,7 @@ const char* fault_in_counts(const Core& c) {
         locked += c.bodies[i].has_locks() ? 1 : 0;
     }
     for (std::uint32_t i = 0; i < s.shape_pool.high_water; ++i)
-        if (live_shape(c, i) && (c.shapes[i].flags & ~s.asked) != 0) return "a shape has a flag that the world does not know of";
+        if (live_shape(c, i) && (c.shapes[i].flags & shape_all_flags & ~s.asked) != 0) return "a shape has a flag that the world does not know of";
     return bullets != s.bullet_count ? "the bullets are miscounted" : locked != s.locked_count ? "the bodies with locks are miscounted" : nullptr;
 }
 

@@ -50,6 +50,7 @@ void ask_pre_solve(Core& core, std::uint32_t index) {
     if (!asked.enabled) {
         // Made anew in the next step, so that the hook can be asked again.
         m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
+        if ((m.flags & contact_one_way) != 0) m.flags |= contact_passes | contact_dropped;
         return m.forget_impulses();
     }
     if (asked.friction != before.friction && check_range(core, asked.friction, 0, max_coefficient)) m.friction = asked.friction;

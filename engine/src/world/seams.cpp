@@ -85,7 +85,7 @@ struct Floor {
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
             const std::uint32_t flags = core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags;
             const Polygon* its = polygon_of(core, neighbor);
-            if (neighbor == shape || !fixed || its == nullptr || (flags & (shape_sensor | shape_pre_solve)) != 0) return;  // it holds nothing, or may not
+            if (neighbor == shape || !fixed || its == nullptr || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
             visit(*its, inv_mul(body_transform(core, its_body), at));
         });
     }

@@ -121,13 +121,14 @@ bool needs_what_is_cut(const Core& c) {
         if (pool_live(s.joint_pool, c.joints, i) && !has_joint(static_cast<JointType>(c.joints[i].type))) return true;
     for (std::uint32_t i = 0; !has_all_shapes && i < s.geometry_pool.high_water; ++i)
         if (c.geometries[i].references != 0 && !has_shape(static_cast<ShapeType>(c.geometries[i].type))) return true;
-    for (std::uint32_t i = 0; !(has_restitution && has_surfaces && has_sensors && has_hits && has_hooks) && i < s.shape_pool.high_water; ++i) {
+    for (std::uint32_t i = 0; !(has_restitution && has_surfaces && has_sensors && has_hits && has_hooks && has_one_way) && i < s.shape_pool.high_water; ++i) {
         const Shape& shape = c.shapes[i];
         if (!has_restitution && shape.restitution != 0) return true;
         if (!has_surfaces && (shape.rolling_resistance != 0 || shape.tangent_speed != 0)) return true;
         if (!has_sensors && (shape.flags & shape_sensor) != 0) return true;
         if (!has_hits && (shape.flags & shape_hit_events) != 0) return true;
         if (!has_hooks && (shape.flags & shape_pre_solve) != 0) return true;
+        if (!has_one_way && (shape.flags & shape_one_way_bits) != 0) return true;
     }
     for (std::uint32_t i = 0; !has_sleep && i < s.body_pool.high_water; ++i)
         if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (c.bodies[i].flags & body_disabled) == 0) return true;

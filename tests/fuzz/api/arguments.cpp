@@ -112,6 +112,7 @@ ShapeDef Caller::shape_def() {
         d.sensor_events = (what & 2) != 0;
         d.hit_events = (what & 4) != 0;
         d.pre_solve = (what & 8) != 0;
+        if ((what & 7) == 7) d.one_way = {0, 1};
         d.material = what;
     }
     return d;

@@ -163,7 +163,14 @@ void Caller::change_shape() {
     }
     case 12: all.enable_sensor_events(s, in.flag()); break;
     case 13: all.enable_hit_events(s, in.flag()); break;
-    case 14: all.enable_pre_solve(s, in.flag()); break;
+    case 14:
+        if (in.flag()) {
+            all.enable_pre_solve(s, in.flag());
+        } else {
+            const float x = in.number();
+            all.set_one_way(s, {x, in.number()});
+        }
+        break;
     case 15: {
         WindDef wind;
         wind.velocity = in.point();
