@@ -26,7 +26,7 @@ Camera::Camera(const Aabb& shown, double width_pixels) : view(shown) {
     if (width / view_width <= scale) return;
     // A view that is too tall for that shows more to both sides.
     const double middle = 0.5 * (double(view.lower.x) + double(view.upper.x)), half = 0.5 * width / scale;
-    constexpr double most = std::numeric_limits<float>::max();
+    constexpr double most = double(std::numeric_limits<float>::max());
     view.lower.x = static_cast<float>(std::max(middle - half, -most));
     view.upper.x = static_cast<float>(std::min(middle + half, most));
 }

@@ -76,7 +76,8 @@ void expect_sane(World& world, const Ragdoll& doll) {
         }
         for (const JointId joint : doll.joints) {
             const JointError error = world.joint_error(joint);
-            ASSERT_LT(error.linear, 0.03f) << step;   // m: two fingers' breadth
+// A body that the ground stops at once leaves its joint open by what the other goes in a substep: m
+            ASSERT_LT(error.linear, 15.0f / 240) << step;
             ASSERT_LT(error.angular, 0.15f) << step;  // rad, beyond a limit: 9 degrees as it strikes the ground
         }
     }

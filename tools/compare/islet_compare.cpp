@@ -110,8 +110,8 @@ int run_comparison(const Options& options, const std::vector<const SceneInfo*>& 
     csv.close();
     fmt::print("{}", options.json ? to_json(comparisons) : to_table(comparisons));
     std::fflush(stdout);
-    const bool is_unwritten = has_failed(csv) | (std::count_if(pictures.begin(), pictures.end(), has_failed) > 0);
-    return pass && !is_unwritten ? ok : check_failed;
+    const auto unwritten = std::count_if(pictures.begin(), pictures.end(), has_failed) + (has_failed(csv) ? 1 : 0);  // each says so
+    return pass && unwritten == 0 ? ok : check_failed;
 }
 
 }  // namespace
