@@ -168,7 +168,7 @@ void Caller::change_shape() {
             all.enable_pre_solve(s, in.flag());
         } else {
             const float x = in.number();
-            all.set_one_way(s, {x, in.number()});
+            all.set_one_way(s, Vec2{x, in.number()});
         }
         break;
     case 15: {
