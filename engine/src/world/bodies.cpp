@@ -290,7 +290,7 @@ void World::set_mass(BodyId id, const MassData& mass) {
     if (!c.is_dynamic(i)) return;
     wake_island(c, i, c.arena());
     apply_mass(c, i, mass);
-    update_boxes(c, i, false);
+    refit_boxes(c, i);
 }
 
 void World::reset_mass(BodyId id) {
@@ -301,7 +301,7 @@ void World::reset_mass(BodyId id) {
     if (i == null_index) return;
     wake_island(c, i, c.arena());
     update_mass(c, i);
-    update_boxes(c, i, false);
+    refit_boxes(c, i);
 }
 
 void World::set_linear_damping(BodyId id, float damping) {

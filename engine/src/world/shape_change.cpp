@@ -100,7 +100,7 @@ void World::set_density(ShapeId id, float density) {
     c.shapes[i].density = density;
     wake_island(c, c.shapes[i].body, c.arena());
     update_mass(c, c.shapes[i].body);
-    update_boxes(c, c.shapes[i].body, false);
+    refit_boxes(c, c.shapes[i].body);
 }
 
 SurfaceMaterial World::material(ShapeId id) const {
@@ -156,7 +156,8 @@ Vec2 World::one_way(ShapeId id) const {
 void World::set_one_way(ShapeId id, Vec2 direction) {
     note_call<Call::set_one_way>(core(), id, direction);
     const DefaultFloatMode mode;
-    if (!check_finite(core(), direction) || !check(core(), has_one_way || direction == Vec2{}, Error::feature_cut)) return;
+    if (find_shape(core(), id) == null_index || !check_finite(core(), direction)) return;
+    if (!check(core(), has_one_way || direction == Vec2{}, Error::feature_cut)) return;
     set_flag(core(), id, shape_one_way_bits, false);
     set_flag(core(), id, flags_of_direction(normalize(direction)), true);
 }

@@ -126,8 +126,7 @@ bool check_shape_def(const Core& core, const ShapeDef& d) {
 void shapes_changed(Core& core, std::uint32_t body) {
     const DefaultFloatMode mode;
     update_mass(core, body);
-    update_boxes(core, body, false);
-    if (!core.is_awake(body)) rest_shapes(core, body);
+    refit_boxes(core, body);
 }
 
 std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& g, const ShapeDef& def) {

@@ -3,6 +3,7 @@
 #include "broadphase/contacts.hpp"
 #include "broadphase/tree.hpp"
 #include "memory/joint_graph.hpp"
+#include "world/bounds.hpp"
 
 namespace islet::detail {
 
@@ -31,6 +32,11 @@ void rest_shapes(Core& core, std::uint32_t body) {
         }
         if (leaf == null_index) leaf = tree_insert(tree, core.boxes[s], s);
     }
+}
+
+void refit_boxes(Core& core, std::uint32_t body) {
+    update_boxes(core, body, false);
+    if (!core.is_awake(body)) rest_shapes(core, body);
 }
 
 void unrest_shapes(Core& core, std::uint32_t body) {

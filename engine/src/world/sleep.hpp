@@ -17,6 +17,9 @@ void end_contacts(Core& core, std::uint32_t body);
 /// Puts one body to sleep with zero velocity.
 void put_to_sleep(Core& core, std::uint32_t body);
 
+/// After the mass or the shapes of a body changed: its fat boxes, in the tree too if it is not awake.
+void refit_boxes(Core& core, std::uint32_t body);
+
 /// Moves the body's shapes into the tree of resting shapes, or out of it.
 void rest_shapes(Core& core, std::uint32_t body);
 void unrest_shapes(Core& core, std::uint32_t body);
