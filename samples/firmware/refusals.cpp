@@ -1,4 +1,4 @@
-// For a build without capsules, segments, chains, joints, bouncing, surfaces, sleep, sensors, hits, hooks, queries and so the mover: each is refused, by
+// For a build without capsules, segments, chains, joints, bouncing, surfaces, sleep, sensors, hits, hooks, one-way shapes, queries and so the mover: each is refused, by
 // name and at no cost to the world, and what is left comes to the same. Prints the pyramid's line as firmware.cpp does; fails if anything is not refused.
 #include <islet/mover.hpp>
 
@@ -47,6 +47,9 @@ int run() {
     expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.sensor = true}), "sensors");
     expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.hit_events = true}), "hit events");
     expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.pre_solve = true}), "the pre_solve hook");
+    expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.one_way = {0, 1}}), "one-way shapes");
+    world.set_one_way(box, {0, 1});
+    expect_refused(world, world.one_way(box) == Vec2{}, "set_one_way");
     world.set_hooks({.filter = [](ShapeId, ShapeId, void*) { return true; }});
     expect_refused(world, world.hooks() == Hooks{}, "hooks");
     world.set_restitution(box, 1);

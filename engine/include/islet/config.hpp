@@ -21,7 +21,7 @@
 #endif
 #endif
 
-/// 1: sensors, hit events, hooks, disabled bodies, bullets, and sweeps that go contact by contact (SolverDef::sweep_order, block_contacts, shock) come only
+/// 1: sensors, hit events, hooks, one-way shapes, disabled bodies, bullets, and sweeps that go contact by contact (SolverDef::sweep_order, block_contacts, shock) come only
 /// with the functions of World that are theirs, as joints and chains always do: a firmware that never calls these does not link them, and is refused what
 /// would need them (feature_cut). 0: they are there.
 #if !defined(ISLET_LEAN)

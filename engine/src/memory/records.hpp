@@ -79,6 +79,7 @@ enum ShapeFlags : std::uint32_t {
     shape_hit_events = 4u,
     shape_pre_solve = 8u,      // the pre-solve hook is asked about its contacts
     shape_all_flags = 15u,     // of those that a world has to know of
+    asked_one_way = 16u,       // in State::asked alone: a shape was one-way
     shape_one_way_bits = ~255u,  // the direction in which it holds what comes, as two numbers of 12 bits; 0: no one-way shape
 };
 
@@ -96,6 +97,11 @@ struct Shape {
     std::uint32_t flags = 0;                             // ShapeFlags
     std::uint32_t material = 0;                          // the user's id
 };
+
+/// What State::asked has to tell of a shape's flags.
+inline std::uint32_t asked_of(std::uint32_t flags) {
+    return (flags & shape_all_flags) | ((flags & shape_one_way_bits) != 0 ? std::uint32_t{asked_one_way} : 0u);
+}
 
 /// The direction of a one-way shape in its flags, to 1/1000 rad, along an axis exactly; and back, unit or zero.
 inline std::uint32_t flags_of_direction(Vec2 unit) {
@@ -305,7 +311,7 @@ struct State {
     std::uint32_t bullet_count = 0;                                // bodies that are bullets
     float hit_threshold = 1;                                       // m/s
     std::uint32_t locked_count = 0;                                // bodies with a lock
-    std::uint32_t asked = 0;                                       // ShapeFlags that any shape ever had
+    std::uint32_t asked = 0;                                       // what any shape ever asked for: asked_of its flags
     std::uint32_t pad[10] = {};
 };
 

@@ -45,7 +45,7 @@ bool is_valid_geometry(const Geometry& g) {
 
 const char* fault_in_numbers(const State& s) {
     if (s.solver.schedule > 1 || s.solver.warm_start > 1 || s.solver.joint_trees > 2 || s.solver.sweep_order > 3 ||
-        s.solver.block_contacts > 1 || s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1 || s.continuous > 1 || s.asked > shape_all_flags) return "a setting of the world is none";
+        s.solver.block_contacts > 1 || s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1 || s.continuous > 1 || s.asked > (shape_all_flags | asked_one_way)) return "a setting of the world is none";
     Error error = Error::none;
     const bool sane = check_solver(unpack(s.solver), error) && is_finite(s.gravity) && not_negative(s.restitution_threshold) && s.max_speed > 0 &&
                       s.max_speed <= max_speed_limit && within(s.last_substep, 0, 1) && not_negative(s.hit_threshold);

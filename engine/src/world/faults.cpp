@@ -349,7 +349,7 @@ const char* fault_in_counts(const Core& c) {
         locked += c.bodies[i].has_locks() ? 1 : 0;
     }
     for (std::uint32_t i = 0; i < s.shape_pool.high_water; ++i)
-        if (live_shape(c, i) && (c.shapes[i].flags & shape_all_flags & ~s.asked) != 0) return "a shape has a flag that the world does not know of";
+        if (live_shape(c, i) && (asked_of(c.shapes[i].flags) & ~s.asked) != 0) return "a shape has a flag that the world does not know of";
     return bullets != s.bullet_count ? "the bullets are miscounted" : locked != s.locked_count ? "the bodies with locks are miscounted" : nullptr;
 }
 

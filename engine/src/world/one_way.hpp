@@ -6,6 +6,8 @@
 //     held      once all of the other shape is above the one-way shape's highest point
 //     passes    until then: it comes from below or from beside; and again once it is not above and touches nothing, since it has left
 //     dropped   passes until the two part or it is above by more than a slop: the pre_solve hook said no to a contact that would have held
+//
+// Weakly referenced: in a lean build only World::one_way, set_one_way and load link it. Where it is missing no shape is one-way, so none of it is called.
 #pragma once
 
 #include "collide/corners.hpp"
@@ -14,12 +16,16 @@
 namespace islet::detail {
 
 /// How far the other shape is above the highest point of `shape`, m along its direction; huge if the shape is not one-way.
-float height_above(const Core& core, std::uint32_t shape, std::uint32_t other);
+ISLET_OPTIONAL float height_above(const Core& core, std::uint32_t shape, std::uint32_t other);
 /// The same for what is no shape of the world, at a pose.
-float height_above(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose);
+ISLET_OPTIONAL float height_above(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose);
 /// Decides anew whether the contact of a one-way shape holds, with the bodies as they stand; false: the shapes pass each other.
-bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flags, float dt);
+ISLET_OPTIONAL bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flags, float dt);
 /// Of a contact that holds, after its manifold was made: gives a normal that does not lead up, which the narrow phase finds on a thin shape that the other has sunk into, its direction.
-void mend_one_way(Core& core, std::uint32_t contact);
+ISLET_OPTIONAL void mend_one_way(Core& core, std::uint32_t contact);
+
+/// Does nothing, but whoever refers to it links the functions above.
+void link_one_way();
+inline bool one_way_is_linked() { return ISLET_IS_LINKED(decide_one_way); }
 
 }  // namespace islet::detail

@@ -6,6 +6,7 @@
 #include "world/bounds.hpp"
 #include "world/checks.hpp"
 #include "world/geometry_pool.hpp"
+#include "world/one_way.hpp"
 #include "world/recorder.hpp"
 #include "world/shapes.hpp"
 #include "world/sleep.hpp"
@@ -48,7 +49,7 @@ void set_flag(Core& core, ShapeId id, std::uint32_t flag, bool on) {
     if (i == null_index) return;
     Shape& s = core.shapes[i];
     s.flags = on ? s.flags | flag : s.flags & ~flag;
-    core.state->asked |= s.flags & shape_all_flags;
+    core.state->asked |= asked_of(s.flags);
     for_each_contact(core, s.body, [&](std::uint32_t contact, std::uint32_t) { mix_materials(core, contact); });
 }
 
@@ -149,11 +150,13 @@ void World::enable_pre_solve(ShapeId id, bool enable) {
 }
 
 Vec2 World::one_way(ShapeId id) const {
+    link_one_way();
     const std::uint32_t i = find_shape(core(), id);
     return i != null_index ? direction_of_flags(core().shapes[i].flags) : Vec2{};
 }
 
 void World::set_one_way(ShapeId id, Vec2 direction) {
+    link_one_way();
     note_call<Call::set_one_way>(core(), id, direction);
     const DefaultFloatMode mode;
     if (find_shape(core(), id) == null_index || !check_finite(core(), direction)) return;
@@ -168,7 +171,7 @@ void World::enable_sensor_events(ShapeId id, bool enable) {
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || ((c.shapes[i].flags & shape_unseen) == 0) == enable) return;
     c.shapes[i].flags ^= shape_unseen;
-    c.state->asked |= c.shapes[i].flags & shape_all_flags;
+    c.state->asked |= asked_of(c.shapes[i].flags);
     end_unwanted_contacts(c, i);
     mark_moved(c, i);
 }

@@ -16,6 +16,7 @@
 #include "world/hooks.hpp"
 #include "world/image.hpp"
 #include "world/joints.hpp"
+#include "world/one_way.hpp"
 #include "world/recorder.hpp"
 
 namespace islet {
@@ -153,7 +154,8 @@ void rebuild_pairs(Core& core, const ImageHeader& h) {
 bool can_tell(const std::byte* image) {
     std::uint32_t asked = 0;
     std::memcpy(&asked, image + sizeof(ImageHeader) + offsetof(State, asked), sizeof asked);  // the state comes first
-    return ((asked & shape_sensor) == 0 || (has_sensors && sensors_are_linked())) && ((asked & shape_hit_events) == 0 || (has_hits && hits_are_linked()));
+    return ((asked & shape_sensor) == 0 || (has_sensors && sensors_are_linked())) && ((asked & shape_hit_events) == 0 || (has_hits && hits_are_linked())) &&
+           ((asked & asked_one_way) == 0 || (has_one_way && one_way_is_linked()));
 }
 
 // What waits in the arrays of end events, behind what was reported.
@@ -267,6 +269,7 @@ bool World::load(std::span<const std::byte> image) {
     link_chains();
     link_sensors();
     link_hits();
+    link_one_way();
     link_hooks();
     link_disabling();
     link_bullets();

@@ -13,6 +13,7 @@
 #include "world/geometry_pool.hpp"
 #include "world/hooks.hpp"
 #include "world/profile.hpp"
+#include "world/one_way.hpp"
 #include "world/recorder.hpp"
 #include "world/sleep.hpp"
 
@@ -67,6 +68,7 @@ std::uint32_t choose_lanes(std::uint32_t wanted) {
 [[maybe_unused]] void link_all() {
     link_sensors();
     link_hits();
+    link_one_way();
     link_hooks();
     link_disabling();
     link_bullets();
