@@ -23,7 +23,6 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float least_lean = 1.0e-4f;           // a normal that leans less does not lean
-inline constexpr float never = 2.0f;                   // no cosine is as large
 inline constexpr float gap_width = 0.2f * linear_slop; // m in front of a side that a neighbour must cover
 
 // Signed distance of a point from the plane of a face of the core, body frame.
