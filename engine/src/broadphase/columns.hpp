@@ -2,7 +2,7 @@
 #pragma once
 
 #include "islet/layout.hpp"
-#include "math/lanes.hpp"
+#include "../math/lanes.hpp"
 
 namespace islet::detail {
 

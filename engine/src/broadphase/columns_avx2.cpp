@@ -1,7 +1,9 @@
 // Compiled for AVX2, as solver/kernel_avx2.cpp is.
-#include "math/avx2.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/columns.hpp"
+#include "../math/avx2.hpp"
+
+#include "../broadphase/columns.hpp"
 
 namespace islet::detail {
 

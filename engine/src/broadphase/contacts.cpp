@@ -1,10 +1,12 @@
-#include "broadphase/contacts.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/sensors.hpp"
-#include "memory/colors.hpp"
-#include "memory/joint_graph.hpp"
-#include "math/scalar.hpp"
-#include "memory/mixing.hpp"
+#include "../broadphase/contacts.hpp"
+
+#include "../broadphase/sensors.hpp"
+#include "../memory/colors.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/mixing.hpp"
 
 namespace islet::detail {
 

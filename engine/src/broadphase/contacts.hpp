@@ -2,8 +2,8 @@
 // The pair set answers whether two shapes already have a contact.
 #pragma once
 
-#include "memory/core.hpp"
-#include "memory/edge_list.hpp"
+#include "../memory/core.hpp"
+#include "../memory/edge_list.hpp"
 
 namespace islet::detail {
 

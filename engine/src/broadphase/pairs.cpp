@@ -1,14 +1,16 @@
 // Shapes in motion are found by sorting their fat boxes along an axis and sweeping over the sorted columns (Baraff 1992; the sort is a radix
 // sort, so its cost is fixed), shapes at rest by a query of the tree. Chosen by measurement (tools/bench/pair_finder.cpp): for 8 100 boxes that all
 // moved, keeping a tree up and querying it takes 9 times as long, for 64 boxes 3 times.
-#include "broadphase/pairs.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/columns.hpp"
-#include "broadphase/contacts.hpp"
-#include "broadphase/tree.hpp"
-#include "collide/manifold.hpp"
-#include "math/scalar.hpp"
-#include "memory/parallel.hpp"
+#include "../broadphase/pairs.hpp"
+
+#include "../broadphase/columns.hpp"
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/tree.hpp"
+#include "../collide/manifold.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/parallel.hpp"
 
 namespace islet::detail {
 

@@ -1,8 +1,10 @@
-#include "broadphase/sensors.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "collide/corners.hpp"
-#include "collide/distance.hpp"
+#include "../broadphase/sensors.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../collide/corners.hpp"
+#include "../collide/distance.hpp"
 
 namespace islet::detail {
 

@@ -7,7 +7,7 @@
 // call link_sensors, which takes it all. Where it is missing there are no sensors, so none of it is ever called.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

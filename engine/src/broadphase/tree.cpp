@@ -1,4 +1,6 @@
-#include "broadphase/tree.hpp"
+#include "../exact.hpp"
+
+#include "../broadphase/tree.hpp"
 
 namespace islet::detail {
 

@@ -8,8 +8,10 @@
 //     |    +--->|/  \    -> n      degrees; face i runs from corner i to corner i + 1
 //     +---------+\  / incident box
 //                 \/
-#include "collide/outline.hpp"
-#include "math/copies.hpp"
+#include "../exact.hpp"
+
+#include "../collide/outline.hpp"
+#include "../math/copies.hpp"
 
 namespace islet::detail {
 namespace {

@@ -10,9 +10,11 @@
 //     neighbour  \ | link     left of n0 they belong to the neighbour.
 //     ---------.__\|_________
 //     ghost1     p1     ->  p2   (drawn mirrored: the outward side is on the right of p1 -> p2)
-#include "collide/distance.hpp"
-#include "collide/outline.hpp"
-#include "math/copies.hpp"
+#include "../exact.hpp"
+
+#include "../collide/distance.hpp"
+#include "../collide/outline.hpp"
+#include "../math/copies.hpp"
 
 namespace islet::detail {
 namespace {

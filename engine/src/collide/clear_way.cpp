@@ -3,10 +3,12 @@
 //
 // What is found here must be what time_of_impact would find, to the bit, as not every build asks here first. So besides an allowance for rounding the two
 // must be so far apart that each advance of the search is a fortieth of the way or more: it cannot run out of advances, and ends with nothing found.
-#include "collide/clear_way.hpp"
+#include "../exact.hpp"
 
-#include "collide/corners.hpp"
-#include "math/scalar.hpp"
+#include "../collide/clear_way.hpp"
+
+#include "../collide/corners.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

@@ -1,8 +1,8 @@
 // Proof, without a search, that what moves stays in front of a wall.
 #pragma once
 
-#include "collide/time_of_impact.hpp"
-#include "memory/records.hpp"
+#include "../collide/time_of_impact.hpp"
+#include "../memory/records.hpp"
 
 namespace islet::detail {
 

@@ -1,8 +1,8 @@
 // Any geometry as the points whose hull, grown by a radius, it is.
 #pragma once
 
-#include "math/copies.hpp"
-#include "memory/records.hpp"
+#include "../math/copies.hpp"
+#include "../memory/records.hpp"
 
 namespace islet::detail {
 

@@ -1,7 +1,9 @@
-#include "collide/difference.hpp"
+#include "../exact.hpp"
 
-#include "geometry/convex.hpp"
-#include "math/scalar.hpp"
+#include "../collide/difference.hpp"
+
+#include "../geometry/convex.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 namespace {

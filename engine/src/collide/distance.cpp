@@ -9,10 +9,12 @@
 //        |      /
 //        | d-> o              here o is inside w0 w1 new: overlap
 //        w0
-#include "collide/distance.hpp"
+#include "../exact.hpp"
 
-#include "math/copies.hpp"
-#include "math/scalar.hpp"
+#include "../collide/distance.hpp"
+
+#include "../math/copies.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 namespace {

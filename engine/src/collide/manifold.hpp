@@ -6,9 +6,9 @@
 
 #include <cstdint>
 
-#include "geometry/convex.hpp"
+#include "../geometry/convex.hpp"
 #include "islet/geometry.hpp"
-#include "memory/features.hpp"
+#include "../memory/features.hpp"
 
 namespace islet::detail {
 

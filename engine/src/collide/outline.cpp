@@ -1,5 +1,7 @@
 // Outlines from shapes, and clipping: see the drawing in outline.hpp.
-#include "collide/outline.hpp"
+#include "../exact.hpp"
+
+#include "../collide/outline.hpp"
 
 namespace islet::detail {
 

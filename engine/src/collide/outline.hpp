@@ -6,9 +6,9 @@
 //              reference
 #pragma once
 
-#include "collide/manifold.hpp"
-#include "math/copies.hpp"
-#include "math/scalar.hpp"
+#include "../collide/manifold.hpp"
+#include "../math/copies.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

@@ -3,9 +3,11 @@
 // For two convex outlines every face normal gives a lower bound of the distance; the greatest of them picks the reference face. If the
 // face it looks at, clipped to it, comes as close as that bound, face contact is the answer. Otherwise two corners are closest, and GJK
 // says which. (The order of these steps, and that rounded and speculative contacts need the last one, is learnt from Box2D 3.)
-#include "collide/distance.hpp"
-#include "collide/outline.hpp"
-#include "math/boxes.hpp"
+#include "../exact.hpp"
+
+#include "../collide/distance.hpp"
+#include "../collide/outline.hpp"
+#include "../math/boxes.hpp"
 
 namespace islet::detail {
 namespace {

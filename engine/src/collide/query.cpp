@@ -1,8 +1,10 @@
 // Proxies, and the questions about shapes by themselves: checks around what difference.hpp answers.
+#include "../exact.hpp"
+
 #include "islet/query.hpp"
 
-#include "collide/difference.hpp"
-#include "geometry/convex.hpp"
+#include "../collide/difference.hpp"
+#include "../geometry/convex.hpp"
 
 namespace islet {
 namespace {

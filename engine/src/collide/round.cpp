@@ -1,5 +1,7 @@
 // Pairs with a circle: the closest point of the other core to the circle's centre decides everything, so there is one point at most.
-#include "collide/outline.hpp"
+#include "../exact.hpp"
+
+#include "../collide/outline.hpp"
 
 namespace islet::detail {
 namespace {

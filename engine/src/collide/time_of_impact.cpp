@@ -1,10 +1,12 @@
 // Conservative advancement (Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996): two shapes that are d apart along a direction n do
 // not meet before they have come d nearer along n, and no point of them does so faster than the centres approach each other along n plus what the
 // turning can add. So time may go on by d over that speed, and never passes an impact.
-#include "collide/time_of_impact.hpp"
+#include "../exact.hpp"
 
-#include "math/scalar.hpp"
-#include "memory/features.hpp"
+#include "../collide/time_of_impact.hpp"
+
+#include "../math/scalar.hpp"
+#include "../memory/features.hpp"
 
 namespace islet::detail {
 

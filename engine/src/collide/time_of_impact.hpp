@@ -1,7 +1,7 @@
 // When two convex shapes in motion meet within a step.
 #pragma once
 
-#include "collide/distance.hpp"
+#include "../collide/distance.hpp"
 
 namespace islet::detail {
 

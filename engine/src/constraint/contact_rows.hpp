@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "constraint/solver_body.hpp"
-#include "memory/records.hpp"
+#include "../constraint/solver_body.hpp"
+#include "../memory/records.hpp"
 
 namespace islet::detail {
 

@@ -14,7 +14,7 @@
 // (Catto, "Solver2D", 2024).
 #pragma once
 
-#include "constraint/joint_rows.hpp"
+#include "../constraint/joint_rows.hpp"
 
 namespace islet::detail {
 

@@ -8,7 +8,7 @@
 // Source: as revolute.hpp.
 #pragma once
 
-#include "constraint/coordinate.hpp"
+#include "../constraint/coordinate.hpp"
 
 namespace islet::detail {
 

@@ -7,8 +7,8 @@
 // The Jacobian is taken at the start of the step. Gears are few and hold more than two bodies, so they are solved one by one, without a colour.
 #pragma once
 
-#include "constraint/joint_rows.hpp"
-#include "math/copies.hpp"
+#include "../constraint/joint_rows.hpp"
+#include "../math/copies.hpp"
 
 namespace islet::detail {
 

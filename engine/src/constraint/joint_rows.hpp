@@ -20,10 +20,10 @@
 
 #include <cstdint>
 
-#include "collide/manifold.hpp"
-#include "constraint/lane_vectors.hpp"
-#include "constraint/softness.hpp"
-#include "constraint/solver_body.hpp"
+#include "../collide/manifold.hpp"
+#include "../constraint/lane_vectors.hpp"
+#include "../constraint/softness.hpp"
+#include "../constraint/solver_body.hpp"
 
 namespace islet::detail {
 

@@ -1,9 +1,9 @@
 // Vectors of lanes, and the two bodies of a joint as lanes: what the joints' kernels are written in.
 #pragma once
 
-#include "constraint/solver_body.hpp"
-#include "math/lanes.hpp"
-#include "math/scalar.hpp"
+#include "../constraint/solver_body.hpp"
+#include "../math/lanes.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

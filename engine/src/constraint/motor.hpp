@@ -6,7 +6,7 @@
 // The mouse joint is the same with A's point in the world and no torque: see mouse.hpp.
 #pragma once
 
-#include "constraint/coordinate.hpp"
+#include "../constraint/coordinate.hpp"
 
 namespace islet::detail {
 

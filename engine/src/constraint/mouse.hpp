@@ -6,7 +6,7 @@
 // It is the motor joint (motor.hpp) with a frequency, no torque, and for A the world: `body_a` is null and `local_a` the target.
 #pragma once
 
-#include "constraint/motor.hpp"
+#include "../constraint/motor.hpp"
 
 namespace islet::detail {
 

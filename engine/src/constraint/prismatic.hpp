@@ -10,7 +10,7 @@
 // Source: as revolute.hpp.
 #pragma once
 
-#include "constraint/coordinate.hpp"
+#include "../constraint/coordinate.hpp"
 
 namespace islet::detail {
 

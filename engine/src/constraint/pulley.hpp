@@ -8,7 +8,7 @@
 // lambda > 0 is the rope's tension; it may push as well. Source: Catto's Box2D 2 (b2PulleyJoint) for the constraint.
 #pragma once
 
-#include "constraint/joint_rows.hpp"
+#include "../constraint/joint_rows.hpp"
 
 namespace islet::detail {
 

@@ -8,8 +8,8 @@
 // Spring, limits, motor and friction act on it (coordinate.hpp). Source: Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005.
 #pragma once
 
-#include "constraint/coordinate.hpp"
-#include "math/copies.hpp"
+#include "../constraint/coordinate.hpp"
+#include "../math/copies.hpp"
 
 namespace islet::detail {
 

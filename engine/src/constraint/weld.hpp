@@ -7,7 +7,7 @@
 // spring of softness.hpp with G = K / a2, where K stands for the mean of A's diagonal, or c. Rigid rows have the joints' common softness.
 #pragma once
 
-#include "constraint/joint_rows.hpp"
+#include "../constraint/joint_rows.hpp"
 
 namespace islet::detail {
 

@@ -7,7 +7,7 @@
 // Source: Box2D's wheel joint for what it offers; the rows are those of revolute.hpp and prismatic.hpp.
 #pragma once
 
-#include "constraint/prismatic.hpp"
+#include "../constraint/prismatic.hpp"
 
 namespace islet::detail {
 

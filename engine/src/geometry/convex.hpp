@@ -5,7 +5,7 @@
 #include <span>
 
 #include "islet/geometry.hpp"
-#include "math/copies.hpp"
+#include "../math/copies.hpp"
 
 namespace islet::detail {
 

@@ -1,5 +1,7 @@
 // Convex hull of a handful of points: Andrew's monotone chain (1979), then the corners that are too fine are dropped.
-#include "geometry/convex.hpp"
+#include "../exact.hpp"
+
+#include "../geometry/convex.hpp"
 
 namespace islet {
 namespace {

@@ -1,6 +1,8 @@
 // Mass, centre of mass and inertia of solid shapes. Areas below are multiplied by the density at the very end.
-#include "geometry/convex.hpp"
-#include "math/copies.hpp"
+#include "../exact.hpp"
+
+#include "../geometry/convex.hpp"
+#include "../math/copies.hpp"
 
 namespace islet {
 namespace {

@@ -1,6 +1,8 @@
 // Which shapes the engine accepts. Every comparison is written so that NaN fails it.
-#include "geometry/convex.hpp"
-#include "math/copies.hpp"
+#include "../exact.hpp"
+
+#include "../geometry/convex.hpp"
+#include "../math/copies.hpp"
 
 namespace islet {
 namespace {

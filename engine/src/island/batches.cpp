@@ -1,10 +1,12 @@
-#include "island/batches.hpp"
+#include "../exact.hpp"
 
-#include "constraint/joint_runs.hpp"
-#include "island/heights.hpp"
-#include "island/joint_trees.hpp"
-#include "island/union_find.hpp"
-#include "memory/parallel.hpp"
+#include "../island/batches.hpp"
+
+#include "../constraint/joint_runs.hpp"
+#include "../island/heights.hpp"
+#include "../island/joint_trees.hpp"
+#include "../island/union_find.hpp"
+#include "../memory/parallel.hpp"
 
 namespace islet::detail {
 

@@ -10,9 +10,9 @@
 // Which island, batch or slot a body gets never changes a result: rows of one colour are independent, and so are islands.
 #pragma once
 
-#include "constraint/joint_rows.hpp"
-#include "island/joint_trees.hpp"
-#include "memory/core.hpp"
+#include "../constraint/joint_rows.hpp"
+#include "../island/joint_trees.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -1,7 +1,9 @@
-#include "island/heights.hpp"
+#include "../exact.hpp"
 
-#include "math/scalar.hpp"
-#include "memory/heap_sort.hpp"
+#include "../island/heights.hpp"
+
+#include "../math/scalar.hpp"
+#include "../memory/heap_sort.hpp"
 
 namespace islet::detail {
 

@@ -13,7 +13,7 @@
 // 0.1 m/s, 0.2 m/s without), at 0.9 they explode; with rods between the bodies they do so from 0.7 on. Hence the range.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -1,8 +1,10 @@
-#include "island/joint_trees.hpp"
+#include "../exact.hpp"
 
-#include "island/batches.hpp"
-#include "math/copies.hpp"
-#include "math/scalar.hpp"
+#include "../island/joint_trees.hpp"
+
+#include "../island/batches.hpp"
+#include "../math/copies.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

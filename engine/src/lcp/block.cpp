@@ -2,9 +2,11 @@
 // solution is that of linear equations. It is sought by exchanging the rows that are wrong, first all of them at once, then only the
 // first of them, which ends at the solution if M is a P-matrix (Murty 1974; with both kinds of step: Judice and Pires 1994). If that
 // fails all choices are tried.
-#include "lcp/block.hpp"
+#include "../exact.hpp"
 
-#include "lcp/lu.hpp"
+#include "../lcp/block.hpp"
+
+#include "../lcp/lu.hpp"
 
 namespace islet::lcp {
 namespace {

@@ -1,7 +1,7 @@
 // The complementarity problem of a few rows, solved exactly.
 #pragma once
 
-#include "lcp/rows.hpp"
+#include "../lcp/rows.hpp"
 
 namespace islet::lcp {
 

@@ -2,9 +2,11 @@
 // points of a contact or the normal and friction of one, and blocks are coupled loosely.
 //
 // A block that has no unique solution (two rows that say the same) is swept row by row.
-#include "lcp/block.hpp"
-#include "lcp/sweep.hpp"
-#include "lcp/task.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/block.hpp"
+#include "../lcp/sweep.hpp"
+#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 namespace {

@@ -1,6 +1,8 @@
-#include "lcp/check.hpp"
+#include "../exact.hpp"
 
-#include "lcp/rows.hpp"
+#include "../lcp/check.hpp"
+
+#include "../lcp/rows.hpp"
 
 namespace islet::lcp {
 namespace {

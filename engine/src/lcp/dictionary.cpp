@@ -1,4 +1,6 @@
-#include "lcp/dictionary.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/dictionary.hpp"
 
 namespace islet::lcp {
 

@@ -3,7 +3,7 @@
 // The variables are x_i (number i), w_i (number n + i) and z (number 2 n), the parameter that covers up what is still wrong.
 #pragma once
 
-#include "lcp/task.hpp"
+#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 

@@ -3,8 +3,10 @@
 //
 // With a row's sum of magnitudes for its divisor no omega need be found: the largest eigenvalue of D^-1 M is then at most 1. (The l1 smoother of Baker,
 // Falgout, Kolev, Yang: Multigrid smoothers for ultraparallel computing, 2011.)
-#include "lcp/sweep.hpp"
-#include "lcp/task.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/sweep.hpp"
+#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 

@@ -9,8 +9,10 @@
 // Sources: Lemke 1965; Cottle, Pang, Stone: The Linear Complementarity Problem (1992), chapter 4; upper bounds
 // as in the simplex method with bounded variables. Rows without any bound are made basic first. At the end the free rows are solved once
 // more from the numbers given, which takes away what rounding the pivots piled up.
-#include "lcp/dictionary.hpp"
-#include "lcp/lu.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/dictionary.hpp"
+#include "../lcp/lu.hpp"
 
 namespace islet::lcp {
 namespace {

@@ -1,4 +1,6 @@
-#include "lcp/lu.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/lu.hpp"
 
 namespace islet::lcp {
 namespace {

@@ -1,7 +1,7 @@
 // Dense factorisation with row exchanges, for the free rows of newton, lemke and the blocks.
 #pragma once
 
-#include "lcp/rows.hpp"
+#include "../lcp/rows.hpp"
 
 namespace islet::lcp {
 

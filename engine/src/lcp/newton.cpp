@@ -6,9 +6,11 @@
 // which happens on the kinks of F, a step with a damped matrix is tried (Levenberg), and if that will not do either, one sweep of PGS moves x
 // elsewhere; the best x so far is kept. Sources: Qi and Sun 1993 (the method), Erleben: Numerical methods for linear complementarity problems in
 // physics-based animation, SIGGRAPH 2013 (the minimum map and the falling back).
-#include "lcp/lu.hpp"
-#include "lcp/sweep.hpp"
-#include "lcp/task.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/lu.hpp"
+#include "../lcp/sweep.hpp"
+#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 namespace {

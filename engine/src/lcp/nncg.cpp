@@ -6,8 +6,10 @@
 // string of 200 rows over an obstacle that is 308 sweeps instead of 2105 (PGS alone: 3014).
 //
 // The x that is measured and left is the one right after the sweeps, before the step along the direction is added: that one keeps the bounds.
-#include "lcp/sweep.hpp"
-#include "lcp/task.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/sweep.hpp"
+#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 

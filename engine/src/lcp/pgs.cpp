@@ -2,8 +2,10 @@
 //
 // For symmetric positive semi-definite M each row's step is the exact minimum of x.M x / 2 + q.x along that row's axis, so the sweeps descend; the
 // theory is Cottle, Pang, Stone: The Linear Complementarity Problem (1992), chapter 5.
-#include "lcp/sweep.hpp"
-#include "lcp/task.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/sweep.hpp"
+#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 namespace {

@@ -1,6 +1,8 @@
-#include "lcp/residual.hpp"
+#include "../exact.hpp"
 
-#include "lcp/check.hpp"
+#include "../lcp/residual.hpp"
+
+#include "../lcp/check.hpp"
 
 namespace islet::lcp {
 namespace {

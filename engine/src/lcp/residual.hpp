@@ -1,7 +1,7 @@
 // How far x is from a solution. The arguments have been checked.
 #pragma once
 
-#include "lcp/rows.hpp"
+#include "../lcp/rows.hpp"
 
 namespace islet::lcp {
 

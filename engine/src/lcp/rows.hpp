@@ -2,7 +2,7 @@
 #pragma once
 
 #include "islet/lcp.hpp"
-#include "lcp/scalar.hpp"
+#include "../lcp/scalar.hpp"
 
 namespace islet::lcp {
 

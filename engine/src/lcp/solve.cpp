@@ -1,4 +1,6 @@
-#include "lcp/task.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 

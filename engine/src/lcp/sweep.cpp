@@ -1,4 +1,6 @@
-#include "lcp/sweep.hpp"
+#include "../exact.hpp"
+
+#include "../lcp/sweep.hpp"
 
 namespace islet::lcp {
 

@@ -1,8 +1,8 @@
 // A sweep of projected Gauss-Seidel, and what its steps are divided by.
 #pragma once
 
-#include "lcp/check.hpp"
-#include "lcp/rows.hpp"
+#include "../lcp/check.hpp"
+#include "../lcp/rows.hpp"
 
 namespace islet::lcp {
 

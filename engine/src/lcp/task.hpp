@@ -1,8 +1,8 @@
 // One call of solve: what it was given, and how a method reports.
 #pragma once
 
-#include "lcp/check.hpp"
-#include "lcp/residual.hpp"
+#include "../lcp/check.hpp"
+#include "../lcp/residual.hpp"
 
 namespace islet::lcp {
 

@@ -8,8 +8,8 @@
 
 #include "islet/config.hpp"
 #include "islet/math.hpp"
-#include "math/copies.hpp"
-#include "math/scalar.hpp"
+#include "../math/copies.hpp"
+#include "../math/scalar.hpp"
 
 #if defined(__SSE2__)
 #include <immintrin.h>

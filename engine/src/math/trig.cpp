@@ -7,10 +7,12 @@
 //
 // The angle passed is itself rounded, by up to 0.004 rad at 1e5 rad and by up to a turn at 2e8 rad: what is exact for the float
 // may still be far from what the caller meant. No step converts a number to an integer type that cannot hold it.
+#include "../exact.hpp"
+
 #include <cstdint>
 
 #include "islet/math.hpp"
-#include "math/scalar.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet {
 namespace {

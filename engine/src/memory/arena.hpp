@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "math/copies.hpp"
+#include "../math/copies.hpp"
 
 namespace islet::detail {
 

@@ -5,8 +5,8 @@
 // finds no colour overflows and is solved on its own. (Graph colouring for Gauss-Seidel; the split between the two ends follows Box2D 3.)
 #pragma once
 
-#include "math/copies.hpp"
-#include "memory/core.hpp"
+#include "../math/copies.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 
 #include "islet/world.hpp"
-#include "memory/arena.hpp"
-#include "memory/bit_set.hpp"
-#include "memory/pair_set.hpp"
-#include "memory/records.hpp"
+#include "../memory/arena.hpp"
+#include "../memory/bit_set.hpp"
+#include "../memory/pair_set.hpp"
+#include "../memory/records.hpp"
 
 namespace islet::detail {
 

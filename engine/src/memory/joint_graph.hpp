@@ -1,8 +1,8 @@
 // The graph of joints: one node a body, one edge a joint.
 #pragma once
 
-#include "memory/core.hpp"
-#include "memory/edge_list.hpp"
+#include "../memory/core.hpp"
+#include "../memory/edge_list.hpp"
 
 namespace islet::detail {
 

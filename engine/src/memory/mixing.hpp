@@ -1,9 +1,9 @@
 // What two materials make together: Coulomb's coefficients by the geometric mean, bouncing by the larger, unless the user mixes them otherwise.
 #pragma once
 
-#include "math/copies.hpp"
-#include "math/scalar.hpp"
-#include "memory/core.hpp"
+#include "../math/copies.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

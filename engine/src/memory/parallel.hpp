@@ -4,8 +4,8 @@
 // set, its slot of an array), and what changes shared state is committed afterwards, in index order, by the thread that steps the world.
 #pragma once
 
-#include "math/float_mode.hpp"
-#include "memory/core.hpp"
+#include "../math/float_mode.hpp"
+#include "../memory/core.hpp"
 
 // 0 compiles the parallel paths out: for_ranges is then one plain call.
 #if !defined(ISLET_THREADS)

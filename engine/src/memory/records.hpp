@@ -8,9 +8,9 @@
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/types.hpp"
-#include "math/copies.hpp"
-#include "memory/features.hpp"
-#include "memory/pool.hpp"
+#include "../math/copies.hpp"
+#include "../memory/features.hpp"
+#include "../memory/pool.hpp"
 
 namespace islet::detail {
 

@@ -1,10 +1,10 @@
 // What a body does over a substep when nothing touches it: gravity, forces, damping and the limits of speed.
 #pragma once
 
-#include "constraint/solver_body.hpp"
-#include "math/copies.hpp"
-#include "math/scalar.hpp"
-#include "memory/core.hpp"
+#include "../constraint/solver_body.hpp"
+#include "../math/copies.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

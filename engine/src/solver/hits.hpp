@@ -2,8 +2,8 @@
 // World::hit_events, which reads them, links it.
 #pragma once
 
-#include "constraint/contact_rows.hpp"
-#include "memory/core.hpp"
+#include "../constraint/contact_rows.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

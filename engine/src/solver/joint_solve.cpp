@@ -1,7 +1,9 @@
-#include "solver/joint_solve.hpp"
+#include "../exact.hpp"
 
-#include "constraint/joint_runs.hpp"
-#include "solver/tree_solve.hpp"
+#include "../solver/joint_solve.hpp"
+
+#include "../constraint/joint_runs.hpp"
+#include "../solver/tree_solve.hpp"
 
 namespace islet::detail {
 

@@ -5,8 +5,8 @@
 // references, the functions are ordinary ones and always there.)
 #pragma once
 
-#include "constraint/joint_rows.hpp"
-#include "island/batches.hpp"
+#include "../constraint/joint_rows.hpp"
+#include "../island/batches.hpp"
 
 namespace islet::detail {
 

@@ -1,8 +1,10 @@
 // The kernel for eight lanes: this file alone is compiled for AVX2 (never FMA, which would change the bits).
-#include "math/avx2.hpp"
+#include "../exact.hpp"
 
-#include "constraint/contact.hpp"
-#include "constraint/joint_runs.hpp"
+#include "../math/avx2.hpp"
+
+#include "../constraint/contact.hpp"
+#include "../constraint/joint_runs.hpp"
 
 namespace islet::detail {
 

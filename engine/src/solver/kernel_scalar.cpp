@@ -1,7 +1,9 @@
 // The kernel for one lane, and for four where the target's baseline has vectors (SSE2, NEON, wasm-simd128).
-#include "constraint/contact.hpp"
+#include "../exact.hpp"
+
+#include "../constraint/contact.hpp"
 #if ISLET_MAX_LANES >= 4
-#include "constraint/joint_runs.hpp"
+#include "../constraint/joint_runs.hpp"
 #endif
 
 namespace islet::detail {

@@ -1,8 +1,10 @@
-#include "solver/ordered_sweep.hpp"
+#include "../exact.hpp"
 
-#include "constraint/contact.hpp"
-#include "island/heights.hpp"
-#include "math/copies.hpp"
+#include "../solver/ordered_sweep.hpp"
+
+#include "../constraint/contact.hpp"
+#include "../island/heights.hpp"
+#include "../math/copies.hpp"
 
 namespace islet::detail {
 

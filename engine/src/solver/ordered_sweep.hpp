@@ -6,9 +6,9 @@
 // A block solve finds the two normal impulses of a contact together: the complementarity problem of two rows has four cases, and they are tried.
 #pragma once
 
-#include "constraint/contact_rows.hpp"
-#include "constraint/solver_body.hpp"
-#include "memory/features.hpp"
+#include "../constraint/contact_rows.hpp"
+#include "../constraint/solver_body.hpp"
+#include "../memory/features.hpp"
 
 namespace islet::detail {
 

@@ -1,7 +1,7 @@
 // What of a contact's material is rare, and so is not in its manifold: it comes from the shapes.
 #pragma once
 
-#include "memory/mixing.hpp"
+#include "../memory/mixing.hpp"
 
 namespace islet::detail {
 

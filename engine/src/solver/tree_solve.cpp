@@ -1,7 +1,9 @@
-#include "solver/tree_solve.hpp"
+#include "../exact.hpp"
 
-#include "constraint/revolute.hpp"
-#include "math/copies.hpp"
+#include "../solver/tree_solve.hpp"
+
+#include "../constraint/revolute.hpp"
+#include "../math/copies.hpp"
 
 namespace islet::detail {
 

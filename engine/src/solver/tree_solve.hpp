@@ -20,8 +20,8 @@
 // undone since, with the same factors. So nothing is warm started but what the impulses were is kept for readers.
 #pragma once
 
-#include "constraint/joint_rows.hpp"
-#include "island/batches.hpp"
+#include "../constraint/joint_rows.hpp"
+#include "../island/batches.hpp"
 
 namespace islet::detail {
 

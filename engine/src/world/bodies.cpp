@@ -1,16 +1,18 @@
 // The public functions on bodies.
-#include "broadphase/contacts.hpp"
-#include "broadphase/pairs.hpp"
-#include "math/float_mode.hpp"
-#include "memory/joint_graph.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/continuous.hpp"
-#include "world/joints.hpp"
-#include "world/push.hpp"
-#include "world/recorder.hpp"
-#include "world/shapes.hpp"
-#include "world/sleep.hpp"
+#include "../exact.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../math/float_mode.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/continuous.hpp"
+#include "../world/joints.hpp"
+#include "../world/push.hpp"
+#include "../world/recorder.hpp"
+#include "../world/shapes.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet {
 

@@ -1,10 +1,12 @@
-#include "world/bounds.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "broadphase/pairs.hpp"
-#include "collide/corners.hpp"
-#include "math/copies.hpp"
-#include "world/push.hpp"
+#include "../world/bounds.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../collide/corners.hpp"
+#include "../math/copies.hpp"
+#include "../world/push.hpp"
 
 namespace islet::detail {
 

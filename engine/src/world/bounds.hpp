@@ -1,9 +1,9 @@
 // Fat boxes, extents and mass of bodies, from their shapes.
 #pragma once
 
-#include "collide/corners.hpp"
-#include "collide/manifold.hpp"
-#include "memory/core.hpp"
+#include "../collide/corners.hpp"
+#include "../collide/manifold.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -6,12 +6,14 @@
 //
 // Of two bullets the one that goes farther gives way. The other is not carried along: how far the first will come is not known yet, and whatever it was
 // carried over would take rounds to make good.
-#include "broadphase/tree.hpp"
-#include "math/scalar.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/continuous.hpp"
-#include "world/recorder.hpp"
+#include "../exact.hpp"
+
+#include "../broadphase/tree.hpp"
+#include "../math/scalar.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/continuous.hpp"
+#include "../world/recorder.hpp"
 
 namespace islet {
 

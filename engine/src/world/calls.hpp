@@ -3,7 +3,7 @@
 // A name's place in the table is its number in recordings: new ones go to the end, and a changed one needs a new recording_version.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 // clang-format off
 #define ISLET_CALLS(X) \

@@ -1,9 +1,11 @@
 // Making chains, in a file of its own: a program that makes none does not link what they collide by (see link_chains).
-#include "collide/manifold.hpp"
-#include "world/checks.hpp"
-#include "world/geometry_pool.hpp"
-#include "world/recorder.hpp"
-#include "world/shapes.hpp"
+#include "../exact.hpp"
+
+#include "../collide/manifold.hpp"
+#include "../world/checks.hpp"
+#include "../world/geometry_pool.hpp"
+#include "../world/recorder.hpp"
+#include "../world/shapes.hpp"
 
 namespace islet {
 

@@ -1,8 +1,8 @@
 // Argument checks shared by the public functions: each records the error and says whether the call may go on.
 #pragma once
 
-#include "math/copies.hpp"
-#include "memory/core.hpp"
+#include "../math/copies.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

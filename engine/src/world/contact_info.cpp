@@ -1,10 +1,12 @@
 // Contacts as the user sees them.
-#include "world/contact_info.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "memory/mixing.hpp"
-#include "world/checks.hpp"
-#include "world/contact_update.hpp"
+#include "../world/contact_info.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../memory/mixing.hpp"
+#include "../world/checks.hpp"
+#include "../world/contact_update.hpp"
 
 namespace islet {
 

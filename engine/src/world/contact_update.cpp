@@ -4,22 +4,24 @@
 // A kept manifold keeps its normal and its lever arms as they were in the world, and only its separations follow the bodies. That is more than an
 // economy: over a few hundredths of a radian it leaves out the geometric stiffness of a loaded contact, which a Gauss-Seidel solver cannot balance
 // in a few sweeps. With the exact geometry in each step a column of 30 boxes buckles within ten seconds (so it does in Box2D 3.2 without recycling).
-#include "world/contact_update.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "broadphase/pairs.hpp"
-#include "broadphase/sensors.hpp"
-#include "collide/manifold.hpp"
-#include "math/boxes.hpp"
-#include "math/copies.hpp"
-#include "math/scalar.hpp"
-#include "memory/colors.hpp"
-#include "memory/parallel.hpp"
-#include "world/continuous.hpp"
-#include "world/hooks.hpp"
-#include "world/one_way.hpp"
-#include "world/seams.hpp"
-#include "world/sleep.hpp"
+#include "../world/contact_update.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../broadphase/sensors.hpp"
+#include "../collide/manifold.hpp"
+#include "../math/boxes.hpp"
+#include "../math/copies.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/colors.hpp"
+#include "../memory/parallel.hpp"
+#include "../world/continuous.hpp"
+#include "../world/hooks.hpp"
+#include "../world/one_way.hpp"
+#include "../world/seams.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet::detail {
 

@@ -1,7 +1,7 @@
 // The narrow phase over all awake contacts: manifolds, begin and end touch.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -4,17 +4,19 @@
 //
 // The body keeps its velocity, and loses what is left of the step. (That a body may be stopped where it hits and go on in the next step, without a
 // solve of its own, is Box2D 3's way too.)
-#include "world/continuous.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "broadphase/tree.hpp"
-#include "collide/clear_way.hpp"
-#include "collide/time_of_impact.hpp"
-#include "math/boxes.hpp"
-#include "math/scalar.hpp"
-#include "memory/features.hpp"
-#include "world/bounds.hpp"
-#include "world/hooks.hpp"
+#include "../world/continuous.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/tree.hpp"
+#include "../collide/clear_way.hpp"
+#include "../collide/time_of_impact.hpp"
+#include "../math/boxes.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/features.hpp"
+#include "../world/bounds.hpp"
+#include "../world/hooks.hpp"
 
 namespace islet::detail {
 

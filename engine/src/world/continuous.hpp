@@ -1,9 +1,9 @@
 // Continuous collision: bodies that moved far in a step are swept from where they were to where they are, and stopped at what they would have passed.
 #pragma once
 
-#include "collide/time_of_impact.hpp"
-#include "constraint/solver_body.hpp"
-#include "memory/core.hpp"
+#include "../collide/time_of_impact.hpp"
+#include "../constraint/solver_body.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -1,11 +1,13 @@
 // Leading bodies: targets of kinematic ones, motion locks, sleep thresholds.
-#include "math/float_mode.hpp"
-#include "solver/free_motion.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/push.hpp"
-#include "world/recorder.hpp"
-#include "world/sleep.hpp"
+#include "../exact.hpp"
+
+#include "../math/float_mode.hpp"
+#include "../solver/free_motion.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/push.hpp"
+#include "../world/recorder.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet {
 

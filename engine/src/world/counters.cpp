@@ -1,6 +1,8 @@
 // World::counters: what is counted only when asked for.
+#include "../exact.hpp"
+
 #include "islet/layout.hpp"
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet {
 

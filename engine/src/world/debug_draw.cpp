@@ -1,11 +1,13 @@
 // World::draw, layer by layer.
+#include "../exact.hpp"
+
 #include "islet/debug_draw.hpp"
 
-#include "collide/manifold.hpp"
-#include "math/float_mode.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/draw_pen.hpp"
+#include "../collide/manifold.hpp"
+#include "../math/float_mode.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/draw_pen.hpp"
 
 namespace islet {
 

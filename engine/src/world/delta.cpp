@@ -7,9 +7,11 @@
 //   mask     a byte: bit i is set if word i differs. 0 is followed by the number of further groups that do not differ, a byte.
 //   lengths  two bits a differing word, its significant bytes - 1, in whole bytes
 //   bytes    those bytes, low ones first: numbers that change little differ in low bits
+#include "../exact.hpp"
+
 #include "islet/snapshot.hpp"
 
-#include "world/image.hpp"
+#include "../world/image.hpp"
 
 namespace islet {
 

@@ -1,3 +1,5 @@
+#include "../exact.hpp"
+
 #include "islet/types.hpp"
 
 namespace islet {

@@ -1,8 +1,10 @@
 // Islands, for drawing: the sets of dynamic bodies that contacts and joints hold together, awake or not. A step finds those of awake bodies only
 // (island/batches.cpp), and does not keep them.
-#include "island/union_find.hpp"
-#include "memory/joint_graph.hpp"
-#include "world/draw_pen.hpp"
+#include "../exact.hpp"
+
+#include "../island/union_find.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../world/draw_pen.hpp"
 
 namespace islet::detail {
 

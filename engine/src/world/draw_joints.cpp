@@ -12,11 +12,13 @@
 //
 // All but gears have a dot at each point, so that two dots beside each other are a joint that has come apart, and a line from there to the centre of mass
 // of each body that can move.
-#include "constraint/coordinate.hpp"
-#include "constraint/distance.hpp"
-#include "constraint/joint_rows.hpp"
-#include "memory/joint_graph.hpp"
-#include "world/draw_pen.hpp"
+#include "../exact.hpp"
+
+#include "../constraint/coordinate.hpp"
+#include "../constraint/distance.hpp"
+#include "../constraint/joint_rows.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../world/draw_pen.hpp"
 
 namespace islet::detail {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "islet/debug_draw.hpp"
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

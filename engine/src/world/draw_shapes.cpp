@@ -1,5 +1,7 @@
 // Geometries as the polygons, circles, capsules and segments of DebugDraw.
-#include "world/draw_pen.hpp"
+#include "../exact.hpp"
+
+#include "../world/draw_pen.hpp"
 
 namespace islet {
 

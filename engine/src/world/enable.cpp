@@ -1,12 +1,14 @@
 // Taking a body out of the world and putting it back, with its shapes and joints. A disabled body is neither awake nor in the tree of resting shapes, so no
 // stage of a step and no query meets it.
-#include "broadphase/contacts.hpp"
-#include "memory/joint_graph.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/push.hpp"
-#include "world/recorder.hpp"
-#include "world/sleep.hpp"
+#include "../exact.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/push.hpp"
+#include "../world/recorder.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet {
 

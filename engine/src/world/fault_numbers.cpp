@@ -1,10 +1,12 @@
 // Numbers that no sound world holds, record by record. Every comparison is written so that NaN fails it.
-#include "collide/manifold.hpp"
-#include "broadphase/pairs.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/faults.hpp"
-#include "world/geometry_pool.hpp"
+#include "../exact.hpp"
+
+#include "../collide/manifold.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/faults.hpp"
+#include "../world/geometry_pool.hpp"
 
 namespace islet::detail {
 

@@ -1,13 +1,15 @@
 // Links, lists, pools and bits: everything by which one record leads to another. Records are looked at in this order, each on the ground that the
 // ones before made safe: pools, numbers and indices of each record, lists, the tree.
-#include "world/faults.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "broadphase/tree.hpp"
-#include "island/joint_trees.hpp"
-#include "memory/joint_graph.hpp"
-#include "world/bounds.hpp"
-#include "world/joints.hpp"
+#include "../world/faults.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/tree.hpp"
+#include "../island/joint_trees.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../world/bounds.hpp"
+#include "../world/joints.hpp"
 
 namespace islet::detail {
 

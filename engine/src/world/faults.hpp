@@ -2,7 +2,7 @@
 // followed before it is checked, no walk goes on longer than there are records, and no number is trusted.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -1,13 +1,15 @@
-#include "world/finish.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "broadphase/pairs.hpp"
-#include "math/scalar.hpp"
-#include "memory/joint_graph.hpp"
-#include "memory/parallel.hpp"
-#include "world/bounds.hpp"
-#include "world/continuous.hpp"
-#include "world/sleep.hpp"
+#include "../world/finish.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../memory/parallel.hpp"
+#include "../world/bounds.hpp"
+#include "../world/continuous.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet::detail {
 

@@ -1,4 +1,6 @@
-#include "world/geometry_pool.hpp"
+#include "../exact.hpp"
+
+#include "../world/geometry_pool.hpp"
 
 namespace islet::detail {
 

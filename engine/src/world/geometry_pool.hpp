@@ -1,7 +1,7 @@
 // Geometries, each stored once: equal shapes share one record, so a pyramid of 5000 equal boxes keeps one box, in the cache.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

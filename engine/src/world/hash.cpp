@@ -1,11 +1,13 @@
 // The state hash: all persistent state that affects the future, word by word, so that it does not depend on the byte order of the machine, nor on
 // the capacity.
+#include "../exact.hpp"
+
 #include <cstddef>
 
-#include "math/checksum.hpp"
-#include "math/copies.hpp"
-#include "math/scalar.hpp"
-#include "world/checks.hpp"
+#include "../math/checksum.hpp"
+#include "../math/copies.hpp"
+#include "../math/scalar.hpp"
+#include "../world/checks.hpp"
 
 namespace islet {
 

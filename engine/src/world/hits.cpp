@@ -1,9 +1,11 @@
 // Hits: contacts whose shapes came together fast. Whoever asks for them links them (solver/hits.hpp).
-#include "solver/hits.hpp"
+#include "../exact.hpp"
 
-#include "world/checks.hpp"
-#include "world/contact_info.hpp"
-#include "world/recorder.hpp"
+#include "../solver/hits.hpp"
+
+#include "../world/checks.hpp"
+#include "../world/contact_info.hpp"
+#include "../world/recorder.hpp"
 
 namespace islet {
 

@@ -1,11 +1,13 @@
-#include "world/hooks.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "math/scalar.hpp"
-#include "memory/mixing.hpp"
-#include "solver/surface.hpp"
-#include "world/checks.hpp"
-#include "world/contact_info.hpp"
+#include "../world/hooks.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/mixing.hpp"
+#include "../solver/surface.hpp"
+#include "../world/checks.hpp"
+#include "../world/contact_info.hpp"
 
 namespace islet {
 

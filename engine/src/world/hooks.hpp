@@ -1,7 +1,7 @@
 // The pre_solve hook. Weakly referenced, as mixing by hooks is: only programs that call World::set_hooks or hooks link them.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -4,7 +4,7 @@
 // pairs follows from the contacts, the buckets of geometries from the geometries.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -2,9 +2,11 @@
 //     normal    J = (-n, -ra x n, n, rb x n),  n from A to B
 //     friction  the same along t = right_perp(n)
 //     rolling   J = (0, -1, 0, 1)
-#include "solver/surface.hpp"
-#include "world/contact_update.hpp"
-#include "world/island_problem.hpp"
+#include "../exact.hpp"
+
+#include "../solver/surface.hpp"
+#include "../world/contact_update.hpp"
+#include "../world/island_problem.hpp"
 
 namespace islet::detail {
 

@@ -1,9 +1,11 @@
 // World::export_island: the island that a body is in, as a complementarity problem in the caller's memory.
+#include "../exact.hpp"
+
 #include "islet/island.hpp"
 
-#include "math/float_mode.hpp"
-#include "world/checks.hpp"
-#include "world/island_problem.hpp"
+#include "../math/float_mode.hpp"
+#include "../world/checks.hpp"
+#include "../world/island_problem.hpp"
 
 namespace islet {
 

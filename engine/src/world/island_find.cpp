@@ -1,7 +1,9 @@
 // Who is in an island: a flood fill over contacts and joints. Static and kinematic bodies end it, and are not in it.
-#include "broadphase/contacts.hpp"
-#include "memory/joint_graph.hpp"
-#include "world/island_problem.hpp"
+#include "../exact.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../world/island_problem.hpp"
 
 namespace islet::detail {
 

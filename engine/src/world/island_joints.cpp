@@ -1,10 +1,12 @@
 // The rows of a joint, in the order its kernel visits them. C, J and the names are those of the joint's file in constraint/; here are the rows as they
 // stand now, without the bias that mends what is rigid.
-#include "constraint/distance.hpp"
-#include "constraint/gear.hpp"
-#include "constraint/motor.hpp"
-#include "constraint/weld.hpp"
-#include "world/island_problem.hpp"
+#include "../exact.hpp"
+
+#include "../constraint/distance.hpp"
+#include "../constraint/gear.hpp"
+#include "../constraint/motor.hpp"
+#include "../constraint/weld.hpp"
+#include "../world/island_problem.hpp"
 
 namespace islet::detail {
 

@@ -1,6 +1,8 @@
 // M = J M_b^-1 J^T of an exported island. A body of n rows couples them all with each other, so the work and the entries grow with n^2; what is short is
 // the list of links on a body, of which a row's columns are merged.
-#include "world/island_problem.hpp"
+#include "../exact.hpp"
+
+#include "../world/island_problem.hpp"
 
 namespace islet::detail {
 

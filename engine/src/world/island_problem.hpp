@@ -2,7 +2,7 @@
 #pragma once
 
 #include "islet/island.hpp"
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -1,7 +1,9 @@
 // What all rows of an exported island have in common.
-#include "memory/joint_graph.hpp"
-#include "solver/free_motion.hpp"
-#include "world/island_problem.hpp"
+#include "../exact.hpp"
+
+#include "../memory/joint_graph.hpp"
+#include "../solver/free_motion.hpp"
+#include "../world/island_problem.hpp"
 
 namespace islet::detail {
 

@@ -1,11 +1,13 @@
 // Destroying and breaking joints, and what a body's change of type does to them.
-#include "broadphase/contacts.hpp"
-#include "broadphase/pairs.hpp"
-#include "math/scalar.hpp"
-#include "memory/colors.hpp"
-#include "memory/joint_graph.hpp"
-#include "world/joints.hpp"
-#include "world/sleep.hpp"
+#include "../exact.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/colors.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../world/joints.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet::detail {
 

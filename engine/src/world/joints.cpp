@@ -1,15 +1,17 @@
 // The public functions on joints, making apart (joint_make.cpp).
-#include "world/joints.hpp"
+#include "../exact.hpp"
 
-#include "constraint/gear.hpp"
-#include "constraint/distance.hpp"
-#include "math/float_mode.hpp"
-#include "memory/joint_graph.hpp"
-#include "broadphase/pairs.hpp"
-#include "collide/manifold.hpp"
-#include "world/checks.hpp"
-#include "world/recorder.hpp"
-#include "world/sleep.hpp"
+#include "../world/joints.hpp"
+
+#include "../constraint/gear.hpp"
+#include "../constraint/distance.hpp"
+#include "../math/float_mode.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../collide/manifold.hpp"
+#include "../world/checks.hpp"
+#include "../world/recorder.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet {
 

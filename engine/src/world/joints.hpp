@@ -1,7 +1,7 @@
 // Joints as the user meets them: making, destroying and breaking them.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

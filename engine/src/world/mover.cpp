@@ -1,9 +1,11 @@
 // A mover's step: it is carried by its ground, then walks or falls, and lets the bodies around feel it.
+#include "../exact.hpp"
+
 #include "islet/mover.hpp"
 
-#include "math/float_mode.hpp"
-#include "world/checks.hpp"
-#include "world/mover_slide.hpp"
+#include "../math/float_mode.hpp"
+#include "../world/checks.hpp"
+#include "../world/mover_slide.hpp"
 
 namespace islet {
 

@@ -1,7 +1,9 @@
-#include "world/mover_slide.hpp"
+#include "../exact.hpp"
 
-#include "collide/manifold.hpp"
-#include "world/one_way.hpp"
+#include "../world/mover_slide.hpp"
+
+#include "../collide/manifold.hpp"
+#include "../world/one_way.hpp"
 
 namespace islet::detail {
 namespace {

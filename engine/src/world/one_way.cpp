@@ -1,9 +1,11 @@
-#include "world/one_way.hpp"
+#include "../exact.hpp"
 
-#include "collide/corners.hpp"
-#include "collide/manifold.hpp"
-#include "math/scalar.hpp"
-#include "world/bounds.hpp"
+#include "../world/one_way.hpp"
+
+#include "../collide/corners.hpp"
+#include "../collide/manifold.hpp"
+#include "../math/scalar.hpp"
+#include "../world/bounds.hpp"
 
 namespace islet::detail {
 

@@ -10,8 +10,8 @@
 // Weakly referenced: in a lean build only World::one_way, set_one_way and load link it. Where it is missing no shape is one-way, so none of it is called.
 #pragma once
 
-#include "collide/corners.hpp"
-#include "memory/core.hpp"
+#include "../collide/corners.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

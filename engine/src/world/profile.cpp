@@ -1,6 +1,8 @@
-#include "world/profile.hpp"
+#include "../exact.hpp"
 
-#include "world/checks.hpp"
+#include "../world/profile.hpp"
+
+#include "../world/checks.hpp"
 
 namespace islet {
 

@@ -1,7 +1,7 @@
 // What the stages of a step take, in ticks of the user's clock.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

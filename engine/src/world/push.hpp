@@ -1,9 +1,9 @@
 // What may be pushed, and pushing it.
 #pragma once
 
-#include "memory/core.hpp"
-#include "solver/free_motion.hpp"
-#include "world/checks.hpp"
+#include "../memory/core.hpp"
+#include "../solver/free_motion.hpp"
+#include "../world/checks.hpp"
 
 namespace islet::detail {
 

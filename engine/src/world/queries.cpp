@@ -1,6 +1,8 @@
-#include "world/queries.hpp"
+#include "../exact.hpp"
 
-#include "world/checks.hpp"
+#include "../world/queries.hpp"
+
+#include "../world/checks.hpp"
 
 namespace islet::detail {
 

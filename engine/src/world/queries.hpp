@@ -1,9 +1,9 @@
 // What all queries of a world share: which shapes they look at, and lists that come out in an order of their own, whatever order shapes are found in.
 #pragma once
 
-#include "broadphase/tree.hpp"
+#include "../broadphase/tree.hpp"
 #include "islet/query.hpp"
-#include "world/checks.hpp"
+#include "../world/checks.hpp"
 
 namespace islet::detail {
 

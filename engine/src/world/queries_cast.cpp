@@ -1,9 +1,11 @@
 // Rays and moving shapes against all shapes of a world.
-#include "collide/difference.hpp"
-#include "math/float_mode.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/queries.hpp"
+#include "../exact.hpp"
+
+#include "../collide/difference.hpp"
+#include "../math/float_mode.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/queries.hpp"
 
 namespace islet {
 

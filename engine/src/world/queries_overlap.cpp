@@ -1,9 +1,11 @@
 // What overlaps a box, a shape or a point, and what is closest to a point.
-#include "collide/difference.hpp"
-#include "math/float_mode.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/queries.hpp"
+#include "../exact.hpp"
+
+#include "../collide/difference.hpp"
+#include "../math/float_mode.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/queries.hpp"
 
 namespace islet {
 

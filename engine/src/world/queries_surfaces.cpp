@@ -1,9 +1,11 @@
 // The planes that bound a shape's way: what a mover slides along.
-#include "collide/difference.hpp"
-#include "math/float_mode.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/queries.hpp"
+#include "../exact.hpp"
+
+#include "../collide/difference.hpp"
+#include "../math/float_mode.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/queries.hpp"
 
 namespace islet {
 

@@ -1,7 +1,9 @@
-#include "world/recorder.hpp"
+#include "../exact.hpp"
+
+#include "../world/recorder.hpp"
 
 #include "islet/recording.hpp"
-#include "world/checks.hpp"
+#include "../world/checks.hpp"
 
 namespace islet {
 

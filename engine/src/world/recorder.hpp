@@ -1,9 +1,9 @@
 // Writing calls down as they are made.
 #pragma once
 
-#include "math/checksum.hpp"
-#include "math/scalar.hpp"
-#include "world/calls.hpp"
+#include "../math/checksum.hpp"
+#include "../math/scalar.hpp"
+#include "../world/calls.hpp"
 
 namespace islet::detail {
 

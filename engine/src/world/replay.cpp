@@ -2,11 +2,13 @@
 //
 // Nothing of a recording is trusted: a snapshot goes through World::load, arguments through the checks that all calls make, and every read through the
 // bounds of CallReader. The sum that each step carries tells whether the calls before it are the recorded ones.
+#include "../exact.hpp"
+
 #include "islet/recording.hpp"
 
 #include "islet/snapshot.hpp"
-#include "world/checks.hpp"
-#include "world/recorder.hpp"
+#include "../world/checks.hpp"
+#include "../world/recorder.hpp"
 
 namespace islet {
 

@@ -10,13 +10,15 @@
 // that face: then the neighbour alone holds D.
 //
 // (Bullet, Jolt and bepuphysics2 mend the inner edges of triangle meshes in like ways; here there is no mesh, the neighbours are whatever the body touches.)
-#include "world/seams.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "collide/corners.hpp"
-#include "collide/outline.hpp"
-#include "math/scalar.hpp"
-#include "world/bounds.hpp"
+#include "../world/seams.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../collide/corners.hpp"
+#include "../collide/outline.hpp"
+#include "../math/scalar.hpp"
+#include "../world/bounds.hpp"
 
 namespace islet::detail {
 

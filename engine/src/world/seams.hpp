@@ -1,8 +1,8 @@
 // Floors made of pieces: contacts with edges that lie between two pieces are no contacts.
 #pragma once
 
-#include "collide/manifold.hpp"
-#include "memory/core.hpp"
+#include "../collide/manifold.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

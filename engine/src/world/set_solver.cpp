@@ -1,7 +1,9 @@
 // In a file of its own: a lean program that never calls it does not link what only its settings ask for (see link_ordering).
-#include "solver/ordered_sweep.hpp"
-#include "world/checks.hpp"
-#include "world/recorder.hpp"
+#include "../exact.hpp"
+
+#include "../solver/ordered_sweep.hpp"
+#include "../world/checks.hpp"
+#include "../world/recorder.hpp"
 
 namespace islet {
 

@@ -1,15 +1,17 @@
 // Changing what a shape is made of: its geometry, density, surface, and who is told of it.
-#include "broadphase/contacts.hpp"
-#include "broadphase/pairs.hpp"
-#include "broadphase/tree.hpp"
-#include "math/float_mode.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/geometry_pool.hpp"
-#include "world/one_way.hpp"
-#include "world/recorder.hpp"
-#include "world/shapes.hpp"
-#include "world/sleep.hpp"
+#include "../exact.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../broadphase/tree.hpp"
+#include "../math/float_mode.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/geometry_pool.hpp"
+#include "../world/one_way.hpp"
+#include "../world/recorder.hpp"
+#include "../world/shapes.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet {
 

@@ -1,18 +1,20 @@
 // The public functions on shapes.
-#include "world/one_way.hpp"
-#include "world/recorder.hpp"
-#include "world/shapes.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "broadphase/pairs.hpp"
-#include "broadphase/sensors.hpp"
-#include "broadphase/tree.hpp"
-#include "math/float_mode.hpp"
-#include "solver/hits.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/geometry_pool.hpp"
-#include "world/sleep.hpp"
+#include "../world/one_way.hpp"
+#include "../world/recorder.hpp"
+#include "../world/shapes.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../broadphase/sensors.hpp"
+#include "../broadphase/tree.hpp"
+#include "../math/float_mode.hpp"
+#include "../solver/hits.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/geometry_pool.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

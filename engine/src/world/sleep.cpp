@@ -1,9 +1,11 @@
-#include "world/sleep.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "broadphase/tree.hpp"
-#include "memory/joint_graph.hpp"
-#include "world/bounds.hpp"
+#include "../world/sleep.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../broadphase/tree.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../world/bounds.hpp"
 
 namespace islet::detail {
 

@@ -2,7 +2,7 @@
 // awake set too unless the other body is awake.
 #pragma once
 
-#include "memory/core.hpp"
+#include "../memory/core.hpp"
 
 namespace islet::detail {
 

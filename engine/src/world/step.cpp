@@ -1,14 +1,16 @@
 // A step, as a table of contents.
-#include "broadphase/pairs.hpp"
-#include "math/float_mode.hpp"
-#include "island/batches.hpp"
-#include "solver/solver.hpp"
-#include "world/checks.hpp"
-#include "world/contact_update.hpp"
-#include "world/finish.hpp"
-#include "world/joints.hpp"
-#include "world/profile.hpp"
-#include "world/recorder.hpp"
+#include "../exact.hpp"
+
+#include "../broadphase/pairs.hpp"
+#include "../math/float_mode.hpp"
+#include "../island/batches.hpp"
+#include "../solver/solver.hpp"
+#include "../world/checks.hpp"
+#include "../world/contact_update.hpp"
+#include "../world/finish.hpp"
+#include "../world/joints.hpp"
+#include "../world/profile.hpp"
+#include "../world/recorder.hpp"
 
 namespace islet {
 

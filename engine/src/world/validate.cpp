@@ -1,7 +1,9 @@
 // Every invariant of a world. For tests: slow and thorough.
-#include "broadphase/contacts.hpp"
-#include "world/checks.hpp"
-#include "world/faults.hpp"
+#include "../exact.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../world/checks.hpp"
+#include "../world/faults.hpp"
 
 namespace islet {
 

@@ -3,13 +3,15 @@
 // With u the air's velocity past the shape, an edge of length L and outward normal n faces it if n . u < 0. It offers the stream the width
 // A = L |n . u| / |u| and is pushed, at its middle, by q A (drag u^ + lift (n x u^) x u^), q = rho |u|^2 / 2 being the stagnation pressure and u^ the unit
 // vector along u: the lift of a flat plate, which grows with the sine of twice its angle. What is round has no lift and width 2 r.
-#include "collide/corners.hpp"
-#include "math/float_mode.hpp"
-#include "world/bounds.hpp"
-#include "world/checks.hpp"
-#include "world/push.hpp"
-#include "world/recorder.hpp"
-#include "world/sleep.hpp"
+#include "../exact.hpp"
+
+#include "../collide/corners.hpp"
+#include "../math/float_mode.hpp"
+#include "../world/bounds.hpp"
+#include "../world/checks.hpp"
+#include "../world/push.hpp"
+#include "../world/recorder.hpp"
+#include "../world/sleep.hpp"
 
 namespace islet {
 

@@ -1,21 +1,23 @@
 // Making a world, and what concerns it as a whole.
+#include "../exact.hpp"
+
 #include "islet/world.hpp"
 
-#include "broadphase/sensors.hpp"
-#include "math/float_mode.hpp"
-#include "math/scalar.hpp"
-#include "memory/joint_graph.hpp"
-#include "solver/hits.hpp"
-#include "solver/ordered_sweep.hpp"
-#include "world/checks.hpp"
-#include "world/continuous.hpp"
-#include "world/cpu.hpp"
-#include "world/geometry_pool.hpp"
-#include "world/hooks.hpp"
-#include "world/profile.hpp"
-#include "world/one_way.hpp"
-#include "world/recorder.hpp"
-#include "world/sleep.hpp"
+#include "../broadphase/sensors.hpp"
+#include "../math/float_mode.hpp"
+#include "../math/scalar.hpp"
+#include "../memory/joint_graph.hpp"
+#include "../solver/hits.hpp"
+#include "../solver/ordered_sweep.hpp"
+#include "../world/checks.hpp"
+#include "../world/continuous.hpp"
+#include "../world/cpu.hpp"
+#include "../world/geometry_pool.hpp"
+#include "../world/hooks.hpp"
+#include "../world/profile.hpp"
+#include "../world/one_way.hpp"
+#include "../world/recorder.hpp"
+#include "../world/sleep.hpp"
 
 // A placement new without <new>: the engine needs no C++ runtime.
 struct IsletPlace {};

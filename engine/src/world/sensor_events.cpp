@@ -1,8 +1,10 @@
 // What sensors saw. Whoever asks links what sensors need (broadphase/sensors.hpp).
-#include "broadphase/sensors.hpp"
+#include "../exact.hpp"
 
-#include "broadphase/contacts.hpp"
-#include "world/checks.hpp"
+#include "../broadphase/sensors.hpp"
+
+#include "../broadphase/contacts.hpp"
+#include "../world/checks.hpp"
 
 namespace islet {
 

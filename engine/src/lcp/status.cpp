@@ -1,3 +1,5 @@
+#include "../exact.hpp"
+
 #include "islet/lcp.hpp"
 
 namespace islet::lcp {

@@ -1,5 +1,7 @@
 // Tight boxes around moved shapes: the extremes of the corners, grown by the radius.
-#include "geometry/convex.hpp"
+#include "../exact.hpp"
+
+#include "../geometry/convex.hpp"
 
 namespace islet {
 

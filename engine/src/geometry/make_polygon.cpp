@@ -1,5 +1,7 @@
 // Making polygons and moving them. A polygon that leaves here is valid or has count 0, and its unused places are zero.
-#include "geometry/convex.hpp"
+#include "../exact.hpp"
+
+#include "../geometry/convex.hpp"
 
 namespace islet {
 namespace {
