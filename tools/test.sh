@@ -2,8 +2,8 @@
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
 #   tools/test.sh --all        the same once more with clang and sanitizers, and five minutes of fuzzing under them; hashes of unoptimised code, on
-#                              other processors and of the firmware in microcontrollers, both emulated; pages played in a browser, and the scripts
-#                              checked: what CI runs
+#                              other processors and of the firmware in microcontrollers, both emulated; the engine compiled by hand; pages played in
+#                              a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk, GoogleTest and gnuplot with apt if they are missing (and for the options: clang, gcovr, shellcheck,
 # Node.js, npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
@@ -153,6 +153,15 @@ check_targets() {
     while IFS= read -r line; do results+=("hashes on $line"); done < <(tail -n +2 "$table")
 }
 
+# The engine compiled as README says for those without CMake, and with flags that would ruin its bits.
+check_by_hand() {
+    local status=0 log=$root/build/by_hand.txt
+    say "the engine by hand"
+    "$root/tests/determinism/by_hand.sh" "$root/build/by_hand" | tee "$log" || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("by hand: $([ "$status" -eq 0 ] && echo "$(wc -l <"$log") builds keep the bits or are refused" || echo 'see above')")
+}
+
 # What drives the browser, in the versions that package-lock.json names; fetched once.
 fetch_browser_driver() {
     local folder=$root/tests/browser
@@ -184,6 +193,8 @@ if $all; then
     lap "firmware"
     check_targets
     lap "other processors"
+    check_by_hand
+    lap "by hand"
     run_tests asan-ubsan --exclude-regex '^(islet_)?(reference|engines)|fast_math'
     tools=OFF
     # What two workers share by mistake.

@@ -5,7 +5,7 @@
 
 jobs=${jobs:-$(nproc 2>/dev/null || echo 2)}
 
-# What engine/CMakeLists.txt gives every build of the engine and the scenes, whatever the user's flags are; for a processor as uname -m names it.
+# What engine/CMakeLists.txt gives every build of the scenes, whatever the user's flags are; for a processor as uname -m names it.
 exact_flags() {
     local flags=(-fno-fast-math -ffp-contract=off -fno-math-errno)
     case $1 in
@@ -16,20 +16,17 @@ exact_flags() {
 }
 
 # compile FOLDER PROCESSOR COMPILER FLAG...: every source named on standard input, with the given flags first, as those of CMAKE_CXX_FLAGS come first,
-# and the engine's or the scenes' own after them.
+# and the scenes' own after them. The engine's source says what it needs by itself, but for what its refusals ask for.
 compile() {
     local folder=$1 processor=$2 compiler=$3 source object flags exact engine
     shift 3
     mkdir -p "$folder"
     mapfile -t exact < <(exact_flags "$processor")
-    engine=("${exact[@]}" -fno-exceptions -fno-rtti -fno-threadsafe-statics -I"$root/engine/src")
+    engine=(-fno-fast-math -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+    case $processor in i?86) engine+=(-msse2 -mfpmath=sse) ;; esac
     while IFS= read -r source; do
         object=$folder/$(echo "${source#"$root"/}" | tr / _).o
         case $source in
-        *_avx2.cpp)
-            flags=("${engine[@]}")
-            case $processor in x86_64 | amd64) flags+=(-mavx2) ;; esac
-            ;;
         "$root"/engine/* | "$folder"/engine.cpp) flags=("${engine[@]}") ;;
         "$root"/samples/* | "$folder"/scenes.cpp) flags=("${exact[@]}" -I"$root/samples") ;;
         *) flags=(-I"$root/samples") ;; # the program is the user's: no flags but the user's own

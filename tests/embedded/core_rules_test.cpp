@@ -138,9 +138,9 @@ TEST(CoreRules, NoDoublePrecision) {
 // problem is known to the export of islands alone, whose header no other includes.
 TEST(CoreRules, TheMatrixSolversAndTheEngineDoNotKnowEachOther) {
     const auto exports = [](const std::string& name) { return name == "include/islet/island.hpp" || name.rfind("src/world/island_", 0) == 0; };
-    const std::regex own(R"re(^\s*#\s*include\s*["<](?!lcp/|islet/lcp\.hpp)[a-z0-9_]+[/.])re");
-    const std::regex theirs(R"re(^\s*#\s*include\s*["<](lcp/|islet/lcp\.hpp|islet/island\.hpp|world/island_))re");
-    const std::regex solvers(R"re(^\s*#\s*include\s*["<]lcp/)re");
+    const std::regex own(R"re(^\s*#\s*include\s*["<](?!\.\./lcp/|\.\./exact\.hpp|islet/lcp\.hpp)[a-z0-9_.]+[/.])re");
+    const std::regex theirs(R"re(^\s*#\s*include\s*["<](\.\./lcp/|islet/lcp\.hpp|islet/island\.hpp|\.\./world/island_))re");
+    const std::regex solvers(R"re(^\s*#\s*include\s*["<]\.\./lcp/)re");
     EXPECT_EQ(lines_with(own, belongs_to_lcp), "");
     EXPECT_EQ(lines_with(theirs, [&](const std::string& name) { return !belongs_to_lcp(name) && !exports(name); }), "");
     EXPECT_EQ(lines_with(solvers, exports), "");
@@ -153,7 +153,7 @@ TEST(CoreRules, FoldersIncludeOnlyFoldersBelowThem) {
     const std::vector<std::string> order = {"math", "memory",     "geometry", "collide", "broadphase",
                                             "lcp",  "constraint", "island",   "solver",  "world"};
     const auto rank = [&](const std::string& folder) { return std::find(order.begin(), order.end(), folder) - order.begin(); };
-    const std::regex include(R"re(^\s*#\s*include\s*"([a-z]+)/)re");
+    const std::regex include(R"re(^\s*#\s*include\s*"(?:\.\./)?([a-z]+)/)re");
     std::string bad;
     for (const Source& source : engine_sources()) {
         if (source.name.rfind("src/", 0) != 0) continue;
@@ -166,6 +166,36 @@ TEST(CoreRules, FoldersIncludeOnlyFoldersBelowThem) {
                 bad += source.name + ": " + line + '\n';
     }
     EXPECT_EQ(bad, "");
+}
+
+// Compiled by hand, objects of one name would overwrite each other.
+TEST(CoreRules, NoTwoFilesMakeObjectsOfOneName) {
+    std::set<std::string> names;
+    for (const Source& source : engine_sources()) {
+        const fs::path path = source.name;
+        if (path.extension() == ".cpp" && !names.insert(path.stem().string()).second) ADD_FAILURE() << source.name;
+    }
+}
+
+// What the same bits need of the compiler holds for all that comes after it.
+TEST(CoreRules, EveryFileBeginsWithWhatTheBitsNeed) {
+    const std::regex include(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
+    std::string bad;
+    for (const Source& source : engine_sources()) {
+        if (fs::path(source.name).extension() != ".cpp") continue;
+        std::istringstream lines(source.text);
+        std::string line;
+        std::smatch match;
+        while (std::getline(lines, line) && !std::regex_search(line, match, include)) {}
+        if (match.empty() || match[1] != "../exact.hpp") bad += source.name + ": " + line + '\n';
+    }
+    EXPECT_EQ(bad, "");
+}
+
+// Without CMake nothing says -I engine/src.
+TEST(CoreRules, FilesOfTheEngineAreIncludedByWhereTheyLie) {
+    const auto is_source = [](const std::string& name) { return name.rfind("src/", 0) == 0; };
+    EXPECT_EQ(lines_with(std::regex(R"re(^\s*#\s*include\s*"(?!\.\./|islet/))re"), is_source), "");
 }
 
 }  // namespace

@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# The engine without CMake, and under flags that ruin results elsewhere: each build comes to the golden hashes, or is refused with its sentence.
+#   tests/determinism/by_hand.sh [WORK_FOLDER]
+# First, by each compiler, file by file as README says, with all objects in one folder; then with flags of the user's own, many files as one (build.sh).
+# The scenes and the program are built once a compiler, with exact flags: only what the engine is compiled with differs. Prints one line per build; exit
+# status 1 if one is not as it must be. What is missing is left out by name. Takes three minutes on two cores.
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/../.." && pwd)
+work=${1:-$(mktemp -d)}
+[ $# -ge 1 ] || trap 'rm -rf "$work"' EXIT
+mkdir -p "$work"
+work=$(cd "$work" && pwd)
+# shellcheck source=tests/determinism/build.sh
+. "$root/tests/determinism/build.sh"
+processor=$(uname -m)
+
+# What shows first that bits were lost: stacks, joints, rolling, continuous collision.
+scenes=()
+for scene in hello pyramid card_house car ragdoll bullets hourglass; do scenes+=(--scene "$scene"); done
+
+failed=false
+report() { printf '%-18s %-44s %s\n' "$@"; }
+first_complaint() { grep -m 1 -E 'error|undefined' "$1" || tail -n 1 "$1"; }
+
+# is_there NAME PROGRAM
+is_there() {
+    command -v "$2" >/dev/null 2>&1 && return
+    report "$1" "$2" "left out: there is no $2"
+    return 1
+}
+
+# judge WANTED STATUS RESULT: WANTED is `same`, or words of the refusal.
+judge() {
+    case $1 in
+    same) [ "$2" -eq 0 ] || failed=true ;;
+    *) { [ "$2" -ne 0 ] && grep -q "$1" <<<"$3"; } || failed=true ;;
+    esac
+}
+
+# as_readme FOLDER COMMAND...: README's command, in FOLDER; here for as many files at once as there are cores.
+as_readme() {
+    local folder=$1
+    shift
+    (cd "$folder" && printf '%s\n' "$root"/engine/src/*/*.cpp | xargs -P "$jobs" -n 8 "$@" -I "$root/engine/include" -c)
+}
+
+# quickly FOLDER COMMAND...: the engine in three files.
+quickly() {
+    local folder=$1 source
+    shift
+    find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp' | sort | as_one "$folder/engine.cpp"
+    for source in "$folder/engine.cpp" "$root"/engine/src/*/*_avx2.cpp; do
+        "$@" -I "$root/engine/include" -c "$source" -o "$folder/$(basename "$source" .cpp).o" || return
+    done
+}
+
+# link_and_run FOLDER COMPILER: prints what the program ends with.
+link_and_run() {
+    local user=$work/user-$2
+    build_scenes "$user" "$processor" "$2" >&2 || return
+    [ -e "$user/program.o" ] || "$2" -std=c++20 -O1 -ffp-contract=off -I "$root/engine/include" -I "$root/samples" -c "$root/tests/determinism/hashes.cpp" -o "$user/program.o" || return
+    "$2" "$1"/*.o "$user"/*.o -pthread -o "$1/hashes" || return
+    "$1/hashes" "$root/tests/determinism/golden.txt" --most-steps 60 --lanes 1,4,8 "${scenes[@]}" 2>&1 | tail -n 1
+}
+
+# check WANTED NAME HOW COMPILER FLAG...: HOW is as_readme or quickly.
+check() {
+    local wanted=$1 name=$2 how=$3 compiler=$4 folder=$work/$2 result='' status=0
+    shift 3
+    is_there "$name" "$compiler" || return 0
+    rm -rf "$folder" && mkdir -p "$folder"
+    "$how" "$folder" "$1" -std=c++20 "${@:2}" >"$work/$name.log" 2>&1 || status=$?
+    if [ "$status" -eq 0 ]; then result=$(link_and_run "$folder" "$compiler" 2>>"$work/$name.log") || status=$?; fi
+    result=${result:-$(first_complaint "$work/$name.log")}
+    judge "$wanted" "$status" "$result"
+    report "$name" "$*" "$result"
+}
+
+# refused NAME COMPILER FLAG...: no file of the engine compiles.
+refused() {
+    local name=$1 status=0
+    shift
+    is_there "$name" "$1" || return 0
+    "$@" -std=c++20 -I "$root/engine/include" -c "$root/engine/src/math/vector.cpp" -o "$work/$name.o" >"$work/$name.log" 2>&1 || status=$?
+    judge 'Islet cannot keep its bits' "$status" "$(first_complaint "$work/$name.log")"
+    report "$name" "$*" "$(first_complaint "$work/$name.log" | sed 's/.*Islet cannot/refused: Islet cannot/')"
+}
+
+# What a program takes for a world's size must not depend on its flags. same_size NAME COMPILER FLAG...
+same_size() {
+    local name=$1 compiler=$2 flags=("${@:3}") sizes=() flag
+    is_there "$name" "${compiler%% *}" || return 0
+    cat >"$work/size.cpp" <<'END'
+#include "islet/layout.hpp"
+extern constexpr unsigned bytes_of_a_world = unsigned(islet::world_bytes({.bodies = 64, .shapes = 64, .contacts = 256, .joints = 16}));
+END
+    for flag in '' "${flags[@]}"; do
+        # shellcheck disable=SC2086  # several flags, or none
+        sizes+=("$($compiler -std=c++20 $flag -I "$root/engine/include" -S "$work/size.cpp" -o - | grep -A 9 '^bytes_of_a_world:' | grep -m 1 -oE '[0-9]{4,}' || echo '?')")
+    done
+    result="${sizes[*]}"
+    [ "$(printf '%s\n' "${sizes[@]}" | sort -u | wc -l)" -eq 1 ] && [ "${sizes[0]}" != '?' ] || failed=true
+    report "$name" "${compiler%% -cxx*} [${flags[*]}]" "$result bytes"
+}
+
+# board NAME FLAG...: the firmware by hand, on an emulated Cortex-M4F; its hashes must be those of the host's.
+board() {
+    local name=$1 folder=$work/$1 status=0 result here=$root/samples/firmware command source
+    shift
+    { is_there "$name" arm-none-eabi-g++ && is_there "$name" qemu-system-arm; } || return 0
+    rm -rf "$folder" && mkdir -p "$folder/host"
+    hashes_of() { sed -n 's/^\([a-z]*\) steps \([0-9]*\) hash \([0-9a-f]*\).*/\1 \2 \3/p'; }
+    command=(arm-none-eabi-g++ -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -ffreestanding -std=c++20 -fno-exceptions -fno-rtti -fno-threadsafe-statics
+        -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns)
+    {
+        quickly "$folder" "${command[@]}" -DISLET_THREADS=0 "$@" &&
+            for source in firmware scenes floats board_cortex_m console runtime; do
+                "${command[@]}" -Os -ffp-contract=off "${@:1:1}" -I "$root/engine/include" -c "$here/$source.cpp" -o "$folder/$source.o" || break
+            done &&
+            "${command[@]}" "${@:1:1}" "$folder"/*.o -nostdlib -static -Wl,-T,"$here/firmware.ld",--gc-sections,--entry=reset \
+                -Wl,--defsym=flash_origin=0,--defsym=flash_length=0x80000,--defsym=ram_origin=0x20000000,--defsym=ram_length=0x40000,--defsym=stack_length=4096 \
+                -lgcc -o "$folder/firmware.elf" &&
+            qemu-system-arm -machine mps2-an386 -icount shift=0 -display none -monitor none -serial none \
+                -semihosting-config enable=on,target=native -kernel "$folder/firmware.elf" >"$folder/board.txt" &&
+            quickly "$folder/host" g++ -std=c++20 -O2 &&
+            g++ -std=c++20 -ffp-contract=off -I "$root/engine/include" "$here"/{firmware,scenes,floats,board_host,console}.cpp "$folder"/host/*.o -o "$folder/host/firmware" &&
+            "$folder/host/firmware" >"$folder/host.txt" &&
+            diff <(hashes_of <"$folder/host.txt") <(hashes_of <"$folder/board.txt")
+    } >"$work/$name.log" 2>&1 || status=$?
+    if [ "$status" -eq 0 ]; then result="$(hashes_of <"$folder/board.txt" | grep -c .) hashes, the host's"; else result=$(first_complaint "$work/$name.log"); fi
+    judge same "$status" "$result"
+    report "$name" "arm-none-eabi-g++ $*" "$result"
+}
+
+refused x87 g++ -m32 -O2
+refused fast-clang++ clang++ -O3 -march=native -ffast-math
+refused finite-clang++ clang++ -O2 -ffinite-math-only
+same_size size g++ -march=native -mno-sse4
+same_size size-clang++ clang++ -march=native
+same_size size-wasm 'clang++-16 --target=wasm32-wasi -cxx-isystem /usr/lib/llvm-16/include/wasm32-wasi/c++/v1' -msimd128
+same_size size-aarch64 aarch64-linux-gnu-g++ -march=armv8.2-a+sve
+for compiler in g++ clang++; do
+    check same "by-hand-$compiler" as_readme "$compiler" -O2
+    check same "small-$compiler" quickly "$compiler" -Os
+    check same "unsigned-$compiler" quickly "$compiler" -O2 -funsigned-char
+    check same "fma-$compiler" quickly "$compiler" -O2 -mfma
+done
+check same fast-g++ quickly g++ -O3 -march=native -ffast-math
+check "floats are not IEEE's" contract-clang++ quickly clang++ -O2 -mfma -ffp-contract=fast
+board cortex-m4f-softfp -mfloat-abi=softfp -O2
+if $failed; then exit 1; fi
