@@ -122,7 +122,7 @@ board() {
                 -Wl,--defsym=flash_origin=0,--defsym=flash_length=0x80000,--defsym=ram_origin=0x20000000,--defsym=ram_length=0x40000,--defsym=stack_length=4096 \
                 -lgcc -o "$folder/firmware.elf" &&
             qemu-system-arm -machine mps2-an386 -icount shift=0 -display none -monitor none -serial none \
-                -semihosting-config enable=on,target=native -kernel "$folder/firmware.elf" >"$folder/board.txt" &&
+                -semihosting-config enable=on,target=native -kernel "$folder/firmware.elf" >"$folder/board.txt" 2>&1 &&
             quickly "$folder/host" g++ -std=c++20 -O2 &&
             g++ -std=c++20 -ffp-contract=off -I "$root/engine/include" "$here"/{firmware,scenes,floats,board_host,console}.cpp "$folder"/host/*.o -o "$folder/host/firmware" &&
             "$folder/host/firmware" >"$folder/host.txt" &&
