@@ -15,8 +15,8 @@ targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 ris
 
 # Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
 declare -A most_flash=(
-    [cortex-m3]='182600 83800 49700' [cortex-m4f]='166500 71000 42300' [cortex-m4f-lto]='- 65536 40400' [cortex-m7]='166100 70800 42200'
-    [cortex-m33]='166100 70800 42200' [cortex-m55]='166600 71000 42300' [riscv32]='177000 75600 45600'
+    [cortex-m3]='190600 88000 54000' [cortex-m4f]='173700 75000 46300' [cortex-m4f-lto]='- 70200 44400' [cortex-m7]='173300 74800 46100'
+    [cortex-m33]='173300 74800 46100' [cortex-m55]='173700 75000 46200' [riscv32]='184600 79700 49700'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
@@ -160,7 +160,7 @@ log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --
 [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
     complain "what is left out changes the pyramid"
 cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
-at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 37000
+at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 39000
 
 if [ "$mode" = json ]; then
     separator=
