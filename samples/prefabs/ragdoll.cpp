@@ -14,24 +14,24 @@ struct Part {
     bool has_foot = false;
 };
 
-constexpr Part thigh = {BodyPart::pelvis, 0.100f, 0.285f, 0.530f, 0.042f, 0.530f, -20, 120, 1};
-constexpr Part left_shank = {BodyPart::left_thigh, 0.061f, 0.060f, 0.285f, 0.030f, 0.285f, -135, 0, 0.5f, true};
-constexpr Part right_shank = {BodyPart::right_thigh, 0.061f, 0.060f, 0.285f, 0.030f, 0.285f, -135, 0, 0.5f, true};
-constexpr Part upper_arm = {BodyPart::torso, 0.028f, 0.630f, 0.805f, 0.025f, 0.805f, -60, 180, 0.3f};
-constexpr Part left_forearm = {BodyPart::left_upper_arm, 0.022f, 0.397f, 0.630f, 0.020f, 0.630f, 0, 150, 0.1f};
-constexpr Part right_forearm = {BodyPart::right_upper_arm, 0.022f, 0.397f, 0.630f, 0.020f, 0.630f, 0, 150, 0.1f};
+constexpr Part thigh_part = {BodyPart::pelvis, 0.100f, 0.285f, 0.530f, 0.042f, 0.530f, -20, 120, 1};
+constexpr Part left_shank_part = {BodyPart::left_thigh, 0.061f, 0.060f, 0.285f, 0.030f, 0.285f, -135, 0, 0.5f, true};
+constexpr Part right_shank_part = {BodyPart::right_thigh, 0.061f, 0.060f, 0.285f, 0.030f, 0.285f, -135, 0, 0.5f, true};
+constexpr Part upper_arm_part = {BodyPart::torso, 0.028f, 0.630f, 0.805f, 0.025f, 0.805f, -60, 180, 0.3f};
+constexpr Part left_forearm_part = {BodyPart::left_upper_arm, 0.022f, 0.397f, 0.630f, 0.020f, 0.630f, 0, 150, 0.1f};
+constexpr Part right_forearm_part = {BodyPart::right_upper_arm, 0.022f, 0.397f, 0.630f, 0.020f, 0.630f, 0, 150, 0.1f};
 constexpr Part parts[body_part_count] = {
     {BodyPart::pelvis, 0.142f, 0.550f, 0.590f, 0.055f, 0, 0, 0, 0},
     {BodyPart::pelvis, 0.355f, 0.650f, 0.780f, 0.055f, 0.610f, -80, 25, 1},
     {BodyPart::torso, 0.081f, 0.885f, 0.955f, 0.045f, 0.840f, -45, 45, 0.3f},
-    thigh,
-    left_shank,
-    thigh,
-    right_shank,
-    upper_arm,
-    left_forearm,
-    upper_arm,
-    right_forearm,
+    thigh_part,
+    left_shank_part,
+    thigh_part,
+    right_shank_part,
+    upper_arm_part,
+    left_forearm_part,
+    upper_arm_part,
+    right_forearm_part,
 };
 
 // The foot lies along the ground, from the heel behind the ankle to the toes.

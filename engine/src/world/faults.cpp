@@ -222,7 +222,7 @@ float span_of(const Core& c, std::uint32_t i) {
 }
 
 // Of a tight box, at two times: an origin takes 5 roundings, a corner's place 4, its way to the edge of a box 3, a turn's length 4.
-float rounding_of(const Core& c, std::uint32_t i) { return 32.0f * epsilon * span_of(c, i); }
+float box_rounding(const Core& c, std::uint32_t i) { return 32.0f * epsilon * span_of(c, i); }
 
 // How much farther than it thinks may a body have come by steps, each of which is rounded? A turn takes 4 roundings, the centre's way 3. A world that
 // is older than 2^24 steps may have lost all count.
@@ -240,7 +240,7 @@ const char* fault_in_place(const Core& c, std::uint32_t i) {
     const Body& b = c.bodies[i];
     const Pose& pose = c.poses[i];
     const Vec2 gap = transform_point(body_transform(c, i), b.local_center) - pose.center;
-    const float rounding = rounding_of(c, i);
+    const float rounding = box_rounding(c, i);
     if (!(abs(gap.x) <= rounding && abs(gap.y) <= rounding)) return "a body's centre is not where its origin says";
     const Extent extent = body_extent(c, i);
     if (pose.max_extent != extent.max || b.min_extent != extent.min) return "a body's extent is not its shapes'";
@@ -255,7 +255,7 @@ const char* fault_in_place(const Core& c, std::uint32_t i) {
 
 const char* fault_in_box(const Core& c, std::uint32_t s) {
     const std::uint32_t body = c.shapes[s].body;
-    const float inexact = rounding_of(c, body) + min(drift_of(c, body), max(0.0f, most_room(c.boxes[s])));
+    const float inexact = box_rounding(c, body) + min(drift_of(c, body), max(0.0f, most_room(c.boxes[s])));
     return contains(expand(c.boxes[s], inexact), shape_aabb(c, s)) ? nullptr : "a shape has left its fat box";
 }
 
