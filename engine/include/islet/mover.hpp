@@ -20,7 +20,7 @@
 
 namespace islet {
 
-/// Whether a surface stands in the mover's way. For platforms that let pass from below: surface.normal.y > 0.7f && surface.separation > -0.05f.
+/// Whether a surface stands in the mover's way. Movers pass one-way shapes (ShapeDef::one_way), and are held by them, without it.
 /// May call const functions of the world.
 using MoverFilter = bool (*)(const Surface& surface, void* context);
 
