@@ -162,8 +162,8 @@ Nearest nearest(const Difference& w) {
 }
 
 // Which side of the ray's line a place of the outline is on (left above 0) is worked out from the corners and the directions of the edges alone, so neighbours
-// agree about what they share. The edges that face the ray, moved outward by the radius, and the arcs between them lead from the leftmost place to the rightmost
-// one without a gap: the line enters where they cross it.
+// agree about what they share. The edges that face the ray, moved outward by the radius, and the arcs between them lead from the leftmost place to the
+// rightmost one without a gap: the line enters where they cross it.
 Impact impact(const Difference& w, Vec2 d) {
     const float way = length(d);
     if (!(way >= least_way)) {

@@ -212,8 +212,8 @@ const char* fault_in_lists(const Core& c) {
 
 // -- what is kept because it follows from the rest: where bodies and boxes are, how far they reach -------------------------------------
 
-// How much rounding can change them. A number is rounded by `epsilon` of itself at most. No number between a body's centre and the edge of its fat box is larger
-// than this sum: the centre, the arm to the origin and back, the farthest point of a shape, and 1 m for margins and whatever else is small.
+// How much rounding can change them. A number is rounded by `epsilon` of itself at most. No number between a body's centre and the edge of its fat box is
+// larger than this sum: the centre, the arm to the origin and back, the farthest point of a shape, and 1 m for margins and whatever else is small.
 constexpr float epsilon = 0x1p-24f;
 
 float span_of(const Core& c, std::uint32_t i) {
