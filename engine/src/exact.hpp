@@ -1,7 +1,7 @@
-// What the same bits need of the compiler, said in the source because a user's flags are the user's. Every .cpp of the engine includes this file first.
+// What the compiler must do for the bits to be the same. The source says it, since the flags are the user's. Every .cpp of the engine includes this file first.
 //
-// Each operation on floats is the IEEE one: no product is fused with a sum, nothing is reordered, no number is taken for impossible. Where a compiler
-// cannot be told so in the source it refuses here, or the world refuses to be made (Error::inexact_build).
+// Each operation on floats is the IEEE one: no product is fused with a sum, nothing is reordered, infinities and NaN are allowed for. Where the source cannot
+// make a compiler do so, compilation fails here, or World::create fails (Error::inexact_build).
 #pragma once
 
 #if defined(__clang__)
@@ -15,10 +15,10 @@
 #pragma clang fp contract(off) reassociate(off)
 
 #elif defined(__GNUC__)
-// The last one is about size and speed alone: a square root that need not report errors is one instruction. (no-fast-math would bring errors back.)
+// no-math-errno is about size and speed alone: a square root that need not report errors is one instruction. (no-fast-math would turn reports on again.)
 #pragma GCC optimize("no-fast-math", "fp-contract=off", "no-math-errno")
 #if defined(__x86_64__) || defined(__i386__)
-// The vectoriser of GCC 12 makes fused operations of alternating sums and differences all the same, so there are none to be had.
+// The vectoriser of GCC 12 fuses alternating sums and differences all the same, so the processor's fused instructions are ruled out.
 #pragma GCC target("no-fma,no-fma4,no-avx512f")
 #endif
 #endif

@@ -21,9 +21,9 @@
 #endif
 #endif
 
-/// 1: sensors, hit events, hooks, one-way shapes, disabled bodies, bullets, and sweeps that go contact by contact (SolverDef::sweep_order, block_contacts, shock) come only
-/// with the functions of World that are theirs, as joints and chains always do: a firmware that never calls these does not link them, and is refused what
-/// would need them (feature_cut). 0: they are there.
+/// 1: sensors, hit events, hooks, one-way shapes, disabled bodies, bullets, and sweeps that go contact by contact (SolverDef::sweep_order, block_contacts,
+/// shock) come only with the functions of World that are theirs, as joints and chains always do: a firmware that never calls these does not link them, and is
+/// refused what would need them (feature_cut). 0: they are there.
 #if !defined(ISLET_LEAN)
 #define ISLET_LEAN 0
 #endif
@@ -66,7 +66,7 @@
 #define ISLET_HOOKS 1  // the user's filter, pre-solve and mixing
 #endif
 #if !defined(ISLET_ONE_WAY)
-#define ISLET_ONE_WAY 1  // platforms that are passed from below
+#define ISLET_ONE_WAY 1  // platforms that are passed from one side (ShapeDef::one_way)
 #endif
 #if !defined(ISLET_QUERIES)
 #define ISLET_QUERIES 1  // ray and shape casts, overlaps, closest points in a world

@@ -32,8 +32,8 @@ namespace detail {
 inline constexpr std::size_t core_bytes = 640;  // room for Core inside World
 inline constexpr std::size_t host_bytes = 704;  // room for World at the start of the block
 
-// The widest lanes of any engine for this processor decide how the constraint rows are padded in scratch. Only the processor counts, never a file's flags:
-// a program and the engine, compiled apart, must agree.
+// The widest lanes of any engine for this processor decide how the constraint rows are padded in scratch. They depend on the processor alone, never on a
+// file's flags: a program and the engine are compiled apart and must agree.
 #if defined(__x86_64__) || defined(_M_X64)
 inline constexpr std::uint32_t layout_lanes = 8;
 #elif defined(__i386__) || defined(_M_IX86) || defined(__aarch64__) || defined(__wasm__)

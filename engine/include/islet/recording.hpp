@@ -28,15 +28,16 @@ inline constexpr std::size_t recording_alignment = 8;
 
 /// What a recording says of itself.
 struct RecordingInfo {
-    Capacity capacity = {};      ///< of the world it was made of, as it says: anything, if it comes from outside
-    Capacity needed = {};        ///< the least that is known to replay it alike: of that capacity no more than its snapshots and calls could ever fill. (They
-                                 ///< fill a byte of the file with one shape at most, contacts with the square of the shapes.)
+    Capacity capacity = {};      ///< of the world it was made of, as the recording claims: a forged one may claim any
+    Capacity needed = {};        ///< what a world needs to replay it alike: the capacity claimed, but no more than the recording's snapshots and calls could
+                                 ///< ever fill. (That is at most one shape for each byte of the recording, and the square of the shapes in contacts.)
     std::uint64_t bytes = 0;     ///< of the whole recording
     bool bodies = false;         ///< whether each step tells body from body
 };
 
-/// Reads the head of a recording, and goes through its calls without making them. Errors: image_misaligned; not_a_recording; truncated_image;
-/// other_byte_order, other_version, corrupt_image as of the snapshot it begins with.
+/// Reads the head of a recording, and goes through its calls without making them. Errors, on which `out` stays as it was: image_misaligned;
+/// not_a_recording; other_version; truncated_image; corrupt_recording if the head contradicts itself; and what read_snapshot finds wrong with the snapshot
+/// that the recording begins with. Damaged calls are no error here: the reading ends at the first of them, as a replay does.
 Error read_recording(std::span<const std::byte> recording, RecordingInfo& out);
 
 /// How a replay ended.
@@ -59,7 +60,8 @@ struct ReplayResult {
 class World;
 
 /// Puts the world into the state the recording began with and makes its calls again, up to and including `steps` steps. The world's capacity should be
-/// RecordingInfo::needed, or the recorded one. A recording may be hostile: nothing it holds is used unchecked, and a step's calls are known to be the recorded ones after that step.
+/// RecordingInfo::needed, or the recorded one. A recording may be hostile: nothing it holds is used unchecked, and a step's calls are known to be the recorded
+/// ones after that step.
 ReplayResult replay(World& world, std::span<const std::byte> recording, std::uint64_t steps = ~std::uint64_t{0});
 
 }  // namespace islet

@@ -17,7 +17,7 @@ inline constexpr float max_position = 1.0e7f;
 inline constexpr float max_coefficient = 1.0e9f;
 /// Speed limits and surface speeds go up to this, m/s.
 inline constexpr float max_speed_limit = 1.0e6f;
-/// Steps are at least this long, s: what a shorter one adds to a speed or a place, a float mostly cannot hold.
+/// Steps are at least this long, s. What a shorter step adds to a speed or a position is mostly lost to rounding.
 inline constexpr float min_time_step = 1.0e-6f;
 
 /// Handle of a body. Default-constructed: null. Safe to keep: an id whose object was destroyed is stale, never wrong.
@@ -40,7 +40,7 @@ struct ShapeId {
 struct Capacity {
     std::uint32_t bodies = 0;
     std::uint32_t shapes = 0;
-    std::uint32_t contacts = 0;    ///< Pairs of shapes whose fat boxes overlap, touching or not: 3 to 5 a body in a dense pile.
+    std::uint32_t contacts = 0;    ///< Pairs of shapes whose fat boxes overlap, touching or not: 3 to 5 a body in a dense pile, 7 if it is squeezed.
     std::uint32_t joints = 0;
     std::uint32_t geometries = 0;  ///< Different geometries (equal ones are stored once); 0 means as many as shapes.
     std::uint32_t hits = 0;        ///< Hit events in one step; 0 means an eighth of contacts, at least 8.
@@ -85,14 +85,16 @@ enum class Error : std::uint8_t {
     recording_full,      ///< the memory given for a recording is too small, or was used up: it ends before this call
     not_a_recording,     ///< the bytes are no recording, or the world is not being recorded
     corrupt_recording,   ///< the recording is not as it was made
-    in_step,             ///< called from a function that the world itself calls: a hook, a drawing function
-    inexact_build,       ///< the engine was compiled with flags under which floats are not IEEE's: no world keeps the same bits
+    in_step,             ///< called from a function that the world itself calls, such as a hook or a drawing function, and not allowed there
+    inexact_build,       ///< the engine was compiled with flags that change the results of IEEE floats, and so the bits: create makes no world, and a
+                         ///< StaticWorld takes no step
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.
 const char* describe(Error e);
 
-/// Receives each error as it happens. May read the world's bodies and shapes; what would change it is refused (in_step), and it is not told of that.
+/// Receives each error as it happens. It may read the world's bodies and shapes. A call that would change the world is refused (in_step), and the hook is not
+/// told of that error.
 using ErrorHook = void (*)(Error error, void* context);
 
 struct PreSolve;  // below
@@ -108,13 +110,13 @@ struct Hooks {
     /// and whenever that pair is found again, of pairs that their filters allow. A pair once made is not asked about again before it parts.
     bool (*filter)(ShapeId shape_a, ShapeId shape_b, void* context) = nullptr;
     /// May look at a contact before it is solved, and change it for this step: see PreSolve. Called in every step for every awake contact that has points
-    /// and a shape with ShapeDef::pre_solve, in the order of their slots. Of a fast body the contact with what it may hit in the step is made ahead, and what
-    /// is said of it holds for continuous collision too; of a one-way shape (ShapeDef::one_way) only contacts that it holds are asked about.
+    /// and a shape with ShapeDef::pre_solve, in the order of their slots. A fast body's contact with what it may hit in the step is made ahead, and continuous
+    /// collision follows what the hook says of it. A one-way shape (ShapeDef::one_way) has only those contacts asked about that it holds.
     void (*pre_solve)(PreSolve& contact, void* context) = nullptr;
     /// Coefficient of two shapes, in place of the geometric mean; `material` is SurfaceMaterial::id. Taken as 0 to max_coefficient. Asked when two shapes
     /// meet or a material changes.
     float (*mix_friction)(float friction_a, std::uint32_t material_a, float friction_b, std::uint32_t material_b, void* context) = nullptr;
-    /// The same for restitution, in place of the larger. Taken as 0 to 1. Asked in steps too.
+    /// The same for restitution, in place of the larger. Taken as 0 to 1. Asked in steps, too.
     float (*mix_restitution)(float restitution_a, std::uint32_t material_a, float restitution_b, std::uint32_t material_b, void* context) = nullptr;
     void* context = nullptr;
     friend bool operator==(const Hooks&, const Hooks&) = default;
@@ -157,8 +159,9 @@ struct SolverDef {
     float contact_push_speed = 3.0f;     ///< m/s, >= 0. Fastest that overlap is pushed apart.
     float joint_hertz = 60.0f;           ///< Hz, > 0. Stiffness with which joints mend their errors; capped at a quarter of the substep rate. A rigid
                                          ///< joint under a steady force F gives by F / (m (2 pi joint_hertz)^2), m the mass it moves. A
-                                         ///< limit holds where it is set: at once against the joint's own motor, within two seconds
-                                         ///< under a load from elsewhere.
+                                         ///< limit holds where it is set, at once, against the joint's own motor. Under a steady load
+                                         ///< from elsewhere it gives as much as a rigid joint at first, and comes back: 128 steps later
+                                         ///< about a third of that error is left.
     float joint_damping_ratio = 2.0f;    ///< >= 0
     float baumgarte = 0.2f;              ///< 0 to 1. Share of overlaps and joint errors mended per step (classic schedule).
     float omega = 1.0f;                  ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
@@ -185,7 +188,8 @@ struct WorldDef {
     float max_speed = 400.0f;            ///< m/s, > 0, at most max_speed_limit. No body moves faster.
     float hit_threshold = 1.0f;          ///< m/s, >= 0. Hit events tell of shapes that come together faster.
     bool continuous = true;              ///< Continuous collision: dynamic bodies pass through no static shape, and bullets through no other body, however
-                                         ///< fast they move and turn.
+                                         ///< fast they move and turn. (Crowds pressed by about a thousand times gravity can still be
+                                         ///< squeezed through.)
     std::uint32_t lanes = 0;             ///< 1, 4 or 8 constraints at once; 0 picks the widest the processor has. The bits are the same.
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
@@ -255,10 +259,12 @@ struct ShapeDef {
                                      ///< version 3.1 on both shapes have to be told to.)
     bool hit_events = false;         ///< Tell of hits of this shape: World::hit_events.
     bool pre_solve = false;          ///< Ask the pre_solve hook about contacts of this shape.
-    Vec2 one_way = {};               ///< Not zero: a platform that holds only what came from the side of this direction, in the body's frame ({0, 1}: from
-                                     ///< above), to 1/1000 rad. The other shape is held once all of it is beyond the platform's farthest point, until it
-                                     ///< leaves; before, it passes. Bodies, fast ones too, and movers are held alike; queries see the shape as any other.
-                                     ///< One that stands on it drops through when the pre_solve hook says no once, or when its filter does.
+    Vec2 one_way = {};               ///< Not zero: a one-way platform. It holds only what came from the side that this direction points to, in the body's
+                                     ///< frame ({0, 1}: from above). The length does not matter; the angle is kept to 1/1000 rad. The other shape passes
+                                     ///< until all of it is beyond the platform's farthest point along the direction; from then on it is held, until it
+                                     ///< leaves. Bodies, fast ones too, and movers are held; queries see the platform as any other shape. What stands
+                                     ///< on it drops through if the pre_solve hook disables the contact once (pre_solve of either shape), or if a
+                                     ///< filter forbids the contact. Errors: not_finite; feature_cut.
     std::uint32_t material = 0;      ///< SurfaceMaterial::id
     std::uint64_t user_data = 0;
 };
@@ -312,8 +318,8 @@ struct StepReport {
     std::uint32_t contacts = 0;          ///< pairs with overlapping fat boxes, touching or not, asleep or not
     std::uint32_t touching_contacts = 0; ///< of the awake ones
     std::uint32_t recycled_contacts = 0; ///< awake contacts whose manifold was kept
-    /// Pairs that found no room this step, counted up to Capacity::contacts: they pass through each other. They are tried again every step, and each such
-    /// step tells Error::contacts_full. Raise Capacity::contacts: 3 to 5 for each moving shape of a dense pile, 7 where it is squeezed.
+    /// Pairs that found no room this step, counted up to Capacity::contacts: their shapes pass through each other. The pairs are tried again in every step,
+    /// and each such step fails with contacts_full. Raise Capacity::contacts: 3 to 5 for each moving shape of a dense pile, 7 where the pile is squeezed.
     std::uint32_t dropped_contacts = 0;
     std::uint32_t dropped_events = 0;    ///< end events that found no room since the last step began
     std::uint32_t dropped_hits = 0;      ///< hits that found no room among the hit events

@@ -1,4 +1,4 @@
-// Compiled for AVX2, as solver/kernel_avx2.cpp is.
+// The scan of eight columns at once, compiled for AVX2 (math/avx2.hpp).
 #include "../exact.hpp"
 
 #include "../math/avx2.hpp"

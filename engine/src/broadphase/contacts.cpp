@@ -114,7 +114,7 @@ void mix_materials(Core& core, std::uint32_t contact) {
               (has_hooks && (told & shape_pre_solve) != 0 ? std::uint32_t{contact_asks} : 0u) |
               (has_one_way && (told & shape_one_way_bits) != 0 ? std::uint32_t{contact_one_way} : 0u);
     if ((m.flags & contact_one_way) == 0) m.flags &= ~static_cast<std::uint32_t>(contact_passes | contact_dropped);
-    if ((m.flags & contact_one_way) != 0 && !was_one_way) m.flags &= ~static_cast<std::uint32_t>(contact_posed);  // looked at as a new one
+    if ((m.flags & contact_one_way) != 0 && !was_one_way) m.flags &= ~static_cast<std::uint32_t>(contact_posed);  // decided anew: one_way.cpp
 }
 
 bool has_room_for_end(Core& core) {

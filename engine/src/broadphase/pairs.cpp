@@ -16,8 +16,8 @@ namespace islet::detail {
 
 namespace {
 
-// As many pairs were dropped as there are contacts. No contact goes while pairs are found, so none that is found from here on could have one: the search
-// ends, or bodies that crowd together would cost the square of their number in every step.
+// True once as many pairs were dropped as the capacity has contacts: the search ends. No contact is freed while pairs are found, so a pair found later would
+// be dropped too. Without this bodies that crowd together would cost the square of their number in every step.
 bool is_over(const Core& core) { return core.report.dropped_contacts == core.capacity.contacts; }
 
 void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {

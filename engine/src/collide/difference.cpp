@@ -8,7 +8,7 @@
 namespace islet::detail {
 namespace {
 
-// Edges shorter than this (m) are left out: their squares would soon underflow.
+// Edges shorter than this (m) are left out: much shorter ones have squares that underflow.
 constexpr float least_edge = 1e-15f;
 // Translations shorter than this (m) lead nowhere.
 constexpr float least_way = 1e-10f;
@@ -68,7 +68,7 @@ Entry entry_on_edge(const Difference& w, std::uint32_t k, float along, Vec2 d) {
     return {true, dot(point, d), n, {k, along}};
 }
 
-// On the arc around corner k, which the line passes at `sine` of the radius, to its right.
+// On the arc around corner k: the line passes the corner at `sine` times the radius, with the corner on its left.
 Entry entry_on_arc(const Difference& w, std::uint32_t k, float sine, Vec2 d, float way) {
     const float cosine = sqrt((1 - sine) * (1 + sine));
     const Vec2 u = (1 / way) * d;
@@ -78,8 +78,8 @@ Entry entry_on_arc(const Difference& w, std::uint32_t k, float sine, Vec2 d, flo
 // At m from something with normal n, but behind it: deep in the shape, unless m is hardly longer than rounding.
 bool is_behind(Vec2 n, Vec2 m) { return dot(n, m) < -0.5f * length(m); }
 
-// The origin is nearest to a corner, by edge k, which ends there or begins. Rounding may have cut that edge short, or hidden that the other edge at the corner
-// leads still nearer: seen from the corner itself, to which little is lost, both are made good.
+// Where edge k is nearest to the origin at one of its ends: the corner there. Rounding may have cut edge k short, or hidden that the other edge at the corner
+// comes still nearer. Seen from the corner itself little is lost to rounding, so both are looked at again from there.
 Nearest nearest_to_corner(const Difference& w, std::uint32_t k, bool at_end) {
     std::uint32_t corner = at_end ? next(k, w.count) : k;
     Vec2 n = normalize(right_perp(w.edges[k]));
@@ -101,7 +101,7 @@ Nearest nearest_to_corner(const Difference& w, std::uint32_t k, bool at_end) {
         n = across;
         m = -w.points[corner];
     }
-    // Behind both edges: rounding made a dent of a corner that is hardly one.
+    // The origin is behind both edges: rounding made a dent of a corner where the outline hardly turns.
     if (is_behind(n, m)) return {dot(n, m) - w.radius, n, {corner, 0}};
     const Vec2 direction = normalize(m);
     return {length(m) - w.radius, direction != Vec2{} ? direction : n != Vec2{} ? n : Vec2{0, 1}, {corner, 0}};
@@ -142,7 +142,7 @@ Difference difference_of(const ShapeProxy& a, const ShapeProxy& b) {
 
 // The nearest of all edges, where those that do not face the origin count as twice as far: see the header.
 Nearest nearest(const Difference& w) {
-    float least = 3.0e38f;  // squared distance, four times as much of edges that do not face the origin
+    float least = 3.0e38f;  // squared distance; of an edge that does not face the origin, four times as much
     Place place;
     for (std::uint32_t k = 0; k < w.count && w.count > 1; ++k) {
         const Vec2 p = w.points[k];
@@ -162,8 +162,8 @@ Nearest nearest(const Difference& w) {
 }
 
 // Which side of the ray's line a place of the outline is on (left above 0) is worked out from the corners and the directions of the edges alone, so neighbours
-// agree about what they share. Edges that face the ray, moved outward by the radius, and the arcs between them lead from the leftmost place to the rightmost
-// one: where they pass over, the line enters, and there is no gap to slip through.
+// agree about what they share. The edges that face the ray, moved outward by the radius, and the arcs between them lead from the leftmost place to the
+// rightmost one without a gap: the line enters where they cross it.
 Impact impact(const Difference& w, Vec2 d) {
     const float way = length(d);
     if (!(way >= least_way)) {

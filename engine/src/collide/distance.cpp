@@ -166,8 +166,8 @@ DistanceResult core_distance(const Vec2* a, std::uint32_t count_a, const Vec2* b
             const Feature other = edge_feature(nearest.corner[1], next);
             if (other.distance_squared < closer.distance_squared) { closer = other; }
         }
-        // From a corner to an edge that it ends is always a gain, though rounding may hide it. So it is if the new corner stands out of the edge by more than
-        // rounding: then the edge was closest at its very end, and only the next pass comes closer.
+        // A step from a corner to an edge that ends there always comes closer, though rounding may hide it. So does a step to a new corner that stands out of
+        // the edge by more than rounding: there the edge was closest at its very end, and only the next pass comes closer.
         const bool gained_edge = nearest.count == 1 && closer.count == 2;
         const bool stands_out = dot(next.w - nearest.corner[0].w, towards) > 1e-6f * (length_squared(towards) + length_squared(next.w));
         if (!gained_edge && !stands_out && !(closer.distance_squared < nearest.distance_squared)) { break; }

@@ -49,7 +49,7 @@ struct ContactKernel {
     static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count);
 
 private:
-    /// The size of the sum of a contact's impulses: infinite or not a number if any of them is.
+    /// Magnitude of the sum of a contact's impulses. It is not finite if any of them is not.
     static F size_of(const Rows& r);
 };
 
@@ -164,7 +164,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             }
         }
         if (r.is_special()) {
-            // Where there is no resistance there is no impulse, though a neighbour's or the step before had one.
+            // A contact without rolling resistance has no rolling impulse, though a neighbour in its block may have one, or it had one a step ago.
             const F k = a[7] + b[7];
             const auto rolls = L::load(r.rolling_resistance) > zero;
             L::store(r.rolling_mass, select(k > zero, omega / k, zero));

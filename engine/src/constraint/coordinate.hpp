@@ -7,9 +7,9 @@
 //     lower     C = x - lower >= 0,  lambda >= 0
 //     upper     C = upper - x >= 0,  lambda >= 0, pulls the other way
 // A rigid row is soft (softness.hpp): in each sweep it loses a part of its impulse, and under a steady load it gives way until its error makes up for
-// that. Limits lose a part only of what exceeds their load, so that they hold where they are set: what the joint's own motor puts on them, and what else they
-// have borne in the last two seconds. (Without any loss the impulses follow the error like an integrating controller, which swings up where the load is
-// much heavier than the bodies of the joint; so does a load that is learnt faster.)
+// that. A limit loses a part only of the impulse that exceeds its load, so that it holds where it is set. The load is what the joint's own motor puts on the
+// limit, and a running mean of what else the limit bore (load_share). (Without any loss the impulse follows the error like an integrating controller, which
+// swings up where the load is much heavier than the bodies of the joint. A mean over fewer steps does the same.)
 // Units: rad, N m s and so on for an angle; m, N s for a length. Limits are speculative: they may be reached within the substep, not passed
 // (Catto, "Solver2D", 2024).
 #pragma once
@@ -27,13 +27,13 @@ struct CoordinateRows {
     float speed[W], max_motor[W];  // max_motor, max_friction: N s, N m s over a substep
     float max_friction[W];
     float lower[W], upper[W];
-    float load[W];  // of the limits, an impulse over a substep: positive on the lower, negative on the upper one
+    float load[W];  // on the limits, N s or N m s over a substep: positive on the lower, negative on the upper one
     float spring[W], motor[W], friction[W], low[W], high[W];  // accumulated impulses
     std::uint32_t parts;
     std::uint8_t pad[W * 4 - 4];
 };
 
-inline constexpr float load_share = 1.0f / 128;  // of the difference, by which the load follows the impulse in each step: slower than joints swing
+inline constexpr float load_share = 1.0f / 128;  // share of the difference by which the load follows the impulse in each step: slower than joints swing
 
 inline constexpr float no_bound = 1.0e12f;  // m or rad: what is farther is out of reach, and its products could leave the range of float
 inline float within_bound(float a) { return within_bounds(a, no_bound); }

@@ -277,7 +277,8 @@ ISLET_LANE void solve_point(JointBodies<L>& s, LaneVec<typename L::F> ra, LaneVe
     return {v.x, v.y};
 }
 
-/// See unsound_impulse: so of what the joint applies; of the rest, which may cancel out in that, if it is not finite (then the sum is not).
+/// Forgets all impulses of a joint if what it applies is beyond unsound_impulse, or if any single impulse is not finite. (Single impulses may cancel out in
+/// what it applies; the sum of all is not finite if one of them is not.)
 inline void forget_unsound(Joint& j) {
     constexpr std::size_t first = offsetof(Joint, impulse), bytes = offsetof(Joint, torque_impulse) + 4 - first;
     float impulses[bytes / 4];
@@ -294,7 +295,7 @@ inline void forget_unsound(Joint& j) {
 inline void add_stretch(const JointOutput& out, std::uint32_t slot, std::uint32_t body, Vec2 arm, Vec2 p) {
     const SolverBody& b = out.solved[slot];
     if (!(b.inv_mass > 0)) return;
-    constexpr float most = 1.0e37f;  // so many joints may pull at a body that their sum would be no number
+    constexpr float most = 1.0e37f;  // many joints may pull at one body: their sum must not overflow
     float& stretch = out.bodies[body].stretch;
     stretch = within_bounds(stretch + out.h * dot(turned(b.dq, arm.x, arm.y), p), most);
 }

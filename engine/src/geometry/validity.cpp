@@ -15,7 +15,7 @@ ISLET_SHARED bool are_apart(Vec2 a, Vec2 b) {
     return detail::in_range(a) && detail::in_range(b) && distance_squared(a, b) > detail::min_length * detail::min_length;
 }
 
-// A ghost may be the mirror image of a segment's one end at the other.
+// A chain that goes on straight beyond its end has a ghost that mirrors one end of the last segment at the other, so it may lie beyond max_position.
 ISLET_SHARED bool is_ghost(Vec2 a) { return detail::in_range(0.25f * a); }
 
 /// True if n is the outward unit normal of the edge from a to b.

@@ -52,7 +52,7 @@ void cut_out(const Task<T>& task, const T* divisors, Range range, Block<T>& bloc
     }
 }
 
-/// Cuts y to its bounds; friction last, whose bounds are made of a y that is cut already.
+/// Cuts y to its bounds. Rows of friction come last: their bounds follow from values of y that are cut already.
 template <class T>
 void keep_bounds(const Block<T>& block, T* y) {
     for (const bool has_friction : {false, true}) {

@@ -93,7 +93,7 @@ std::uint32_t find_step(const Task<T>& task, Newton<T>& s, bool damped) {
         const Row<T> row = row_of(task.problem, s.free_rows[k]);
         for (std::uint32_t e = 0; e < row.count; ++e) {
             const std::uint32_t j = row.column(e);
-            if (row.values[e] == T(0)) continue;  // a sparse matrix may not have it, and a step may be infinite
+            if (row.values[e] == T(0)) continue;  // a sparse matrix may leave it out, and 0 times an infinite step is NaN
             if (s.index[j] != no_row) {
                 a[s.index[j]] += row.values[e];
                 continue;
@@ -129,7 +129,7 @@ bool search_along(const Task<T>& task, Newton<T>& s, T square) {
     T length = T(1);
     for (std::uint32_t halving = 0; halving <= most_halvings; ++halving, length *= T(0.5)) {
         for (std::uint32_t i = 0; i < task.rows; ++i) s.trial[i] = task.x[i] + length * s.step[i];
-        if (!all_finite(task, s.trial)) continue;  // where numbers end, so does what the map says
+        if (!all_finite(task, s.trial)) continue;  // the map of an overflow says nothing
         const T trial_square = squared_map(task, s.trial, s.rhs);
         if (!is_finite(trial_square) || trial_square > (T(1) - T(2 * least_descent) * length) * square) continue;
         for (std::uint32_t i = 0; i < task.rows; ++i) task.x[i] = s.trial[i];

@@ -15,7 +15,7 @@ namespace islet::lcp {
 
 namespace {
 
-/// A sweep that failed left rows where the step along the direction had put them: all that are swept go back within their bounds, friction last.
+/// Puts all rows that are swept back within their bounds, friction last. A sweep that failed leaves rows where the step along the direction had put them.
 template <class T>
 void undo_step(const Task<T>& task) {
     const std::span<const std::uint32_t> order = task.options.order;

@@ -28,12 +28,12 @@ Row<T> row_of(const Problem<T>& problem, std::uint32_t i) {
     return {problem.sparse.values.data() + first, problem.sparse.columns.data() + first, problem.sparse.row_starts[i + 1] - first};
 }
 
-/// The sum of row_value where it left the range of numbers on its way: computed small and enlarged at the end, it is infinite only if w_i is, and no NaN.
+/// The sum of row_value where a part of the sum overflowed: computed on a smaller scale and enlarged at the end. It is infinite only if w_i is, and never NaN.
 template <class T>
 T overflowing_row_value(const Problem<T>& problem, std::uint32_t i, const T* x);
 
 /// w_i = q_i + sum of M_ij x_j. The sum is never -0 (q_i + 0 is not, nor is any sum that begins so), so adding the zeros that a dense matrix has and a
-/// sparse one leaves out changes no bit. Where x is finite it is no NaN.
+/// sparse one leaves out changes no bit. If x is finite, the sum is not NaN.
 template <class T>
 T row_value(const Problem<T>& problem, std::uint32_t i, const T* x) {
     const Row<T> row = row_of(problem, i);

@@ -11,7 +11,7 @@ struct Numbers<float> {
     static constexpr float epsilon = __FLT_EPSILON__;  // from 1 to the next number
     static constexpr float smallest = __FLT_MIN__;     // positive and normal
     static constexpr float infinity = __builtin_inff();
-    static constexpr float shrink = 0x1p-77f;  // max_rows products of any two numbers times this fit, their sum too
+    static constexpr float shrink = 0x1p-77f;  // the sum of max_rows products of any two numbers, each times this, does not overflow
 };
 
 template <>

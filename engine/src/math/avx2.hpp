@@ -1,10 +1,10 @@
-// From here to the end of the file the compiler may use AVX2 (never FMA, which would change the bits). For files whose functions are called only where the
-// processor has it; they include this before all that holds functions, and end with ISLET_AVX2_END.
+// In a file that includes this, the compiler may use AVX2 from here on to the file's end (never FMA, which would change the bits). It is for files whose
+// functions are called only where the processor has AVX2. They include it before every header that holds functions, and end with ISLET_AVX2_END.
 #pragma once
 
 #if defined(__x86_64__)
 
-// Before the switch: its functions say by themselves what they need.
+// Included before the compiler is told: the functions in it say by themselves which instructions they need.
 #include <immintrin.h>
 
 #define ISLET_AVX2

@@ -19,7 +19,7 @@ struct SensorEvents {
 
 struct RecordingHead;  // world/calls.hpp
 
-/// Why nothing may change the world now: it calls a function of the user's, from the middle of something.
+/// Why nothing may change the world now: the world is calling a function of the user's.
 enum Inside : std::uint32_t {
     inside_call = 1u,   // a hook, the task system, the clock, a drawing function
     inside_error = 2u,  // the error hook, which is told no errors of its own
@@ -94,7 +94,7 @@ struct Core {
     static const Core& of(const World& world);
 };
 
-/// While it lives, nothing may change the world. Workers may make one within a step, which has done so already: then it writes nothing.
+/// While it lives, nothing may change the world. Within a step, which has closed the world already, it writes nothing: so workers may make one.
 struct Closed {
     Core* core;
     explicit Closed(const Core& open) : core(open.inside == 0 ? const_cast<Core*>(&open) : nullptr) {

@@ -78,9 +78,9 @@ enum ShapeFlags : std::uint32_t {
     shape_unseen = 2u,         // sensors do not see it
     shape_hit_events = 4u,
     shape_pre_solve = 8u,      // the pre-solve hook is asked about its contacts
-    shape_all_flags = 15u,     // of those that a world has to know of
-    asked_one_way = 16u,       // in State::asked alone: a shape was one-way
-    shape_one_way_bits = ~255u,  // the direction in which it holds what comes, as two numbers of 12 bits; 0: no one-way shape
+    shape_all_flags = 15u,     // all flags that State::asked keeps
+    asked_one_way = 16u,       // in State::asked alone: some shape was one-way
+    shape_one_way_bits = ~255u,  // ShapeDef::one_way, x and y of 12 bits each (flags_of_direction); 0: no one-way shape
 };
 
 struct Shape {
@@ -98,12 +98,12 @@ struct Shape {
     std::uint32_t material = 0;                          // the user's id
 };
 
-/// What State::asked has to tell of a shape's flags.
+/// What State::asked keeps of a shape's flags.
 inline std::uint32_t asked_of(std::uint32_t flags) {
     return (flags & shape_all_flags) | ((flags & shape_one_way_bits) != 0 ? std::uint32_t{asked_one_way} : 0u);
 }
 
-/// The direction of a one-way shape in its flags, to 1/1000 rad, along an axis exactly; and back, unit or zero.
+/// Packs the direction of a one-way shape into its flags, to 1/1000 rad, exactly if it is along an axis; and unpacks it, unit or zero.
 inline std::uint32_t flags_of_direction(Vec2 unit) {
     const auto bits = [](float a) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(1024.0f * a + (a < 0 ? -0.5f : 0.5f))); };
     return (bits(unit.x) & 0xfffu) << 8 | bits(unit.y) << 20;
@@ -143,8 +143,8 @@ enum ContactFlags : std::uint32_t {
     contact_hits = 1u << 16,   // tells of hits
     contact_asks = 1u << 17,   // the pre_solve hook is asked
     contact_one_way = 1u << 18,  // one of the shapes is a one-way shape
-    contact_passes = 1u << 19,   // and lets the other pass
-    contact_dropped = 1u << 20,  // because the hook said so
+    contact_passes = 1u << 19,   // it lets the other shape pass
+    contact_dropped = 1u << 20,  // it lets the other shape pass because the hook said so
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
@@ -212,7 +212,7 @@ struct Joint {
     float motor_speed = 0, motor_max = 0;     // of a motor joint: angular velocity, greatest force
     float friction = 0;
     float length = 0;              // distance: of the rod; pulley, gear: the constant
-    float ratio = 0;               // pulley, gear; where there is a limit: limit_load
+    float ratio = 0;               // pulley, gear; of a joint with a limit: limit_load()
     float linear_hertz = 0, linear_damping_ratio = 0, angular_hertz = 0, angular_damping_ratio = 0;  // weld, motor, mouse
     Vec2 velocity;                 // motor
     float max_torque = 0;          // motor
@@ -311,7 +311,7 @@ struct State {
     std::uint32_t bullet_count = 0;                                // bodies that are bullets
     float hit_threshold = 1;                                       // m/s
     std::uint32_t locked_count = 0;                                // bodies with a lock
-    std::uint32_t asked = 0;                                       // what any shape ever asked for: asked_of its flags
+    std::uint32_t asked = 0;                                       // asked_of the flags that any shape ever had
     std::uint32_t pad[10] = {};
 };
 

@@ -36,7 +36,7 @@ inline Vec2 limit_speed(Vec2 v, float max_speed) {
     v = {within(v.x, huge), within(v.y, huge)};
     const float speed = length(v);
     if (speed > max_speed) v = (max_speed / speed) * v;
-    return {v.x + 0.0f, v.y + 0.0f};  // a product that is too small for a float may be -0, which a lane that adds nothing would change
+    return {v.x + 0.0f, v.y + 0.0f};  // a product that underflows may be -0, and adding the 0 of an idle lane would make it +0
 }
 
 /// The velocities v, w after the substep, before warm start and sweeps.

@@ -1,4 +1,4 @@
-// The kernel for eight lanes: this file alone is compiled for AVX2 (never FMA, which would change the bits).
+// The kernel for eight lanes, compiled for AVX2 (math/avx2.hpp).
 #include "../exact.hpp"
 
 #include "../math/avx2.hpp"

@@ -116,7 +116,7 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
         }
         slack = min(slack, room_in(fat, tight));
     }
-    // From beyond the end of the world the next step takes the body back, and counts no way for that.
+    // Beyond max_position the next step puts the body back, and does not count that as a way it went.
     const Vec2 center = core.poses[body].center;
     core.motions[body].slack = max(abs(center.x), abs(center.y)) > max_position ? -1.0f : slack;
 }
@@ -187,10 +187,10 @@ void update_mass(Core& core, std::uint32_t body) {
         total.center += m.mass * m.center;
     }
     total.center *= 1.0f / total.mass;
-    const float known = total.mass + 0.0f * (total.center.x + total.center.y);  // the mass, if there is a centre
+    const float known = total.mass + 0.0f * (total.center.x + total.center.y);  // the mass; NaN if the centre is not finite
     if (!(known >= min_mass && known <= no_limit)) {
-        // A dynamic body without mass would not move: it weighs a kilogram, and so does one whose shapes together are too heavy to say. One lighter than
-        // the lightest is a point of that mass.
+        // A dynamic body without mass would not move: it weighs a kilogram. So does one whose shapes' masses overflow. One lighter than the lightest is a
+        // point of that mass.
         apply_mass(core, body, {total.mass > 0 && total.mass < min_mass ? min_mass : 1.0f, {0, 0}, 0});
         return;
     }

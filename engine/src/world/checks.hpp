@@ -19,11 +19,11 @@ inline bool check(const Core& core, bool good, Error error) {
     return good;
 }
 
-/// False, with the error recorded, if the world is in the middle of something. Every public function that changes the world or shows all of it asks:
-/// those that are given an id by the next three.
+/// False, with the error recorded, if the world is calling a function of the user's (Inside). Every public function that changes the world or shows all of it
+/// asks; those that are given an id ask through the next three functions.
 ISLET_SHARED bool may_change(const Core& core) { return check(core, core.inside == 0, Error::in_step); }
 
-/// The slot of what is about to be changed: whoever reads has a const Core.
+/// The slot of what is about to be changed. (Functions that only read have a const Core, and so call the three above.)
 ISLET_SHARED std::uint32_t find_body(Core& core, BodyId id) { return may_change(core) ? find_body(static_cast<const Core&>(core), id) : null_index; }
 ISLET_SHARED std::uint32_t find_shape(Core& core, ShapeId id) { return may_change(core) ? find_shape(static_cast<const Core&>(core), id) : null_index; }
 ISLET_SHARED std::uint32_t find_joint(Core& core, JointId id) { return may_change(core) ? find_joint(static_cast<const Core&>(core), id) : null_index; }

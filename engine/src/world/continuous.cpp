@@ -77,8 +77,8 @@ bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep
     return dot(right_perp(s.point2 - s.point1), from - s.point1) < 0;
 }
 
-// What the pre_solve hook or a one-way shape decides is what the contact of the two has come to in this step: of a fast body it is made ahead, and the hook,
-// which may not be called from here, was asked. A shape that asks the hook is passed if there is no such contact.
+// Whether the contact of two shapes, one of them one-way or asking the pre_solve hook, holds in this step. The contact of a fast body was made ahead, and the
+// hook, which may not be called from here, was asked about it. Without a contact the shapes pass each other.
 bool is_held(const Core& core, std::uint32_t shape, std::uint32_t other, bool asks) {
     bool held = false;
     for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t) {

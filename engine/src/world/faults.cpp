@@ -212,8 +212,8 @@ const char* fault_in_lists(const Core& c) {
 
 // -- what is kept because it follows from the rest: where bodies and boxes are, how far they reach -------------------------------------
 
-// What rounding does to them. A number is rounded by `epsilon` of itself at most, and none on the way from a body's centre to the edge of a fat box is
-// larger than the sum of them all: the centre, the origin's arm from there and back, a shape's end, and margins and what is smaller, below 1 m.
+// How much rounding can change them. A number is rounded by `epsilon` of itself at most. No number between a body's centre and the edge of its fat box is
+// larger than this sum: the centre, the arm to the origin and back, the farthest point of a shape, and 1 m for margins and whatever else is small.
 constexpr float epsilon = 0x1p-24f;
 
 float span_of(const Core& c, std::uint32_t i) {
@@ -221,11 +221,11 @@ float span_of(const Core& c, std::uint32_t i) {
     return 1.0f + abs(center.x) + abs(center.y) + 2.0f * (abs(arm.x) + abs(arm.y)) + c.poses[i].max_extent;
 }
 
-// Of a tight box, at two times: an origin takes 5 roundings, a corner's place 4, its way to the edge of a box 3, a turn's length 4.
+// Rounding of a tight box, made twice: 5 roundings of an origin, 4 of a corner's place, 3 on the way to the edge of a box, 4 of a turn's length.
 float box_rounding(const Core& c, std::uint32_t i) { return 32.0f * epsilon * span_of(c, i); }
 
-// How much farther than it thinks may a body have come by steps, each of which is rounded? A turn takes 4 roundings, the centre's way 3. A world that
-// is older than 2^24 steps may have lost all count.
+// How much farther a body may have come than it counted, because each step is rounded: a turn 4 times, the centre's way 3 times. Beyond 2^24 steps the bound
+// grows no more.
 float drift_of(const Core& c, std::uint32_t i) {
     if (c.bodies[i].type() == BodyType::static_body) return 0;
     constexpr std::uint32_t many = 1u << 24;
@@ -233,7 +233,7 @@ float drift_of(const Core& c, std::uint32_t i) {
     return 8.0f * epsilon * steps * span_of(c, i);
 }
 
-// A fat box has this much room at most, since it holds its shape.
+// The most room that a shape can have in its fat box, m: half the box's smaller side.
 float most_room(const Aabb& fat) { return 0.5f * min(fat.upper.x - fat.lower.x, fat.upper.y - fat.lower.y); }
 
 const char* fault_in_place(const Core& c, std::uint32_t i) {
@@ -244,8 +244,8 @@ const char* fault_in_place(const Core& c, std::uint32_t i) {
     if (!(abs(gap.x) <= rounding && abs(gap.y) <= rounding)) return "a body's centre is not where its origin says";
     const Extent extent = body_extent(c, i);
     if (pose.max_extent != extent.max || b.min_extent != extent.min) return "a body's extent is not its shapes'";
-    // A step too short for the distance from one number to the next is rounded to nothing or to twice its length at most: so is the way since boxes were
-    // made, which is what is missing of the room they had then.
+    // A step that is shorter than the distance between two floats is rounded to nothing, or to twice its length at most. So is the way since the boxes were
+    // made, which is what is missing now of the room they had then.
     float room = 3.0e38f;
     for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next) room = min(room, most_room(c.boxes[s]));
     const float slack = slack_of(c, i);

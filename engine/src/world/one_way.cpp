@@ -12,7 +12,7 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float out_of_reach = 1.0e12f;  // m
-inline constexpr float least_rise = 0.1f;       // a normal leads up if it leads up by as much: what slides past an end is not held there
+inline constexpr float least_rise = 0.1f;       // cosine between a normal and `up` from which the normal leads up: what slides past an end is not held there
 
 /// The lowest point of a shape along a direction.
 struct Lowest {
@@ -30,7 +30,7 @@ Lowest lowest_of(const Corners& c, Vec2 direction) {
     return low;
 }
 
-/// A one-way shape and the other, in the one-way shape's body frame but for the corners of the other, which are in its own.
+/// A one-way shape and the other shape, in the one-way shape's body frame. Only the other's corners are in its own body's frame.
 struct Pair {
     Vec2 up;
     Corners corners, other;
@@ -78,7 +78,7 @@ bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flag
     const bool dropped = (flags & contact_dropped) != 0 && height < linear_slop;
     bool passes = (flags & contact_passes) != 0 && height < -linear_slop;
     if ((flags & (contact_passes | contact_posed)) == 0) {
-        // A new contact. The other may have come as far as a step's way into the shape before their boxes met: where was it then?
+        // A new contact. Before their boxes met, the other may have gone a step's way into the shape: so it also holds if the other was above a step ago.
         const float before = min(height_before(core, c.shape_a, c.shape_b, dt), height_before(core, c.shape_b, c.shape_a, dt));
         passes = max(height, before) < -linear_slop;
     }
@@ -108,7 +108,7 @@ void mend_one_way(Core& core, std::uint32_t contact) {
         m.ids = low.corner;
         m.flags |= 1u << contact_count_shift;
     }
-    // Not above and touching nothing: it has left past an end.
+    // Not above, and no point of contact: the other has left past an end.
     if (m.count() == 0 && min(height_above(core, c.shape_a, c.shape_b), height_above(core, c.shape_b, c.shape_a)) < -linear_slop) m.flags |= contact_passes;
 }
 

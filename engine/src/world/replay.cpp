@@ -167,7 +167,7 @@ constexpr std::uint8_t words_of() {
     return static_cast<std::uint8_t>(count.words);
 }
 
-// Of the arguments of each call, from the first in the table on.
+// Words that the arguments of each call take, in the order of the table, which begins with first_call.
 constexpr std::uint8_t argument_words[] = {
 #define ISLET_WORDS(name, function, ...) words_of<__VA_ARGS__>(),
     ISLET_CALLS(ISLET_WORDS)
@@ -179,7 +179,7 @@ bool is_between(Call call, Call first, Call last) { return call >= first && call
 
 void raise_to(std::uint32_t& a, std::uint32_t b) { a = a > b ? a : b; }
 
-/// What the snapshots of a recording hold, and what its calls make. What is not sound ends the walk: so it will the replay.
+/// What the snapshots of a recording hold, and what its calls create. The walk ends at the first unsound call, as a replay does.
 struct Contents {
     Capacity held;
     std::uint64_t bodies = 0, shapes = 0, joints = 0;  // made
@@ -194,7 +194,7 @@ struct Contents {
         raise_to(held.geometries, info.used.geometries);
     }
 
-    // False at the end.
+    // Reads one call. False at the end, or if the call is not sound.
     bool add_call(CallReader& reader) {
         const std::uint32_t number = reader.word();
         const auto call = static_cast<Call>(number);
@@ -223,13 +223,13 @@ struct Contents {
         return !reader.is_bad();
     }
 
-    /// Of a world of this capacity, what it could ever fill.
+    /// The part of this capacity that the recording could ever fill.
     Capacity bounded(const Capacity& c) const {
         const auto least = [](std::uint32_t room, std::uint64_t wanted) { return static_cast<std::uint32_t>(room < wanted ? room : wanted); };
         Capacity n;
         n.bodies = least(c.bodies, held.bodies + bodies);
         n.shapes = least(c.shapes, held.shapes + shapes);
-        // Each pair has one contact at most, and may end in one step and again before the next.
+        // Each pair of shapes has one contact at most. Its touch may end in one step and again before the next, and ended touches need as much room.
         const std::uint64_t twice_pairs = std::uint64_t{n.shapes} * n.shapes;
         n.contacts = least(c.contacts, twice_pairs > held.contacts ? twice_pairs : held.contacts);
         n.joints = least(c.joints, held.joints + joints);

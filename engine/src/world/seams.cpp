@@ -6,8 +6,8 @@
 //     |   T  |  S                       that leans towards it is right only as far as T's own surface leans there: not at all if T is flush, more
 //     +------|+-------+ ...             where T falls away (a ridge). If S rises above T, part of the side is bare: it is a wall, and stops D.
 //
-// A contact along a covered side is made anew along the face of S that D is least deep in of those that are not covered, and left out if D is clear of
-// that face: then the neighbour alone holds D.
+// A contact along a covered side is made anew: along that uncovered face of S in which D is least deep. If D is clear of that face there is no contact, since
+// the neighbour alone holds D.
 //
 // (Bullet, Jolt and bepuphysics2 mend the inner edges of triangle meshes in like ways; here there is no mesh, the neighbours are whatever the body touches.)
 #include "../exact.hpp"
@@ -25,7 +25,7 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float least_lean = 1.0e-4f;           // a normal that leans less does not lean
-inline constexpr float gap_width = 0.2f * linear_slop; // m in front of a side that a neighbour must cover
+inline constexpr float gap_width = 0.2f * linear_slop; // m: a neighbour that covers a side holds what is this far in front of it
 
 // Signed distance of a point from the plane of a face of the core, body frame.
 float height_over(const Polygon& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
@@ -64,7 +64,7 @@ const Polygon* polygon_of(const Core& core, std::uint32_t shape) {
     return g.shape_type() == ShapeType::polygon ? &g.polygon : nullptr;
 }
 
-/// A piece of floor and what stands on it. Everything is in the piece's body frame.
+/// A piece of floor and the shape that stands on it. Everything is in the piece's body frame.
 struct Floor {
     const Core& core;
     std::uint32_t shape;  // the piece
@@ -91,7 +91,7 @@ struct Floor {
         });
     }
 
-    // True if neighbours cover the face as far as the other shape reaches along it, and are not themselves turned as far as `normal` at `point`.
+    // True if neighbours cover the face as far as the other shape reaches along it, and their own surface at `point` leans less than `normal`.
     bool is_covered(std::uint32_t face, Vec2 point, Vec2 normal) const {
         const Vec2 side = piece.normals[face], along = left_perp(side);
         const Vec2 start = piece.vertices[face] + (piece.radius + gap_width) * side;
@@ -106,7 +106,7 @@ struct Floor {
         const float end = clamp(reach.high + radius, inset, length - inset);
         float covered = clamp(reach.low - radius, inset, length - inset);
         float lean = 0;
-        // Each pass goes on from where the last one came to. More than a few pieces in a row in front of one side are no floor.
+        // Each pass goes on where the last one ended. Four passes are enough: a side behind more pieces in a row is no part of a floor.
         bool found = true;
         for (std::uint32_t pass = 0; pass < 4 && found; ++pass) {
             found = false;
@@ -131,7 +131,7 @@ struct Floor {
         return false;
     }
 
-    // The manifold along the face that is not covered and that the other shape is least deep in; seen from the piece as A.
+    // The manifold along that uncovered face in which the other shape is least deep, with the piece as A.
     Manifold along_bare_face() const {
         std::uint32_t best = null_index, deepest = 0;
         float gap = 0;
@@ -150,7 +150,7 @@ struct Floor {
         }
         if (best == null_index || gap > speculative_distance + piece.radius + radius) return {};
         const Face bare = {piece.vertices[best], piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best, next(best, piece.count)};
-        // Of the two faces at the deepest corner the one that rises less, and runs against the piece's.
+        // The incident face: of the two faces at the deepest corner the one that rises less from the piece's face and runs the other way.
         const std::uint32_t after = next(deepest, count), before = (deepest == 0 ? count : deepest) - 1;
         const auto rise = [&](std::uint32_t i) { return height_over(piece, best, corners[i]) - gap; };
         const Vec2 along = left_perp(bare.normal);

@@ -6,8 +6,9 @@
 
 namespace islet::detail {
 
-/// Makes the manifold of two shapes anew if one of them is a polygon that lies flush beside others which the other shape's body is near, and all its points
-/// are on an edge or a corner that those cover: along the best face that is not covered, or without points. `b_in_a` is as the manifold was made.
+/// Makes the manifold of two shapes anew if all its points are on a side or a corner that neighbours cover. One of the shapes must be a polygon, a piece of
+/// floor; neighbours are polygons flush beside it that the other shape's body is near. The new manifold is along the best face that is not covered, or has no
+/// points. `b_in_a` is as the manifold was made.
 void mend_inner_edges(const Core& core, const Contact& contact, const Transform& b_in_a, Manifold& manifold);
 
 }  // namespace islet::detail

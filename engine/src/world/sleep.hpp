@@ -17,7 +17,7 @@ void end_contacts(Core& core, std::uint32_t body);
 /// Puts one body to sleep with zero velocity.
 void put_to_sleep(Core& core, std::uint32_t body);
 
-/// After the mass or the shapes of a body changed: its fat boxes, in the tree too if it is not awake.
+/// Makes the body's fat boxes anew after its mass or its shapes changed, those in the tree too if it is not awake.
 void refit_boxes(Core& core, std::uint32_t body);
 
 /// Moves the body's shapes into the tree of resting shapes, or out of it.

@@ -34,11 +34,11 @@ Error check_block(std::span<std::byte> block, std::size_t wanted) {
     return block.data() == nullptr || block.size() < wanted ? Error::block_too_small : Error::none;
 }
 
-// Whether a product is rounded before it is subtracted from, and small differences are kept. The source cannot bring every compiler to that (exact.hpp), nor
-// a run-time library that stands in for a floating-point unit.
+// True if a product is rounded before something is subtracted from it, and if denormal numbers are kept. The source cannot make every compiler do so
+// (exact.hpp), nor a run-time library that stands in for a floating-point unit.
 bool is_exact() {
     const DefaultFloatMode mode;
-    volatile float known = 0x1.001p-62f;  // to us, not to the compiler
+    volatile float known = 0x1.001p-62f;  // known to us, but the compiler must not work it out
     const float x = known;
     // x^2 is 2^-124 (1 + 2^-11 + 2^-24), and the last term is lost to rounding. 2^-135 is denormal.
     known = x * x - 0x1p-124f;
