@@ -13,10 +13,11 @@ set -euo pipefail
 
 targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 riscv32)  # -lto: the engine optimised as a whole at the link (ISLET_LTO)
 
-# Limits, so that nothing grows unseen. Of flash for each target, bytes: every function, every feature, the smallest program.
+# Limits, so that nothing grows unseen: what was measured, and up to 200 bytes. Of flash for each target, bytes: every function, every feature, the smallest
+# program. (They rose by 3 kB with inner corners that hold, one-way shapes, calls refused from within hooks, and builds that would lose bits refused.)
 declare -A most_flash=(
-    [cortex-m3]='190700 86200 52200' [cortex-m4f]='173800 73400 44600' [cortex-m4f-lto]='- 68700 42800' [cortex-m7]='173400 73200 44500'
-    [cortex-m33]='173400 73200 44500' [cortex-m55]='173800 73300 44500' [riscv32]='184600 78000 48000'
+    [cortex-m3]='190800 86200 52200' [cortex-m4f]='173900 73400 44600' [cortex-m4f-lto]='- 68700 42800' [cortex-m7]='173500 73200 44500'
+    [cortex-m33]='173500 73200 44500' [cortex-m55]='173900 73300 44500' [riscv32]='184800 78000 48000'
 )
 most_stack=4096          # bytes
 most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many

@@ -62,7 +62,7 @@ expect 2 'this is a picture, no recording' replay "$scratch/out.svg"
 expect 2 'this is a table of steps, no recording' replay "$scratch/out.csv"
 "$program" run hello --steps 2 --record "$scratch/hello.rec" >/dev/null
 cp "$scratch/hello.rec" "$scratch/hello.rec.json"
-expect 2 '`islet replay` takes it' run "$scratch/hello.rec.json"
+expect 2 '.islet replay. takes it' run "$scratch/hello.rec.json"
 expect 0 '(55 awake), 56 shapes' run pyramid --steps 0
 for command in '' run scene replay bench; do
     # shellcheck disable=SC2086
