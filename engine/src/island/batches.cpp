@@ -29,19 +29,6 @@ struct LinkedBodies : UnionFind {
     }
 };
 
-/// The islands of a plan, and where each body belongs.
-struct Islands {
-    struct Island {
-        std::uint32_t bodies;
-        std::uint32_t batch;
-        bool guided;  // one of its bodies touches a kinematic one or is joined to one
-    };
-    Island* islands;
-    std::uint32_t* island_of;       // by body; null_index for kinematic bodies
-    std::uint32_t* batch_of;        // by body; null_index for static and kinematic bodies
-    std::uint32_t kinematic_count;  // awake kinematic bodies
-};
-
 inline constexpr std::uint32_t word_grain = 16;  // words of 64 bodies that are worth a task
 
 // The touching contacts, cut into parts that are planned side by side: each lists its edges in its own piece of the array, counts them by place, and puts
@@ -249,7 +236,7 @@ Edge* list_joints(const Core& core, Plan& plan, const LinkedBodies& links, Arena
 // Numbers the islands by their roots and counts their bodies. A root is the smallest of its island, so one pass in order is enough.
 Islands number_islands(const Core& core, Plan& plan, const LinkedBodies& links, Arena& temporary) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
-    Islands found{temporary.take<Islands::Island>(bodies), temporary.take<std::uint32_t>(bodies), temporary.take<std::uint32_t>(bodies), 0};
+    Islands found{temporary.take<Island>(bodies), temporary.take<std::uint32_t>(bodies), 0};
     core.awake_bodies.for_each([&](std::uint32_t body) {
         if (links.parent[body] == null_index) {
             found.island_of[body] = null_index;
@@ -283,7 +270,7 @@ void fill_batches(Plan& plan, const Islands& found) {
     };
     open_batch();
     for (std::uint32_t i = 0; i < plan.island_count; ++i) {
-        Islands::Island& island = found.islands[i];
+        Island& island = found.islands[i];
         island.batch = island.guided ? 0 : plan.batch_count;
         if (island.guided) continue;
         Batch& last = plan.batches[plan.batch_count];
@@ -300,12 +287,10 @@ void give_slots(const Core& core, Plan& plan, const Islands& found, Arena tempor
     plan.body_of[0] = null_index;
     core.awake_bodies.for_each([&](std::uint32_t body) {
         const std::uint32_t island = found.island_of[body];
-        const std::uint32_t batch = island != null_index ? found.islands[island].batch : 0;
-        const std::uint32_t slot = next[batch]++;
+        const std::uint32_t slot = next[island != null_index ? found.batch_of(body) : 0]++;
         plan.body_of[slot] = body;
         plan.island_of[slot] = island;
         plan.slot_of[body] = slot;
-        found.batch_of[body] = batch;
     });
 }
 
@@ -325,10 +310,10 @@ Plan make_plan(const Core& core, Arena& arena) {
     give_slots(core, plan, islands, temporary);
 
     // One of an edge's bodies can be pushed, and says which batch.
-    const auto batch_of = [&](const Edge& e) { return islands.batch_of[links.parent_of(e.a) != null_index ? e.a : e.b]; };
+    const auto batch_of = [&](const Edge& e) { return islands.batch_of(links.parent_of(e.a) != null_index ? e.a : e.b); };
     plan_contacts(core, plan, contacts, batch_of, temporary);
     plan_joints(core, plan, joints, batch_of, temporary);
-    if (plan.has_trees) plan_trees(core, plan, islands.batch_of, temporary);
+    if (plan.has_trees) plan_trees(core, plan, islands, temporary);
     return plan;
 }
 

@@ -64,8 +64,23 @@ struct Plan {
     std::uint32_t touching_count = 0;
 };
 
-/// The bodies of trees by batch, in each leaves first. `batch_of`: by body.
-ISLET_OPTIONAL void plan_trees(const Core& core, Plan& plan, const std::uint32_t* batch_of, Arena temporary);
+struct Island {
+    std::uint32_t bodies;
+    std::uint32_t batch;
+    bool guided;  // one of its bodies touches a kinematic one or is joined to one
+};
+
+/// The islands of a plan while it is made.
+struct Islands {
+    Island* islands;
+    std::uint32_t* island_of;       // by awake body; null_index for kinematic ones
+    std::uint32_t kinematic_count;  // that are awake
+
+    std::uint32_t batch_of(std::uint32_t dynamic_body) const { return islands[island_of[dynamic_body]].batch; }
+};
+
+/// The bodies of trees by batch, in each leaves first.
+ISLET_OPTIONAL void plan_trees(const Core& core, Plan& plan, const Islands& islands, Arena temporary);
 
 Plan make_plan(const Core& core, Arena& arena);
 
