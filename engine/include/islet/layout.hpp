@@ -119,7 +119,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     // Finding pairs: sort keys and the boxes as columns. Collide: which contacts changed, whom to wake. Plan: bodies and contacts in batch order, kept
     // while the solve uses what is left for bodies and contact rows, planning before it for islands and edges, and finishing after it in place of the rows.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
-    const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + sort_digits * 4 + 12 * 4 * max_lanes + 20 * 64;
+    const std::size_t pairs = std::size_t{c.shapes} * (sweep_bytes + box_bytes) + sort_digits * 4 + 12 * 4 * max_lanes + 21 * 64;
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;
     const std::size_t plan = bodies * 4 * 4 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
                              joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 10 * 64;

@@ -14,8 +14,10 @@ namespace islet::detail {
 
 namespace {
 
-void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
-    if (core.pairs.contains(PairSet::key(shape_1, shape_2)) || !may_collide(core, shape_1, shape_2)) return;
+void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, float dt) {
+    if (core.pairs.contains(PairSet::key(shape_1, shape_2))) return;
+    if (!meet(core.boxes[shape_1], core.boxes[shape_2]) && !may_meet(core, shape_1, shape_2, dt)) return;
+    if (!may_collide(core, shape_1, shape_2)) return;
     if (!is_allowed(core, shape_1, shape_2)) return;
     if (!create_contact(core, shape_1, shape_2)) ++core.report.dropped_contacts;
 }
@@ -25,12 +27,13 @@ void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
 struct PairBuffer {
     static constexpr std::uint32_t size = max_lanes > 1 ? 64 : 1;
     Core& core;
+    float dt;
     std::uint64_t keys[size];
     std::uint32_t pairs[size][2];
     std::uint32_t count = 0;
 
     void push(std::uint32_t shape_1, std::uint32_t shape_2) {
-        if constexpr (size == 1) return add_pair(core, shape_1, shape_2);
+        if constexpr (size == 1) return add_pair(core, shape_1, shape_2, dt);
         keys[count] = PairSet::key(shape_1, shape_2);
         core.pairs.prefetch(keys[count]);
         pairs[count][0] = shape_1;
@@ -39,7 +42,7 @@ struct PairBuffer {
     }
     void flush() {
         for (std::uint32_t i = 0; i < count; ++i)
-            if (!core.pairs.contains(keys[i])) add_pair(core, pairs[i][0], pairs[i][1]);
+            if (!core.pairs.contains(keys[i])) add_pair(core, pairs[i][0], pairs[i][1], dt);
         count = 0;
     }
 };
@@ -96,21 +99,55 @@ void close_columns(Columns& c) {
     c.count = count;
 }
 
+// The farthest that any point of a body may come within dt, m.
+float way_ahead(const Core& core, std::uint32_t body, float dt) {
+    const Motion& motion = core.motions[body];
+    const Pose& pose = core.poses[body];
+    const Vec2 pull = pull_on(core, body);
+    return dt * (length_inline(motion.v) + abs(motion.w) * pose.max_extent + pull_share * dt * (abs(pull.x) + abs(pull.y)));
+}
+
+// The box of a shape, grown by the way it may make within dt, or by `most` m of it along each axis.
+Aabb box_ahead(const Core& core, std::uint32_t shape, float dt, float most) {
+    const std::uint32_t body = core.shapes[shape].body;
+    const Motion& motion = core.motions[body];
+    const Vec2 bound = {most, most}, pull = pull_share * dt * dt * pull_on(core, body);
+    const Vec2 way = max(min(dt * motion.v + pull, bound), -bound);
+    const float turn = min(dt * abs(motion.w), 2.0f) * core.poses[body].max_extent;
+    const Aabb box = core.boxes[shape];
+    return expand(both(box, {box.lower + way, box.upper + way}), turn);
+}
+
+// Of a shape whose body may leave its boxes in this step, the box of its way; but not farther than its surroundings: what is so fast for its size must be a
+// bullet to stop at what moves.
+Aabb box_of(const Core& core, std::uint32_t shape, float dt) {
+    const Pose& pose = core.poses[core.shapes[shape].body];
+    return (pose.flags & pose_leaves) != 0 ? box_ahead(core, shape, dt, surroundings(pose)) : core.boxes[shape];
+}
+
 /// The shapes in motion, and those among them whose boxes changed.
 struct Motioned {
     Columns all;
     Columns moved;
+    bool along_x;
+
+    Aabb box(std::uint32_t i) const {  // of one that moved
+        const Vec2 lower = {moved.lower[i], moved.lower2[i]}, upper = {moved.upper[i], moved.upper2[i]};
+        return along_x ? Aabb{lower, upper} : Aabb{{lower.y, lower.x}, {upper.y, upper.x}};
+    }
 };
 
-Motioned sorted_columns(Core& core, Arena& arena) {
+Motioned sorted_columns(Core& core, Arena& arena, float dt) {
     const std::uint32_t room = core.state->shape_pool.count;
     std::uint32_t* list = arena.take<std::uint32_t>(room);
+    Aabb* boxes = arena.take<Aabb>(room);
     std::uint32_t n = 0;
     Aabb bounds{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
     core.awake_bodies.for_each([&](std::uint32_t body) {
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            list[n++] = s;
-            bounds = both(bounds, core.boxes[s]);
+            list[n] = s;
+            boxes[n] = box_of(core, s, dt);
+            bounds = both(bounds, boxes[n++]);
         }
     });
 
@@ -121,13 +158,13 @@ Motioned sorted_columns(Core& core, Arena& arena) {
     std::uint32_t* order = arena.take<std::uint32_t>(n);
     std::uint32_t* order2 = arena.take<std::uint32_t>(n);
     std::uint32_t* counts = arena.take<std::uint32_t>(sort_digits);
-    for (std::uint32_t i = 0; i < n; ++i) keys[i] = sort_key(along_x ? core.boxes[list[i]].lower.x : core.boxes[list[i]].lower.y);
+    for (std::uint32_t i = 0; i < n; ++i) keys[i] = sort_key(along_x ? boxes[i].lower.x : boxes[i].lower.y);
     const std::uint32_t* sorted = sort_by_key(keys, order, keys2, order2, n, counts);
 
-    Motioned c{take_columns(arena, n), take_columns(arena, n)};
+    Motioned c{take_columns(arena, n), take_columns(arena, n), along_x};
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t s = list[sorted[i]];
-        const Aabb box = core.boxes[s];
+        const Aabb box = boxes[sorted[i]];
         const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
         const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
         push_box(c.all, x.x, x.y, y.x, y.y, s, i);
@@ -171,22 +208,27 @@ void sweep(PairBuffer& out, const Scan& how, const Columns& all, const Columns& 
 }
 
 inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are worth a task
-inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness: who may move more in a step looks ahead for contacts
+inline constexpr float leave_way = 0.5f * speculative_distance + 0.4f * linear_slop;  // m: so far ahead of the shapes the boxes' slack ends, and as fast_way
+inline constexpr float alone_fraction = 0.5f;  // of its smallest half-thickness: for who moves more in a step it pays to know whether it is alone
 
 Aabb surroundings_of(const Pose& pose) {
     const float reach = pose.max_extent + surroundings(pose);
     return expand({pose.center, pose.center}, reach);
 }
 
-// Notes whether the body is fast, and then whether it is alone: that spares it up to three looks at the tree. (A lean build does without, and
-// notes who is fast as it looks ahead.)
-bool note_fast(Core& core, std::uint32_t body, float dt) {
-    const Motion& motion = core.motions[body];
+// Notes whether the body is fast, and whether it is alone: that spares it up to three looks at the tree. (A lean build does without.)
+void note_fast(Core& core, std::uint32_t body, float dt) {
     Pose& pose = core.poses[body];
-    const bool fast = dt * (length_inline(motion.v) + abs(motion.w) * pose.max_extent) > fast_fraction * core.bodies[body].min_extent;
-    pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
-    if (!is_lean && fast && TreeWalk(Tree{&core.state->tree, core.tree}, surroundings_of(pose)).next() == null_index) pose.flags |= pose_alone;
-    return fast;
+    const float way = way_ahead(core, body, dt);
+    if (!(way > fast_way)) {
+        pose.flags &= ~static_cast<std::uint32_t>(pose_fast);
+        return;
+    }
+    pose.flags |= pose_fast;
+    if (way > core.motions[body].slack + leave_way) pose.flags |= pose_leaves;
+    if (!is_lean && way > alone_fraction * core.bodies[body].min_extent &&
+        TreeWalk(Tree{&core.state->tree, core.tree}, surroundings_of(pose)).next() == null_index)
+        pose.flags |= pose_alone;
 }
 
 // True if it is known that nothing at rest overlaps a box near the body.
@@ -196,27 +238,27 @@ bool is_clear(const Pose& pose, const Aabb& box) { return !is_lean && (pose.flag
 // wide, and begins within one extent of the centre, as the shape in it does. The last term is for rounding far from the origin.)
 bool stays_alone(const Core& core, std::uint32_t body, float dt) {
     const Pose& pose = core.poses[body];
-    const Motion& motion = core.motions[body];
-    const float way = dt * (length_inline(motion.v) + abs(motion.w) * pose.max_extent);
+    const float way = way_ahead(core, body, dt);
     const float inexact = 1e-6f * (abs(pose.center.x) + abs(pose.center.y));
     const float reach = way + 3.0f * pose.max_extent + 2.0f * (max_box_margin + speculative_distance) + inexact;
     return (pose.flags & pose_alone) != 0 && reach <= pose.max_extent + surroundings(pose);
 }
 
 // Every pair in which a fat box changed.
-void find_moved_pairs(Core& core) {
+void find_moved_pairs(Core& core, float dt) {
     Arena arena = core.arena();
-    const Motioned columns = sorted_columns(core, arena);
+    const Motioned columns = sorted_columns(core, arena, dt);
     const Columns& all = columns.all;
     const Columns& moved = columns.moved;
-    PairBuffer out{core, {}, {}};
+    PairBuffer out{core, dt, {}, {}};
     sweep(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(all.count) : nullptr}, all, moved);
 
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t i = 0; i < moved.count; ++i) {
         const std::uint32_t shape = moved.shape[i];
-        if (is_clear(core.poses[core.shapes[shape].body], core.boxes[shape])) continue;
-        tree_query(tree, core.boxes[shape], [&](std::uint32_t other) { out.push(shape, other); });
+        const Aabb box = columns.box(i);
+        if (is_clear(core.poses[core.shapes[shape].body], box)) continue;
+        tree_query(tree, box, [&](std::uint32_t other) { out.push(shape, other); });
     }
 
     // Shapes at rest whose boxes changed: just created, teleported, or fallen asleep as they moved. Each pair is looked at once, so that each one
@@ -234,16 +276,18 @@ void find_moved_pairs(Core& core) {
     out.flush();
 }
 
+bool is_far(const Core& core, std::uint32_t body, float dt) { return way_ahead(core, body, dt) > surroundings(core.poses[body]); }
+
 // Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step.
 void look_ahead(Core& core, std::uint32_t body, float dt) {
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-        const Aabb ahead = box_ahead(core, s, dt);
+        const Aabb ahead = box_ahead(core, s, dt, 3.0e38f);
         if (is_clear(core.poses[body], ahead)) continue;
         tree_query(tree, ahead, [&](std::uint32_t other) {
             // Where the fat boxes overlap the contact is there already, or was dropped and counted.
             const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
-            if (is_static && !meet(core.boxes[s], core.boxes[other])) add_pair(core, s, other);
+            if (is_static && !meet(core.boxes[s], core.boxes[other])) add_pair(core, s, other, dt);
         });
     }
 }
@@ -257,26 +301,32 @@ void mark_moved(Core& core, std::uint32_t shape) {
     ++core.state->moved_count;
 }
 
-Aabb box_ahead(const Core& core, std::uint32_t shape, float dt) {
-    const std::uint32_t body = core.shapes[shape].body;
-    const Vec2 way = dt * core.motions[body].v;
-    const float turn = dt * abs(core.motions[body].w) * core.poses[body].max_extent;
-    const Aabb box = core.boxes[shape];
-    return expand(both(box, {box.lower + way, box.upper + way}), turn);
+bool may_meet(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt) {
+    const std::uint32_t body_a = core.shapes[shape_a].body, body_b = core.shapes[shape_b].body;
+    if (((core.poses[body_a].flags | core.poses[body_b].flags) & pose_leaves) == 0) return false;
+    const Approach approach = approach_of(core.poses[body_a], core.poses[body_b], core.motions[body_a], core.motions[body_b], dt, fall_in(core, dt));
+    const Aabb b = core.boxes[shape_b];
+    return meet(core.boxes[shape_a], expand(both(b, {b.lower + approach.way, b.upper + approach.way}), approach.turn));
 }
 
 void find_pairs(Core& core, float dt) {
     core.report.dropped_contacts = 0;
-    if (!is_lean) {
-        for_ranges(core, core.awake_bodies.word_count, note_grain, [&](std::uint32_t first, std::uint32_t end) {
-            core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { note_fast(core, body, dt); });
+    for_ranges(core, core.awake_bodies.word_count, note_grain, [&](std::uint32_t first, std::uint32_t end) {
+        core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { note_fast(core, body, dt); });
+    });
+    bool any_far = false;  // beyond what the boxes of their ways hold
+    core.awake_bodies.for_each([&](std::uint32_t body) {
+        if ((core.poses[body].flags & pose_leaves) == 0) return;
+        any_far |= is_far(core, body, dt);
+        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s);
+    });
+    if (core.state->moved_count != 0) find_moved_pairs(core, dt);
+    if (any_far) {
+        core.awake_bodies.for_each([&](std::uint32_t body) {
+            const bool looks = (core.poses[body].flags & pose_leaves) != 0 && is_far(core, body, dt) && (is_lean || !stays_alone(core, body, dt));
+            if (looks) look_ahead(core, body, dt);
         });
     }
-    if (core.state->moved_count != 0) find_moved_pairs(core);
-    core.awake_bodies.for_each([&](std::uint32_t body) {
-        const bool looks = is_lean ? note_fast(core, body, dt) : (core.poses[body].flags & pose_fast) != 0 && !stays_alone(core, body, dt);
-        if (looks) look_ahead(core, body, dt);
-    });
     if (core.report.dropped_contacts != 0) {
         core.fail(Error::contacts_full);  // what moved stays marked, so the same pairs are tried again in the next step
         return;

@@ -16,6 +16,8 @@ namespace islet::detail {
 
 enum PoseFlags : std::uint32_t {
     pose_fast = 1u,   // may move so far in this step that its contacts look further ahead
+    pose_leaves = 8u, // within a step: may leave its fat boxes
+    pose_deep = 16u,  // within a step: has sunk so deep into what does not give way that it might be pressed through, however slowly
     pose_moved = 2u,  // a fat box of it changed since contacts were last updated
     pose_alone = 4u,  // within a step: nothing at rest is in its surroundings (broadphase/pairs.hpp)
 };
@@ -126,6 +128,8 @@ enum ContactFlags : std::uint32_t {
     contact_color_shift = 8,   // 8 bits: colour, or no_color
     contact_hits = 1u << 16,   // tells of hits
     contact_asks = 1u << 17,   // the pre_solve hook is asked
+    contact_ahead = 1u << 18,  // the shapes come together fast: solved harder
+    contact_untold = 1u << 19, // made so far ahead that it is not said to touch before it does
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
@@ -164,6 +168,9 @@ struct ContactManifold {
     ISLET_INLINE std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
 };
+
+/// The user knows that the two shapes touch.
+inline bool is_told(const ContactManifold& m) { return (m.flags & (contact_touching | contact_untold)) == contact_touching; }
 
 enum JointFlags : std::uint32_t {
     joint_spring = 1u,
