@@ -23,7 +23,7 @@ namespace islet::detail {
 inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
 inline constexpr std::uint32_t body_words = sizeof(SolverBody) / 4;
 inline constexpr std::uint32_t restitution_passes = 6;
-inline constexpr std::uint32_t landing_passes = 5;  // more than one, over what lands: a blow leaves no time to make good what one row does to the others
+inline constexpr std::uint8_t landing_passes = 5;  // more than one, over what lands: a blow leaves no time to make good what one row does to the others
 inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
 
 /// Where prepare finds its inputs.
@@ -48,7 +48,7 @@ struct ContactKernel {
     /// One sweep.
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
     /// Solves those lanes of a block again that land, one by one.
-    static void land(SolverBody* bodies, Rows& rows, const SweepNumbers& numbers);
+    static void land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers);
     /// Gives bouncing contacts their rebound speed.
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
     /// Writes the impulses back for the next step.
@@ -93,7 +93,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             r.two_points |= second[i] != 0;
             r.special |= is_live && (m.flags & contact_special) != 0;
             r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
-            r.ahead[i] = is_live && (m.flags & contact_ahead) != 0 ? landing_passes : 0;
+            r.ahead[i] = is_live && (m.flags & contact_ahead) != 0 && (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0) ? landing_passes : 0;
         }
 
         F m1[8], m2[8], m3[4];  // normal, offset, rotations | anchors, impulses | rolling impulse, separations, friction
@@ -282,14 +282,16 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
         const F out_b[4] = {b[0] + b[3] * px, b[1] + b[3] * py, wb, b[3]};
         scatter_pushed<L>(bodies, r.body_a, r.body_b, a[3], b[3], out_a, out_b);
 
-        // What lands is solved again before positions follow, alone: its lane as a row of its own.
+        // What lands is solved again at once, alone: its lane as a row of its own.
         std::uint64_t ahead = 0;
         std::memcpy(&ahead, r.ahead, W);
-        if (biased && ahead != 0) {
+        if (ahead != 0) {
+            float changed[W];  // a pass that changed nothing needs no other
+            L::store(changed, select(sum_n * sum_n + sum_t * sum_t > zero, one, zero));
             if constexpr (W == 1) {
-                more = more != 0 ? more - 1 : r.ahead[0];
+                more = changed[0] == 0 ? 0 : more != 0 ? more - 1 : r.ahead[0];
             } else {
-                land(bodies_in, r, numbers);
+                land(bodies_in, r, changed, numbers);
             }
         }
         if (W > 1 || more == 0) ++block;
@@ -297,11 +299,11 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
 }
 
 template <class L>
-void ContactKernel<L>::land(SolverBody* bodies, Rows& rows, const SweepNumbers& numbers) {
+void ContactKernel<L>::land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers) {
     // Rows are words of W lanes each up to the flags.
     constexpr std::uint32_t words = offsetof(Rows, two_points) / (4 * W);
     for (std::uint32_t i = 0; i < W; ++i) {
-        if (rows.ahead[i] == 0) continue;
+        if (rows.ahead[i] == 0 || changed[i] == 0) continue;
         ContactRows<1> row;
         std::byte* const lane = reinterpret_cast<std::byte*>(&rows) + 4 * i;
         std::byte* const copy = reinterpret_cast<std::byte*>(&row);

@@ -165,7 +165,9 @@ Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32
     if (has_sensors && (m.flags & contact_sensor) != 0)
         return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
     // What touches already, and has slipped by little, does not come together fast.
-    const bool fast = ((a.flags | b.flags) & pose_fast) != 0;
+    // Bodies that bounce off each other, or are taken for lighter (shock), do not look ahead for each other: more energy came of it than went in.
+    const bool calm = (m.flags & contact_bouncy) == 0 && !has_shock(core.state->solver);
+    const bool fast = ((a.flags | b.flags) & pose_fast) != 0 && (calm || has_floor(a, b));
     Approach approach;
     if (fast && m.count() == 0) approach = approach_of(a, b, core.motions[m.body_a], core.motions[m.body_b], dt, fall);
     if (!comes_fast(approach) && can_recycle(m, a, b)) {
