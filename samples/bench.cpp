@@ -31,7 +31,7 @@ std::vector<Contender> contenders(const SceneInfo& info, const BenchOptions& opt
             contender.result.engine = engine->name;
             contender.result.scene = info.name;
             contender.result.lacks = engine->lacks(scene);
-            contender.result.steps = options.steps.value_or(scene.steps);
+            contender.result.steps = options.steps.value_or(std::min(scene.steps, options.most_steps.value_or(scene.steps)));
             contender.result.workers = workers;
             list.push_back(std::move(contender));
         }
@@ -69,36 +69,50 @@ std::optional<BenchProfile> median_profile(const std::vector<BenchRun>& runs) {
     return medians;
 }
 
-/// A scene of its own for each run: scripts keep state.
-BenchRun run_once(const Contender& contender, const SceneInfo& info, const std::function<void()>& stepped) {
+/// A scene in an engine, from the start. (A scene of its own for each run: scripts keep state.)
+struct LoadedScene {
+    ThreadPool pool;
+    Scene scene;
+    std::unique_ptr<Engine> engine;
+
+    LoadedScene(const Contender& contender, const SceneInfo& info) : pool(contender.result.workers), scene(info.make()), engine(contender.engine->make()) {
+        scene.world.tasks = pool.tasks();
+        scene.world.clock = nanoseconds;
+        engine->load(scene);
+    }
+    LoadedScene(const LoadedScene&) = delete;
+    LoadedScene& operator=(const LoadedScene&) = delete;
+};
+
+/// Nothing if it was stopped: `stepped` returns false then.
+std::optional<BenchRun> run_once(const Contender& contender, const SceneInfo& info, const std::function<bool()>& stepped) {
     const int steps = contender.result.steps;
-    ThreadPool pool(contender.result.workers);
-    Scene scene = info.make();
-    scene.world.tasks = pool.tasks();
-    scene.world.clock = nanoseconds;
-    const std::unique_ptr<Engine> engine = contender.engine->make();
-    engine->load(scene);
+    LoadedScene loaded(contender, info);
     BenchRun run;
     run.step_ms.reserve(static_cast<std::size_t>(steps));
     for (int i = 0; i < steps; ++i) {
-        run.step_ms.push_back(engine->advance(scene, i, scene.dt));
-        if (const std::optional<StepProfile> profile = engine->profile()) add(run.profile, *profile);
-        stepped();
+        run.step_ms.push_back(loaded.engine->advance(loaded.scene, i, loaded.scene.dt));
+        if (const std::optional<StepProfile> profile = loaded.engine->profile()) add(run.profile, *profile);
+        if (!stepped()) return std::nullopt;
     }
-    const EngineCounts counts = engine->counts();
+    const EngineCounts counts = loaded.engine->counts();
     run.bodies = counts.bodies;
     run.contacts = counts.contacts;
     return run;
 }
 
-/// Each repeat begins with another engine, so that none always runs first.
-void take_turns(std::vector<Contender>& list, const SceneInfo& info, const BenchOptions& options, const std::function<void()>& stepped) {
+/// Each repeat begins with another engine, so that none always runs first. False if it was stopped.
+bool take_turns(std::vector<Contender>& list, const SceneInfo& info, const BenchOptions& options, const std::function<bool()>& stepped) {
     for (int turn = 0; turn < options.repeat; ++turn) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             Contender& contender = list[(i + static_cast<std::size_t>(turn)) % list.size()];
-            if (contender.result.lacks.empty()) contender.runs.push_back(run_once(contender, info, stepped));
+            if (!contender.result.lacks.empty()) continue;
+            std::optional<BenchRun> run = run_once(contender, info, stepped);
+            if (!run) return false;
+            contender.runs.push_back(std::move(*run));
         }
     }
+    return true;
 }
 
 }  // namespace
@@ -124,23 +138,49 @@ void summarise(const std::vector<BenchRun>& runs, const std::vector<BenchRun>& r
     result.contacts = runs.back().contacts;
 }
 
-std::vector<BenchResult> bench(const BenchOptions& options, const std::function<void(int, int)>& observer) {
+double estimate_seconds(const BenchOptions& options) {
+    constexpr int tried = 4, least_steps = 25 * tried;  // so that trying is a small part of the whole
+    using Clock = std::chrono::steady_clock;
+    double seconds = 0;
+    for (const SceneInfo* info : options.scenes) {
+        for (const Contender& contender : contenders(*info, options)) {
+            if (!contender.result.lacks.empty()) continue;
+            if (contender.result.steps * options.repeat < least_steps) return 0;
+            const Clock::time_point start = Clock::now();
+            LoadedScene loaded(contender, *info);
+            const double loading = std::chrono::duration<double>(Clock::now() - start).count();
+            std::vector<double> step_ms;
+            for (int i = 0; i < tried; ++i) step_ms.push_back(loaded.engine->advance(loaded.scene, i, loaded.scene.dt));
+            seconds += options.repeat * (loading + contender.result.steps * median(step_ms) / 1e3);
+        }
+    }
+    return seconds;
+}
+
+std::vector<BenchResult> bench(const BenchOptions& options, const BenchObserver& observer) {
     std::vector<std::vector<Contender>> scenes;
     int total = 0, done = 0;
     for (const SceneInfo* info : options.scenes) {
         scenes.push_back(contenders(*info, options));
         for (const Contender& c : scenes.back()) total += c.result.lacks.empty() ? options.repeat * c.result.steps : 0;
     }
+    const auto stepped = [&] {
+        observer.stepped(++done, total);
+        return !observer.is_stopped || !observer.is_stopped();
+    };
 
     std::vector<BenchResult> results;
-    for (std::size_t s = 0; s < scenes.size(); ++s) {
-        take_turns(scenes[s], *options.scenes[s], options, [&] { observer(++done, total); });
+    bool goes_on = true;
+    for (std::size_t s = 0; s < scenes.size() && goes_on; ++s) {
+        goes_on = take_turns(scenes[s], *options.scenes[s], options, stepped);
         std::vector<BenchRun> reference;
         for (const Contender& c : scenes[s]) {
             if (c.result.engine == "islet" && reference.empty()) reference = c.runs;
         }
         for (Contender& c : scenes[s]) {
+            if (!goes_on && c.runs.empty()) continue;
             summarise(c.runs, reference, c.result);
+            if (observer.ended) observer.ended(c.result);
             results.push_back(std::move(c.result));
         }
     }

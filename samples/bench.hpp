@@ -18,6 +18,7 @@ struct BenchOptions {
     std::vector<const SceneInfo*> scenes;
     std::vector<const engines::EngineInfo*> engines;
     std::optional<int> steps;   // the scene's own if not given
+    std::optional<int> most_steps;  // of a scene's own
     int repeat = 3;                         // runs of each engine, at least 1
     std::vector<std::uint32_t> workers{1};  // Islet runs once with each of these; the other engines have one thread
 };
@@ -51,8 +52,31 @@ double total_ms(const BenchRun& run);
 /// Fills in the numbers: medians over `runs`, and against `reference`, which has as many runs in the same turns, or is empty.
 void summarise(const std::vector<BenchRun>& runs, const std::vector<BenchRun>& reference, BenchResult& result);
 
-/// Scene by scene, each with its engines in the order asked for. `observer` hears after each step how many were taken of how many.
-std::vector<BenchResult> bench(const BenchOptions& options, const std::function<void(int done, int total)>& observer);
+/// What is told while the bench is at work.
+struct BenchObserver {
+    std::function<void(int done, int total)> stepped;      // after each step: how many were taken of how many
+    std::function<void(const BenchResult&)> ended = {};    // each result when it is known: at the end of its scene
+    std::function<bool()> is_stopped = {};                 // asked after each step; then what whole runs there are is all there will be
+};
+
+/// Scene by scene, each with its engines in the order asked for.
+std::vector<BenchResult> bench(const BenchOptions& options, const BenchObserver& observer);
+/// How long that will take, s, as far as loading each scene into each engine and a few steps tell. 0 if that would take about as long as the bench.
+double estimate_seconds(const BenchOptions& options);
+
+/// The table of results, line by line: as wide as the names of what is to come.
+class BenchTable {
+public:
+    BenchTable(const std::vector<std::string>& scenes, const std::vector<std::string>& engines);
+    std::string header() const;
+    std::string row(const BenchResult& result);
+
+private:
+    std::string names(const std::string& scene, const std::string& engine) const;
+
+    std::size_t scene_width_ = 5, engine_width_ = 6;
+    std::string last_scene_;
+};
 
 std::string table_of(const std::vector<BenchResult>& results);
 std::string json_of(const std::vector<BenchResult>& results);

@@ -8,29 +8,37 @@
 
 namespace islet::samples {
 
-std::string table_of(const std::vector<BenchResult>& results) {
-    std::size_t scene_width = 5, engine_width = 6;
-    for (const BenchResult& r : results) {
-        scene_width = std::max(scene_width, r.scene.size());
-        engine_width = std::max(engine_width, r.engine.size());
-    }
-    const auto names = [&](const std::string& scene, const std::string& engine) {
-        return fmt::format("{:<{}}  {:<{}}", scene, scene_width, engine, engine_width);
-    };
+BenchTable::BenchTable(const std::vector<std::string>& scenes, const std::vector<std::string>& engines) {
+    for (const std::string& scene : scenes) scene_width_ = std::max(scene_width_, scene.size());
+    for (const std::string& engine : engines) engine_width_ = std::max(engine_width_, engine.size());
+}
 
-    std::string text = names("scene", "engine") + fmt::format(" {:>7} {:>6} {:>7} {:>9} {:>11} {:>10} {:>10} {:>9}\n", "workers", "steps",
-                                                              "bodies", "contacts", "ms in all", "p50 a step", "p99 a step", "x islet");
-    std::string last;
+std::string BenchTable::names(const std::string& scene, const std::string& engine) const {
+    return fmt::format("{:<{}}  {:<{}}", scene, scene_width_, engine, engine_width_);
+}
+
+std::string BenchTable::header() const {
+    return names("scene", "engine") + fmt::format(" {:>7} {:>6} {:>7} {:>9} {:>11} {:>10} {:>10} {:>9}\n", "workers", "steps", "bodies", "contacts",
+                                                  "ms in all", "p50 a step", "p99 a step", "x islet");
+}
+
+std::string BenchTable::row(const BenchResult& r) {
+    const std::string begin = names(r.scene == last_scene_ ? "" : r.scene, r.engine);
+    last_scene_ = r.scene;
+    if (!r.lacks.empty()) return begin + fmt::format("  not timed: {}\n", r.lacks);
+    return begin + fmt::format(" {:>7} {:>6} {:>7} {:>9} {:>11.1f} {:>10.3f} {:>10.3f} {:>9}\n", r.workers, r.steps, r.bodies, r.contacts, r.ms_total,
+                               r.ms_per_step_p50, r.ms_per_step_p99, r.ratio ? fmt::format("{:.2f}", *r.ratio) : "-");
+}
+
+std::string table_of(const std::vector<BenchResult>& results) {
+    std::vector<std::string> scenes, engines;
     for (const BenchResult& r : results) {
-        text += names(r.scene == last ? "" : r.scene, r.engine);
-        last = r.scene;
-        if (!r.lacks.empty()) {
-            text += fmt::format("  not timed: {}\n", r.lacks);
-            continue;
-        }
-        text += fmt::format(" {:>7} {:>6} {:>7} {:>9} {:>11.1f} {:>10.3f} {:>10.3f} {:>9}\n", r.workers, r.steps, r.bodies, r.contacts,
-                            r.ms_total, r.ms_per_step_p50, r.ms_per_step_p99, r.ratio ? fmt::format("{:.2f}", *r.ratio) : "-");
+        scenes.push_back(r.scene);
+        engines.push_back(r.engine);
     }
+    BenchTable table(scenes, engines);
+    std::string text = table.header();
+    for (const BenchResult& r : results) text += table.row(r);
     return text;
 }
 

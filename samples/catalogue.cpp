@@ -117,8 +117,7 @@ std::vector<std::string> similar_scenes(const std::string& name) {
 }
 
 Capacity capacity_of(const Scene& scene) {
-    Capacity capacity;
-    std::uint32_t moving_shapes = 0, chain_geometries = 0;
+    std::uint64_t shapes = 0, moving_shapes = 0, chain_geometries = 0;
     std::set<std::string> geometries;
     for (const SceneBody& body : scene.bodies) {
         for (const SceneShape& shape : body.shapes) {
@@ -129,19 +128,22 @@ Capacity capacity_of(const Scene& scene) {
             } else {
                 geometries.insert(key_of(shape.geometry));
             }
-            capacity.shapes += count;
+            shapes += count;
             if (body.def.type != BodyType::static_body) moving_shapes += count;
         }
     }
-    capacity.shapes += scene.extra_shapes;
+    shapes += scene.extra_shapes;
     moving_shapes += scene.extra_shapes;
     // A dense pile has 3 to 5 pairs of overlapping fat boxes a shape; the rest is room for a pile being squeezed.
     constexpr std::uint32_t pairs_per_shape = 7, spare_pairs = 32;
-    capacity.bodies = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(scene.bodies.size()) + scene.extra_bodies);
-    capacity.shapes = std::max<std::uint32_t>(1, capacity.shapes);
-    capacity.contacts = pairs_per_shape * moving_shapes + spare_pairs + scene.extra_contacts;
-    capacity.joints = static_cast<std::uint32_t>(scene.joints.size()) + scene.extra_joints;
-    capacity.geometries = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(geometries.size()) + chain_geometries + scene.extra_shapes);
+    // A file may ask for more than can be: no world has such a capacity, and none is made.
+    const auto room = [](std::uint64_t n) { return static_cast<std::uint32_t>(std::min<std::uint64_t>(n, 0xffffffffu)); };
+    Capacity capacity;
+    capacity.bodies = std::max(1u, room(scene.bodies.size() + std::uint64_t{scene.extra_bodies}));
+    capacity.shapes = std::max(1u, room(shapes));
+    capacity.contacts = room(pairs_per_shape * moving_shapes + spare_pairs + scene.extra_contacts);
+    capacity.joints = room(scene.joints.size() + std::uint64_t{scene.extra_joints});
+    capacity.geometries = std::max(1u, room(geometries.size() + chain_geometries + scene.extra_shapes));
     return capacity;
 }
 

@@ -1,4 +1,5 @@
 #include "html.hpp"
+#include "printable.hpp"
 
 #include <bit>
 #include <stdexcept>
@@ -87,12 +88,13 @@ Json run_json(const Run& run, const RunResult& result, const Recorder& recorder)
     Json looks = Json::array();
     for (const BodyLook look : recorder.looks()) looks.push_back(static_cast<int>(look));
     return {
-        {"scene", result.scene},
+        {"scene", printable(result.scene)},
         {"description", info != nullptr ? info->description : ""},
         {"steps", result.steps},
         {"dt", result.dt},
         {"substeps", result.substeps},
         {"hash", fmt::format("{:016x}", result.hash)},
+        {"dropped", result.most_dropped_contacts},
         {"checked", result.checked},
         {"passed", result.passed()},
         {"stride", recorder.stride()},
@@ -112,15 +114,17 @@ Json run_json(const Run& run, const RunResult& result, const Recorder& recorder)
     };
 }
 
-/// Text inside an element, or JSON inside a script, in which no tag can begin.
-std::string harmless(const std::string& text, std::string_view less_than) {
+/// As text inside an element, in which no tag and no character's name can begin.
+std::string element_text(const std::string& text) {
     std::string out;
-    for (const char c : text) {
-        if (c == '<')
-            out += less_than;
-        else
-            out += c;
-    }
+    for (const char c : printable(text)) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+    return out;
+}
+
+/// As JSON inside a script, in which no tag can begin.
+std::string script_text(const Json& json) {
+    std::string out;
+    for (const char c : json.dump()) out += c == '<' ? "\\u003c" : std::string(1, c);
     return out;
 }
 
@@ -150,8 +154,8 @@ std::string player_page(const Run& run, const RunResult& result, const Recorder&
         page += text;
         done = at + place.size();
     };
-    fill("{{title}}", harmless(result.scene, "&lt;"));
-    fill("{{run}}", harmless(run_json(run, result, recorder).dump(), "\\u003c"));
+    fill("{{title}}", element_text(result.scene));
+    fill("{{run}}", script_text(run_json(run, result, recorder)));
     fill("{{models}}", models_json(recorder.models()));
     fill("{{numbers}}", base64(numbers_of(recorder)));
     fill("{{trails}}", base64(trails_of(run, recorder)));

@@ -1,10 +1,9 @@
 // The headless runner: lists the scenes, runs one, prints what happened, and says by its exit status whether the scene's check passed. Or it
 // times scenes, in Islet and in other engines.
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <span>
@@ -15,10 +14,13 @@
 #include <CLI/CLI.hpp>
 
 #include "bench.hpp"
+#include "command_line.hpp"
 #include "finite_number.hpp"
 #include "html.hpp"
 #include "output_file.hpp"
+#include "printable.hpp"
 #include "progress.hpp"
+#include "read_file.hpp"
 #include "report.hpp"
 #include "runner.hpp"
 #include "scene_file.hpp"
@@ -29,17 +31,19 @@ namespace {
 
 using namespace islet::samples;
 
-enum ExitStatus { ok = 0, check_failed = 1, wrong_usage = 2 };
+enum ExitStatus { ok = 0, check_failed = 1, wrong_usage = 2, interrupted = 130 };
 
 struct RunCommand {
     std::string scene, csv_path, svg_path, html_path, recording_path;
     std::vector<std::string> draw;  // names of layers
     RunOptions options;
+    std::uint64_t memory_limit = islet::samples::usual_memory_limit;
     bool json = false;
 };
 
 struct ReplayCommand {
     std::string path;
+    std::uint64_t memory_limit = islet::samples::usual_memory_limit;
     std::uint64_t until = ~std::uint64_t{0};
     std::uint32_t lanes = 0;
 };
@@ -47,11 +51,11 @@ struct ReplayCommand {
 struct BenchCommand {
     std::vector<std::string> scenes, engines;
     BenchOptions options;
-    bool json = false;
+    bool json = false, quick = false;
 };
 
 int wrong(const std::string& message) {
-    fmt::print(stderr, "islet: {}\n", message);
+    fmt::print(stderr, "islet: {}\n", printable(message));
     return wrong_usage;
 }
 
@@ -59,19 +63,6 @@ int unknown_scene(const std::string& name) {
     const std::vector<std::string> similar = similar_scenes(name);
     if (similar.empty()) return wrong(fmt::format("there is no scene '{}'; `islet list` shows them all", name));
     return wrong(fmt::format("there is no scene '{}'; near names: {}", name, fmt::join(similar, ", ")));
-}
-
-/// Opens a file for results before the run, so that a wrong path does not cost one. True if it is open or none was asked for.
-bool open_output(std::ofstream& file, const std::string& path) {
-    if (!path.empty()) file.open(path, std::ios::binary);
-    return path.empty() || file.is_open();
-}
-
-/// Flushes a file of results. True if all of it was written.
-bool close_output(std::ofstream& file) {
-    if (!file.is_open()) return true;
-    file.close();
-    return !file.fail();
 }
 
 using islet::DebugDraw;
@@ -110,11 +101,11 @@ struct NamedScene {
 
 NamedScene scene_named(const std::string& name) {
     if (is_file(name)) {
-        std::ifstream file(name, std::ios::binary);
-        if (!file.is_open()) throw SceneFileError("the file cannot be read");
-        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        const std::string text = read_file(name);
+        if (const std::string kind = kind_of(text); kind != "a JSON file" && kind != "a file of another kind")
+            throw SceneFileError("this is " + kind + ", no scene" + (kind == "a recording" ? "; `islet replay` takes it" : ""));
         NamedScene named{read_scene(text), true};
-        if (named.scene.name.empty()) named.scene.name = name;
+        if (named.scene.name.empty()) named.scene.name = printable(name);
         return named;
     }
     const SceneInfo* info = find_scene(name);
@@ -129,14 +120,24 @@ int write_scene_file(const std::string& name) {
     return ok;
 }
 
+/// What has no room passes through things: that must not go unseen.
+void warn_of_dropped(const RunResult& result, bool is_in_file) {
+    if (result.dropped_contacts == 0) return;
+    fmt::print(stderr,
+               "islet: there was no room for some contacts (the most in one step: {}), and what they would have kept apart passes through each other: raise {}\n",
+               result.most_dropped_contacts, is_in_file ? "the file's \"extra_contacts\"" : "the scene's extra_contacts, which become Capacity::contacts");
+}
+
 int run_scene(const RunCommand& command) {
     NamedScene named = scene_named(command.scene);
     if (!named.is_found) return unknown_scene(command.scene);
-    std::ofstream csv, svg, html, recording;
-    if (!open_output(csv, command.csv_path)) return wrong(fmt::format("cannot write '{}'", command.csv_path));
-    if (!open_output(svg, command.svg_path)) return wrong(fmt::format("cannot write '{}'", command.svg_path));
-    if (!open_output(html, command.html_path)) return wrong(fmt::format("cannot write '{}'", command.html_path));
-    if (!open_output(recording, command.recording_path)) return wrong(fmt::format("cannot write '{}'", command.recording_path));
+    if (const std::string why = beyond_memory_limit(capacity_of(named.scene), command.memory_limit); !why.empty())
+        return wrong(fmt::format("'{}': {}", command.scene, why));
+    // Opened before the run, so that a wrong path does not cost one.
+    OutputFile csv(command.csv_path), svg(command.svg_path), html(command.html_path), recording(command.recording_path);
+    OutputFile* const files[] = {&csv, &svg, &html, &recording};
+    for (const OutputFile* file : files)
+        if (!file->good()) return wrong(file->error());
 
     Run run(std::move(named.scene), command.options);
     std::optional<Recorder> recorder;
@@ -144,18 +145,18 @@ int run_scene(const RunCommand& command) {
     std::optional<WorldRecording> calls;
     if (recording.is_open()) calls.emplace(run.engine.world());
     ProgressBar bar(run.scene.steps);
-    if (csv.is_open()) csv << csv_header();
+    csv.write(csv_header());
     const RunResult result = run.run([&](const StepRecord& record) {
-        if (csv.is_open()) csv << csv_line(record, run);
+        if (csv.is_open()) csv.write(csv_line(record, run));
         if (recorder) recorder->observe(record);
         if (calls) calls->after_step();
         bar.update(record.step);
     });
     bar.clear();
 
-    if (svg.is_open()) svg << draw_svg(run, drawing_of(command.draw));
+    if (svg.is_open()) svg.write(draw_svg(run, drawing_of(command.draw)));
     if (recorder) {
-        html << player_page(run, result, *recorder);
+        html.write(player_page(run, result, *recorder));
         if (recorder->stride() > 1)
             fmt::print(stderr, "islet: to keep the page small, '{}' shows one step of every {}{}\n", command.html_path, recorder->stride(),
                        recorder->has_contacts() ? "" : ", without contacts");
@@ -163,18 +164,17 @@ int run_scene(const RunCommand& command) {
     if (calls) {
         const std::span<const std::byte> bytes = calls->finish();
         if (bytes.empty()) return wrong("a step had too many calls to be recorded");
-        recording.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        recording.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
-    if (!close_output(recording)) return wrong(fmt::format("cannot write all of '{}'", command.recording_path));
-    if (!close_output(csv)) return wrong(fmt::format("cannot write all of '{}'", command.csv_path));
-    if (!close_output(svg)) return wrong(fmt::format("cannot write all of '{}'", command.svg_path));
-    if (!close_output(html)) return wrong(fmt::format("cannot write all of '{}'", command.html_path));
+    for (OutputFile* file : files)
+        if (!file->close()) return wrong(file->error());
+    warn_of_dropped(result, is_file(command.scene));
     fmt::print("{}", command.json ? json_of(result) : table_of(result));
     return result.passed() ? ok : check_failed;
 }
 
 int replay_recording(const ReplayCommand& command) {
-    const Replayed replayed = replay_file(command.path, command.until, command.lanes);
+    const Replayed replayed = replay_file(command.path, command.until, command.lanes, command.memory_limit);
     if (!replayed.error.empty()) return wrong(fmt::format("'{}': {}", command.path, replayed.error));
     const islet::ReplayResult& result = replayed.result;
     if (result.end == islet::ReplayEnd::differs) {
@@ -200,6 +200,14 @@ void add_once(std::vector<const Item*>& list, const Item& item) {
     if (std::find(list.begin(), list.end(), &item) == list.end()) list.push_back(&item);
 }
 
+constexpr int quick_steps = 60;  // a second of most scenes
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+std::string duration(double seconds) {
+    return seconds < 90 ? fmt::format("{:.0f} s", seconds) : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
+
 int run_bench(const BenchCommand& command) {
     BenchOptions options = command.options;
     for (const std::string& name : command.scenes) {
@@ -219,14 +227,46 @@ int run_bench(const BenchCommand& command) {
         if (command.engines.empty()) options.engines.push_back(&info);
     }
 
-    std::optional<ProgressBar> bar;
-    const std::vector<BenchResult> results = bench(options, [&bar](int done, int total) {
-        if (!bar) bar.emplace(total);
-        bar->update(done);
+    if (command.quick) {
+        options.repeat = 1;
+        options.most_steps = quick_steps;
+    }
+    if (const double seconds = estimate_seconds(options); seconds >= 5)
+        fmt::print(stderr, "islet: this takes about {}; Ctrl-C ends it and prints what there is{}\n", duration(seconds), command.quick ? "" : ", --quick gives a first impression");
+
+    std::signal(SIGINT, [](int) {
+        is_interrupted = 1;
+        std::signal(SIGINT, SIG_DFL);  // the second time it ends at once
     });
+    std::vector<std::string> scenes, engines;
+    for (const SceneInfo* info : options.scenes) scenes.emplace_back(info->name);
+    for (const islet::engines::EngineInfo* info : options.engines) engines.emplace_back(info->name);
+    BenchTable table(scenes, engines);
+    if (!command.json) fmt::print("{}", table.header());
+    std::fflush(stdout);
+    std::optional<ProgressBar> bar;
+    BenchObserver observer;
+    observer.stepped = [&bar](int done, int total) {
+        if (!bar) bar.emplace(total, "step", 10);
+        bar->update(done);
+    };
+    observer.ended = [&](const BenchResult& result) {
+        if (command.json) return;
+        if (bar) bar->clear();
+        fmt::print("{}", table.row(result));
+        std::fflush(stdout);
+    };
+    observer.is_stopped = [] { return is_interrupted != 0; };
+    const std::vector<BenchResult> results = bench(options, observer);
     if (bar) bar->clear();
-    fmt::print("{}", command.json ? json_of(results) : table_of(results));
-    return ok;
+    if (command.json) fmt::print("{}", json_of(results));
+    if (is_interrupted == 0) return ok;
+    fmt::print(stderr, "islet: interrupted; this is what whole runs there were\n");
+    return interrupted;
+}
+
+void limit_memory(CLI::App& command, std::uint64_t& limit) {
+    command.add_option("--memory-limit", limit, "the most bytes that the world may take, such as 500MB or 4GB; 2GB if not given")->transform(CLI::AsSizeValue(true));
 }
 
 /// The command line, and where what it says is kept.
@@ -256,15 +296,14 @@ struct CommandLine {
         run->add_option("--substeps", o.substeps, "substeps of a step")->check(CLI::Range(1, 64));
         static const std::map<std::string, islet::JointTrees> joint_trees = {
             {"off", islet::JointTrees::off}, {"automatic", islet::JointTrees::automatic}, {"all", islet::JointTrees::all}};
-        run->add_option("--joint-trees", o.joint_trees, "which trees of hinges are solved exactly; the scene's own choice if not given")
-            ->transform(CLI::Transformer(joint_trees));
+        add_choice(*run, "--joint-trees", o.joint_trees, joint_trees, "which trees of hinges are solved exactly; the scene's own choice if not given");
         run->add_option("--iterations", o.iterations, "biased sweeps of a substep")->check(CLI::Range(1, 256));
         run->add_option("--relax-iterations", o.relax_iterations, "unbiased sweeps of a substep")->check(CLI::Range(0, 256));
         static const std::map<std::string, islet::SweepOrder> sweep_orders = {{"colored", islet::SweepOrder::colored},
                                                                               {"as-found", islet::SweepOrder::as_found},
                                                                               {"upward", islet::SweepOrder::upward},
                                                                               {"downward", islet::SweepOrder::downward}};
-        run->add_option("--sweep-order", o.sweep_order, "the order in which contacts are swept")->transform(CLI::Transformer(sweep_orders));
+        add_choice(*run, "--sweep-order", o.sweep_order, sweep_orders, "the order in which contacts are swept");
         run->add_flag("--block-contacts", o.block_contacts, "solve the two points of a contact together");
         run->add_option("--shock", o.shock, "shock propagation: 0 none, 0.7 the most")->check(CLI::Range(0.0f, 0.7f))->check(finite_number);
         run->add_option("--tolerance", o.tolerance, "end sweeps at this residual, m/s")->check(CLI::NonNegativeNumber)->check(finite_number);
@@ -272,18 +311,20 @@ struct CommandLine {
         run->add_option("--workers", o.workers, "threads to step with")->check(CLI::Range(1u, islet::max_workers));
         run->add_option("--lanes", o.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
         run->add_option("--hash-every", o.hash_every, "print the state's hash every so many steps")->check(CLI::Range(1, 100'000'000));
-        run->add_option("--csv", command.csv_path, "write a line of numbers per step to this file");
-        run->add_option("--svg", command.svg_path, "draw the last state to this file");
+        run->add_option("--csv", command.csv_path, "write a line of numbers per step to this file")->check(not_empty);
+        run->add_option("--svg", command.svg_path, "draw the last state to this file")->check(not_empty);
         run->add_option("--draw", command.draw, "what the picture shows besides shapes; joints,contacts,normals if not given")
             ->delimiter(',')
             ->check(CLI::IsMember(layers));
-        run->add_option("--html", command.html_path, "write a page that plays the run back to this file");
-        run->add_option("--record", command.recording_path, "write every call and the hash after each step to this file, for `islet replay`");
+        run->add_option("--html", command.html_path, "write a page that plays the run back to this file")->check(not_empty);
+        run->add_option("--record", command.recording_path, "write every call and the hash after each step to this file, for `islet replay`")->check(not_empty);
         run->add_flag("--json", command.json, "print one JSON object");
+        limit_memory(*run, command.memory_limit);
 
         replay->add_option("file", replay_command.path, "a recording, made by `islet run --record` or by a program of yours")->required();
         replay->add_option("--until", replay_command.until, "stop after so many steps")->check(CLI::Range(1ull, ~0ull));
         replay->add_option("--lanes", replay_command.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
+        limit_memory(*replay, replay_command.memory_limit);
 
         // The bounds keep the number of all steps below 2^31.
         BenchOptions& b = bench_command.options;
@@ -292,8 +333,9 @@ struct CommandLine {
         bench->add_option("--workers", b.workers, "threads for Islet to step with; several numbers (1,2,4) are timed beside each other")
             ->delimiter(',')
             ->check(CLI::Range(1u, islet::max_workers));
-        bench->add_option("--repeat", b.repeat, "runs of each engine, of which the medians are taken")->check(CLI::Range(1, 100));
-        bench->add_option("--steps", b.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(1, 100'000));
+        CLI::Option* const quick = bench->add_flag("--quick", bench_command.quick, fmt::format("one run of at most {} steps: a first impression", quick_steps));
+        bench->add_option("--repeat", b.repeat, "runs of each engine, of which the medians are taken")->check(CLI::Range(1, 100))->excludes(quick);
+        bench->add_option("--steps", b.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(1, 100'000))->excludes(quick);
         bench->add_flag("--json", bench_command.json, "print a JSON list; its profile is Islet's stages in ms, of all steps together");
     }
 };
@@ -313,15 +355,11 @@ int execute(CommandLine& line) {
 int main(int argc, char** argv) {
     try {
         CommandLine line;
-        try {
-            line.app.parse(argc, argv);
-        } catch (const CLI::ParseError& error) {
-            return line.app.exit(error) == 0 ? ok : wrong_usage;  // help is no error
-        }
-        const std::string& scene = line.scene->parsed() ? line.scene_name : line.command.scene;
+        if (const std::optional<int> status = parse_or_explain(line.app, argc, argv, "islet")) return *status;
+        const std::string& scene = line.scene->parsed() ? line.scene_name : line.replay->parsed() ? line.replay_command.path : line.command.scene;
         try {
             const int status = execute(line);
             return all_printed() ? status : wrong("cannot write all of the standard output");
-        } catch (const std::exception& error) { return wrong(is_file(scene) ? fmt::format("'{}': {}", scene, error.what()) : error.what()); }
+        } catch (const std::exception& error) { return wrong(is_file(scene) || line.replay->parsed() ? fmt::format("'{}': {}", scene, error.what()) : error.what()); }
     } catch (const std::exception& error) { return wrong(error.what()); }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine.hpp"
+#include "faulty_field.hpp"
 #include "spawn.hpp"
 
 namespace islet::samples {
@@ -24,6 +25,13 @@ private:
     std::byte* data_;
     std::size_t size_;
 };
+
+/// Of dynamic and kinematic ones, as StepReport counts them.
+std::size_t awake_bodies(const World& world, const std::vector<BodyId>& bodies) {
+    return static_cast<std::size_t>(std::count_if(bodies.begin(), bodies.end(), [&world](BodyId id) {
+        return world.is_valid(id) && world.type(id) != BodyType::static_body && world.is_enabled(id) && world.is_awake(id);
+    }));
+}
 
 }  // namespace
 
@@ -45,7 +53,10 @@ void IsletEngine::load(const Scene& scene) {
     impl_->block = std::make_unique<Block>(islet::world_bytes(impl_->capacity));
     Error error = Error::none;
     impl_->world = World::create(impl_->block->span(), impl_->capacity, scene.world, &error);
-    if (impl_->world == nullptr) throw std::runtime_error(std::string("cannot make the world: ") + describe(error));
+    if (impl_->world == nullptr) {
+        const std::string field = faulty_field(scene.world, [this](const WorldDef& def) { return World::create(impl_->block->span(), impl_->capacity, def) != nullptr; });
+        throw std::runtime_error((field.empty() ? "cannot make the world" : "world." + field) + ": " + describe(error));
+    }
     impl_->bodies.clear();
     impl_->bodies.reserve(scene.bodies.size());
     for (const SceneBody& body : scene.bodies) create_body(body);
@@ -58,8 +69,11 @@ std::size_t IsletEngine::create_body(const SceneBody& body) {
     World& w = world();
     w.clear_error();
     const BodyId id = spawn(w, body);
-    if (w.last_error() != Error::none)
-        throw std::runtime_error("cannot make body " + std::to_string(impl_->bodies.size()) + " of the scene: " + describe(w.last_error()));
+    if (const Error error = w.last_error(); error != Error::none) {
+        if (id) w.destroy_body(id);
+        const std::string field = faulty_field(w, body);
+        throw std::runtime_error("bodies[" + std::to_string(impl_->bodies.size()) + "]" + (field.empty() ? "" : ".") + field + ": " + describe(error));
+    }
     impl_->bodies.push_back(id);
     return impl_->bodies.size() - 1;
 }
@@ -94,7 +108,8 @@ EngineCounts IsletEngine::counts() const {
     counts.shapes = w.shape_count();
     counts.joints = w.joint_count();
     counts.contacts = w.contact_count();
-    counts.awake_bodies = w.report().awake_bodies;
+    // Before its first step a world has nothing to report.
+    counts.awake_bodies = w.step_count() > 0 ? w.report().awake_bodies : awake_bodies(w, impl_->bodies);
     counts.islands = w.report().islands;
     return counts;
 }
@@ -127,9 +142,12 @@ void IsletEngine::apply_impulse(std::size_t index, Vec2 impulse) { world().apply
 void IsletEngine::make_joint(const SceneJoint& joint) {
     World& w = world();
     w.clear_error();
-    impl_->joints.push_back(spawn(w, joint, impl_->bodies, impl_->joints));
-    if (w.last_error() != Error::none)
-        throw std::runtime_error("cannot make joint " + std::to_string(impl_->joints.size() - 1) + " of the scene: " + describe(w.last_error()));
+    const JointId id = spawn(w, joint, impl_->bodies, impl_->joints);
+    if (const Error error = w.last_error(); error != Error::none) {
+        const std::string field = faulty_field(w, joint, impl_->bodies, impl_->joints);
+        throw std::runtime_error("joints[" + std::to_string(impl_->joints.size()) + "]" + (field.empty() ? "" : ".") + field + ": " + describe(error));
+    }
+    impl_->joints.push_back(id);
 }
 
 void IsletEngine::change_joint(std::size_t index) {

@@ -1,9 +1,12 @@
 // A file of results that is known to be writable before the work begins.
 #pragma once
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 namespace islet::samples {
 
@@ -11,19 +14,39 @@ class OutputFile {
 public:
     /// An empty path is no file: good, and writing to it does nothing.
     explicit OutputFile(const std::string& path) : path_(path) {
-        if (!path.empty()) file_.open(path, std::ios::binary);
+        if (path.empty()) return;
+        errno = 0;
+        file_.open(path, std::ios::binary);
+        if (!file_.good()) failed("cannot write");
     }
+    bool is_open() const { return file_.is_open(); }
     bool good() const { return path_.empty() || file_.good(); }
-    /// True if all of it was written.
-    bool write(const std::string& text) {
+    /// What failed first, with the reason: "cannot write 'out.csv': Permission denied".
+    const std::string& error() const { return error_; }
+    /// True if all of it, and all before it, was written.
+    bool write(std::string_view text) {
         if (path_.empty()) return true;
-        file_ << text << std::flush;
+        errno = 0;
+        file_.write(text.data(), static_cast<std::streamsize>(text.size()));
+        if (!file_.good()) failed("cannot write all of");
+        return file_.good();
+    }
+    /// True if all of it has reached the file.
+    bool close() {
+        if (!file_.is_open()) return path_.empty();
+        errno = 0;
+        file_.close();
+        if (!file_.good()) failed("cannot write all of");
         return file_.good();
     }
     const std::string& path() const { return path_; }
 
 private:
-    std::string path_;
+    void failed(const char* what) {
+        if (error_.empty()) error_ = std::string(what) + " '" + path_ + "'" + (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string());
+    }
+
+    std::string path_, error_;
     std::ofstream file_;
 };
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "printable.hpp"
 #include "scenes/checks.hpp"
 #include "short_number.hpp"
 
@@ -47,11 +48,11 @@ std::string check_table(const std::vector<CheckLine>& check) {
 std::string table_of(const RunResult& r) {
     std::string text;
     const auto row = [&text](const char* label, const std::string& value) { text += fmt::format("  {:<14}{}\n", label, value); };
-    text += fmt::format("{}\n", r.scene);
+    text += fmt::format("{}\n", printable(r.scene));
     row("run", fmt::format("{} steps of {:.6g} s, {} substeps, {} {}", r.steps, r.dt, r.substeps, r.workers,
                            r.workers == 1 ? "worker" : "workers"));
-    row("bodies", fmt::format("{} ({} awake in {} {}), {} shapes", r.counts.bodies, r.counts.awake_bodies, r.counts.islands,
-                              r.counts.islands == 1 ? "island" : "islands", r.counts.shapes));
+    const std::string islands = r.steps > 0 ? fmt::format(" in {} {}", r.counts.islands, r.counts.islands == 1 ? "island" : "islands") : "";
+    row("bodies", fmt::format("{} ({} awake{}), {} shapes", r.counts.bodies, r.counts.awake_bodies, islands, r.counts.shapes));
     row("contacts", fmt::format("{}, {} dropped", r.counts.contacts, r.dropped_contacts));
     if (r.counts.joints > 0 || r.worst_joint_error.linear > 0) {
         row("joints",

@@ -52,7 +52,9 @@ RunResult Run::run(const std::function<void(const StepRecord&)>& observer) {
         record.time = double(record.step) * double(scene.dt);
         result.ms_total += record.ms;
         result.ms_per_step_max = std::max(result.ms_per_step_max, record.ms);
-        result.dropped_contacts += engine.world().report().dropped_contacts;
+        const std::uint32_t dropped = engine.world().report().dropped_contacts;
+        result.dropped_contacts += dropped;
+        most_dropped_contacts = std::max(most_dropped_contacts, dropped);
         if (options_.hash_every > 0 && record.step % options_.hash_every == 0) {
             record.hash = engine.world().hash();
             result.hashes.push_back({record.step, *record.hash});
@@ -65,6 +67,7 @@ RunResult Run::run(const std::function<void(const StepRecord&)>& observer) {
     }
 
     result.scene = scene.name;
+    result.most_dropped_contacts = most_dropped_contacts;
     result.steps = scene.steps;
     result.dt = scene.dt;
     result.substeps = scene.world.solver.substeps;

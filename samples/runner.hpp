@@ -48,6 +48,7 @@ struct RunResult {
     std::uint32_t substeps = 0, workers = 0;
     EngineCounts counts;
     std::uint64_t dropped_contacts = 0;  // summed over the steps: a pair that waits is counted each step
+    std::uint32_t most_dropped_contacts = 0;  // of one step
     double ms_total = 0, ms_per_step_mean = 0, ms_per_step_max = 0;
     std::optional<float> residual;                    // m/s, after the last step, if asked for
     double max_penetration = 0;                       // m, at the end
@@ -73,6 +74,7 @@ struct Run {
     Scene scene;
     IsletEngine engine;
     std::vector<Trail> trails;  // of scene.traced
+    std::uint32_t most_dropped_contacts = 0;  // in one step: contacts that found no room
 
     Run(Scene scene, const RunOptions& options);
     /// Takes all the steps, telling `observer` of each.

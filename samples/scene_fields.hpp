@@ -103,6 +103,7 @@ void fields(Io& io, D& d, const ShapeDef& usual) requires std::is_same_v<std::re
     io("sensor_events", d.sensor_events, usual.sensor_events);
     io("hit_events", d.hit_events, usual.hit_events);
     io("pre_solve", d.pre_solve, usual.pre_solve);
+    io("one_way", d.one_way, usual.one_way);
     io("material", d.material, usual.material);
     io("user_data", d.user_data, usual.user_data);
 }

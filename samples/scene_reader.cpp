@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -13,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "near_names.hpp"
+#include "printable.hpp"
 #include "scene_fields.hpp"
 #include "scene_file.hpp"
 
@@ -21,7 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-[[noreturn]] void refuse(const std::string& place, const std::string& why) { throw SceneFileError(place.empty() ? why : place + ": " + why); }
+[[noreturn]] void refuse(const std::string& place, const std::string& why) { throw SceneFileError(printable(place.empty() ? why : place + ": " + why)); }
 
 [[noreturn]] void refuse_type(const std::string& place, const char* wanted, const Json& got) {
     refuse(place, fmt::format("must be {}, not {}", wanted, got.is_null() ? "null" : got.is_object() ? "an object" : got.is_array() ? "a list"
@@ -94,7 +93,7 @@ public:
         if (told == nullptr) refuse(place_, fmt::format("\"{}\" is missing", name));
         return *told;
     }
-    std::string at(const std::string& name) const { return place_.empty() ? name : place_ + "." + name; }
+    std::string at(const std::string& name) const { return (place_.empty() ? "" : place_ + ".") + (name.empty() ? "\"\"" : name); }
     void end() const {
         for (const auto& [name, value] : object_.items()) {
             if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
@@ -262,10 +261,11 @@ SceneJoint joint_from(const Json& told, const std::string& place, const Scene& s
 /// What the rest of the runner takes for granted.
 void check_head(const Scene& scene) {
     if (scene.steps < 0 || scene.steps > 100'000'000) refuse("steps", "must be from 0 to 100000000");
-    if (!(scene.dt > 0 && scene.dt <= 1)) refuse("dt", "must be above 0 and at most 1 s");
+    if (!(scene.dt >= min_time_step && scene.dt <= 1)) refuse("dt", fmt::format("must be from {} to 1 s", min_time_step));
     if (!(scene.view.lower.x < scene.view.upper.x && scene.view.lower.y < scene.view.upper.y)) refuse("view", "must be [left, bottom, right, top]");
-    constexpr std::uint32_t most_contacts = 10'000'000;
-    if (scene.extra_contacts > most_contacts) refuse("extra_contacts", fmt::format("must be at most {}", most_contacts));
+    // What a file asks for is bounded by what it holds: 64 contacts a shape are ten times those of a dense pile.
+    const std::size_t most_contacts = 4096 + 64 * std::size_t{capacity_of(scene).shapes};
+    if (scene.extra_contacts > most_contacts) refuse("extra_contacts", fmt::format("must be at most {}: 4096, and 64 for each shape", most_contacts));
     for (const std::size_t body : scene.traced) {
         if (body >= scene.bodies.size()) refuse("traced", fmt::format("there is no body {}; there are {}, and the first is 0", body, scene.bodies.size()));
     }
@@ -279,30 +279,68 @@ std::string place_of(const std::string& text, std::size_t read) {
     return fmt::format("line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'), 1 + column);
 }
 
-/// Refuses an object that has two fields of one name, of which the parser would take the last.
-class NamesOnce {
+/// Builds what a text holds as it is read, and refuses an object that has two fields of one name, of which a JSON library takes one in silence. (The
+/// library's own way of being told while it builds takes time that grows with the square of a list's length.)
+class Builder : public nlohmann::json_sax<Json> {
 public:
-    bool operator()(int, Json::parse_event_t event, const Json& parsed) {
-        if (event == Json::parse_event_t::object_start) open_.emplace_back();
-        if (event == Json::parse_event_t::object_end) open_.pop_back();
-        if (event == Json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second)
-            refuse(parsed.get<std::string>(), "there are two such fields in one object");
+    explicit Builder(const std::string& text) : text_(text) {}
+    Json take() { return std::move(root_); }
+
+    bool null() override { return put(nullptr); }
+    bool boolean(bool value) override { return put(value); }
+    bool number_integer(number_integer_t value) override { return put(value); }
+    bool number_unsigned(number_unsigned_t value) override { return put(value); }
+    bool number_float(number_float_t value, const string_t&) override { return put(value); }
+    bool string(string_t& value) override { return put(std::move(value)); }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& name) override {
+        const auto [field, is_new] = open_.back()->get_ref<Json::object_t&>().emplace(std::move(name), nullptr);
+        if (!is_new) refuse(field->first.empty() ? "\"\"" : field->first, "there are two such fields in one object");
+        field_ = &field->second;
         return true;
+    }
+    bool parse_error(std::size_t position, const std::string& token, const Json::exception& error) override {
+        constexpr int number_overflow = 406;
+        refuse(place_of(text_, position), error.id == number_overflow ? fmt::format("the number {} is too large", token) : "here it ceases to be JSON");
     }
 
 private:
-    std::vector<std::set<std::string>> open_;  // the names met in each object that has begun and not ended
+    template <class Value>
+    bool put(Value&& value) {
+        place_for_value() = std::forward<Value>(value);
+        return true;
+    }
+    bool open(Json container) {
+        Json& place = place_for_value();
+        place = std::move(container);
+        open_.push_back(&place);
+        return true;
+    }
+    bool close() {
+        open_.pop_back();
+        return true;
+    }
+    /// (A list that grows moves its entries, but none of those is open.)
+    Json& place_for_value() {
+        if (open_.empty()) return root_;
+        if (open_.back()->is_object()) return *field_;
+        return open_.back()->get_ref<Json::array_t&>().emplace_back();
+    }
+
+    const std::string& text_;
+    Json root_;
+    Json* field_ = nullptr;     // of the innermost open object: what its latest name stands for
+    std::vector<Json*> open_;  // lists and objects that have begun and not ended
 };
 
 Json parse(const std::string& text) {
-    try {
-        NamesOnce names;
-        return Json::parse(text, std::ref(names));
-    } catch (const Json::parse_error& error) {
-        refuse(place_of(text, error.byte), "here it ceases to be JSON");
-    } catch (const Json::exception& error) {
-        refuse("", fmt::format("it is no JSON: {}", error.what()));
-    }
+    Builder builder(text);
+    Json::sax_parse(text, &builder);
+    return builder.take();
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "drawing.hpp"
+#include "printable.hpp"
 #include "svg_path.hpp"
 
 namespace islet::samples {
@@ -89,14 +90,19 @@ DrawColor shaded(DrawColor color, double share) {
 std::string grid(const Camera& camera) {
     const double step = round_length(camera, 50);
     PathWriter path;
-    for (double x = std::ceil(double(camera.view.lower.x) / step) * step; x <= double(camera.view.upper.x); x += step) {
+    const auto for_each_line = [step](float low, float high, int length, const auto& draw) {
+        const double first = std::ceil(double(low) / step);
+        const int most = length / units(50) + 1;  // far from the origin a step may be lost in rounding
+        for (int i = 0; i < most && (first + i) * step <= double(high); ++i) draw((first + i) * step);
+    };
+    for_each_line(camera.view.lower.x, camera.view.upper.x, camera.width, [&](double x) {
         path.move(camera.x(x), 0);
         path.line(camera.x(x), camera.height);
-    }
-    for (double y = std::ceil(double(camera.view.lower.y) / step) * step; y <= double(camera.view.upper.y); y += step) {
+    });
+    for_each_line(camera.view.lower.y, camera.view.upper.y, camera.height, [&](double y) {
         path.move(0, camera.y(y));
         path.line(camera.width, camera.y(y));
-    }
+    });
     return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n", path.text(), grid_color, units(1));
 }
 
@@ -230,10 +236,10 @@ std::string impulses(const Drawing& drawing, const Camera& camera, double size) 
     return text;
 }
 
+/// (A scene's name may come from a file.)
 std::string escaped(const std::string& text) {
     std::string out;
-    // A scene's name may come from a file, and XML has no word for control characters.
-    for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : static_cast<unsigned char>(c) < ' ' ? " " : std::string(1, c);
+    for (const char c : printable(text)) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
     return out;
 }
 
@@ -337,6 +343,7 @@ std::string draw_svg(const Run& run, const DebugDraw& what) {
     count(counts.bodies, "body", "bodies");
     count(counts.contacts, "contact", "contacts");
     if (counts.joints > 0) count(counts.joints, "joint", "joints");
+    if (run.most_dropped_contacts > 0) details += fmt::format("  ·  {} without room", run.most_dropped_contacts);
     const int height = camera.height + units(caption_height);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" "

@@ -2,23 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 namespace islet::samples {
 
+namespace {
+
+constexpr double farthest = 1e6;  // units; beyond lies nothing that shows
+
+int whole_units(double exact) { return static_cast<int>(std::lround(std::clamp(exact, -farthest, farthest))); }
+
+}  // namespace
+
 Camera::Camera(const Aabb& shown, double width_pixels) : view(shown) {
     width = static_cast<int>(width_pixels) * units_per_pixel;
-    scale = width / std::max(1e-6, double(view.upper.x) - double(view.lower.x));
-    const int exact = static_cast<int>(std::lround((double(view.upper.y) - double(view.lower.y)) * scale));
-    height = exact / units_per_pixel * units_per_pixel;
+    const double view_width = std::max(1e-6, double(view.upper.x) - double(view.lower.x));
+    const double view_height = double(view.upper.y) - double(view.lower.y);
+    const double tallest = most_height_by_width * width;
+    scale = std::min(width / view_width, tallest / view_height);
+    height = whole_units(view_height * scale) / units_per_pixel * units_per_pixel;
+    if (width / view_width <= scale) return;
+    // A view that is too tall for that shows more to both sides.
+    const double middle = 0.5 * (double(view.lower.x) + double(view.upper.x)), half = 0.5 * width / scale;
+    constexpr double most = double(std::numeric_limits<float>::max());
+    view.lower.x = static_cast<float>(std::max(middle - half, -most));
+    view.upper.x = static_cast<float>(std::min(middle + half, most));
 }
 
-int Camera::x(double metres) const { return static_cast<int>(std::lround(std::clamp((metres - double(view.lower.x)) * scale, -1e6, 1e6))); }
+int Camera::x(double metres) const { return whole_units((metres - double(view.lower.x)) * scale); }
 
-int Camera::y(double metres) const { return static_cast<int>(std::lround(std::clamp((double(view.upper.y) - metres) * scale, -1e6, 1e6))); }
+int Camera::y(double metres) const { return whole_units((double(view.upper.y) - metres) * scale); }
 
-int Camera::length(double metres) const { return static_cast<int>(std::lround(metres * scale)); }
+int Camera::length(double metres) const { return whole_units(metres * scale); }
 
 void PathWriter::move(int x, int y) {
     go('m', x, y);

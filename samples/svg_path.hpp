@@ -11,7 +11,10 @@ namespace islet::samples {
 /// Path data is written in whole tenths of a pixel: digits are what a picture of thousands of shapes is made of.
 inline constexpr int units_per_pixel = 10;
 
-/// Maps the view, y up, to a picture, y down.
+/// A picture is at most so many times as high as it is wide.
+inline constexpr double most_height_by_width = 4;
+
+/// Maps the view, y up, to a picture, y down. Of a view that is too tall for a picture's width the sides show more.
 struct Camera {
     Camera(const Aabb& view, double width_pixels);
 

@@ -63,7 +63,7 @@ deepest_stack() {
 }
 
 if [ "$mode" = options ]; then
-    parts=(capsules segments chains restitution surfaces sleep continuous sensors hits hooks queries mover recorder tuning profile joints)
+    parts=(capsules segments chains restitution surfaces sleep continuous sensors hits hooks one_way queries mover recorder tuning profile joints)
     for joint in revolute prismatic distance weld wheel motor mouse pulley gear; do parts+=("${joint}_joints"); done
     parts+=(polygons)
     build_firmware cortex-m4f cortex-m4f
@@ -153,7 +153,7 @@ for target in "${targets[@]}"; do
 done
 
 say "a Cortex-M4F without what can be left out"
-build_firmware cortex-m4f-cut cortex-m4f '-DISLET_WITHOUT=capsules;segments;chains;restitution;surfaces;sleep;sensors;hits;hooks;queries;joints'
+build_firmware cortex-m4f-cut cortex-m4f '-DISLET_WITHOUT=capsules;segments;chains;restitution;surfaces;sleep;sensors;hits;hooks;one_way;queries;joints'
 status=0
 log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --tests-regex refusals --verbose 2>&1) || status=$?
 [ "$status" -eq 0 ] || complain "what is left out: $(grep -E 'refused|fault|\*\*\*|No tests' <<<"$log" | head -n 3)"

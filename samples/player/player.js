@@ -140,6 +140,7 @@ function introduce() {
         const left = run.contacts ? "" : ", without contacts";
         element("thinned").textContent = `to keep this page small, it shows one step of every ${run.stride}${left}`;
     }
+    if (run.dropped > 0) element("dropped").textContent = `contacts without room in a step: up to ${run.dropped}; things pass through each other`;
     element("verdict").textContent = run.checked ? (run.passed ? "check passed" : "check failed") : "";
     element("verdict").classList.toggle("failed", run.checked && !run.passed);
     const seen = run.looks.map((look) => looks[look]);

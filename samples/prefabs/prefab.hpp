@@ -1,7 +1,7 @@
 // Things ready made of several bodies and joints: put one into a World of your own with `spawn`, or into a scene.
 //
-//   Spawned doll = spawn(world, make_ragdoll({.position = {0, 5}}));
-//   world.apply_linear_impulse_to_center(doll.bodies[std::size_t(Bone::torso)], {2, 0});
+//   Spawned bridge = spawn(world, make_bridge({.from = {-4, 3}, .to = {4, 3}}));
+//   world.apply_linear_impulse_to_center(bridge.bodies[3], {2, 0});
 #pragma once
 
 #include <cstddef>

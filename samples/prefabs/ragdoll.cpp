@@ -3,81 +3,95 @@
 namespace islet::samples {
 namespace {
 
-/// A bone when the ragdoll stands upright at the origin: lengths in metres, angles as shares of pi.
-struct BonePlan {
-    Bone parent;
-    float height;               // of its middle
-    float bottom, top, radius;  // its capsule, from the middle
-    float pivot;                // height of the hinge that hangs it on its parent
-    float lower, upper;         // limits of the hinge
-    float friction;             // share of the ragdoll's friction torque
-    float bend = 0;             // where the hinge's angle counts from
-    float damping = 0;          // 1/s
-    bool foot = false;
+/// A part when the person stands upright: heights and radii as shares of the person's height, the mass as a share of the person's, angles in degrees.
+struct Part {
+    BodyPart parent;
+    float mass;
+    float bottom, top, radius;  // the ends of its capsule's axis
+    float pivot;                // the joint's height; of the pelvis there is none
+    float lower, upper;         // counter-clockwise from upright
+    float torque;               // share of the joint torque
+    bool has_foot = false;
 };
 
-/// By Bone; an arm or a leg is the same on both sides.
-constexpr BonePlan hip = {Bone::hip, 0.95f, -0.02f, 0.02f, 0.095f, 0, 0, 0, 0};
-constexpr BonePlan torso = {Bone::hip, 1.2f, -0.135f, 0.135f, 0.09f, 1.0f, -0.25f, 0, 0.5f};
-constexpr BonePlan head = {Bone::torso, 1.475f, -0.038f, 0.039f, 0.075f, 1.4f, -0.3f, 0.1f, 0.25f, 0, 0.1f};
-constexpr BonePlan upper_leg = {Bone::hip, 0.775f, -0.125f, 0.125f, 0.06f, 0.9f, -0.05f, 0.4f, 1};
-constexpr BonePlan left_shin = {Bone::upper_left_leg, 0.475f, -0.155f, 0.125f, 0.045f, 0.625f, -0.5f, -0.02f, 0.5f, 0, 0, true};
-constexpr BonePlan right_shin = {Bone::upper_right_leg, 0.475f, -0.155f, 0.125f, 0.045f, 0.625f, -0.5f, -0.02f, 0.5f, 0, 0, true};
-constexpr BonePlan upper_arm = {Bone::torso, 1.225f, -0.125f, 0.125f, 0.035f, 1.35f, -0.1f, 0.8f, 0.5f};
-constexpr BonePlan left_forearm = {Bone::upper_left_arm, 0.975f, -0.125f, 0.125f, 0.03f, 1.1f, -0.2f, 0.3f, 0.1f, 0.25f, 0.1f};
-constexpr BonePlan right_forearm = {Bone::upper_right_arm, 0.975f, -0.125f, 0.125f, 0.03f, 1.1f, -0.2f, 0.3f, 0.1f, 0.25f, 0.1f};
-constexpr BonePlan bones[bone_count] = {hip,        torso,     head,         upper_leg, left_shin,    upper_leg,
-                                        right_shin, upper_arm, left_forearm, upper_arm, right_forearm};
+constexpr Part thigh = {BodyPart::pelvis, 0.100f, 0.285f, 0.530f, 0.042f, 0.530f, -20, 120, 1};
+constexpr Part left_shank = {BodyPart::left_thigh, 0.061f, 0.060f, 0.285f, 0.030f, 0.285f, -135, 0, 0.5f, true};
+constexpr Part right_shank = {BodyPart::right_thigh, 0.061f, 0.060f, 0.285f, 0.030f, 0.285f, -135, 0, 0.5f, true};
+constexpr Part upper_arm = {BodyPart::torso, 0.028f, 0.630f, 0.805f, 0.025f, 0.805f, -60, 180, 0.3f};
+constexpr Part left_forearm = {BodyPart::left_upper_arm, 0.022f, 0.397f, 0.630f, 0.020f, 0.630f, 0, 150, 0.1f};
+constexpr Part right_forearm = {BodyPart::right_upper_arm, 0.022f, 0.397f, 0.630f, 0.020f, 0.630f, 0, 150, 0.1f};
+constexpr Part parts[body_part_count] = {
+    {BodyPart::pelvis, 0.142f, 0.550f, 0.590f, 0.055f, 0, 0, 0, 0},
+    {BodyPart::pelvis, 0.355f, 0.650f, 0.780f, 0.055f, 0.610f, -80, 25, 1},
+    {BodyPart::torso, 0.081f, 0.885f, 0.955f, 0.045f, 0.840f, -45, 45, 0.3f},
+    thigh,
+    left_shank,
+    thigh,
+    right_shank,
+    upper_arm,
+    left_forearm,
+    upper_arm,
+    right_forearm,
+};
 
-Polygon make_foot(float scale) {
-    const Vec2 corners[] = {{-0.03f, -0.185f}, {0.11f, -0.185f}, {0.11f, -0.16f}, {-0.03f, -0.14f}};
-    Vec2 points[4];
-    for (std::size_t i = 0; i < 4; ++i) points[i] = scale * corners[i];
-    return make_polygon(compute_hull(points), 0.015f * scale);
+// The foot lies along the ground, from the heel behind the ankle to the toes.
+constexpr float foot_heel = -0.03f, foot_toes = 0.082f, foot_radius = 0.02f;
+
+constexpr float radians(float degrees) { return degrees * pi / 180; }
+
+float capsule_area(const Capsule& c) { return 2 * c.radius * length(c.point2 - c.point1) + pi * c.radius * c.radius; }
+
+/// A body's origin is at the middle of its capsule.
+float middle_of(const Part& part) { return 0.5f * (part.bottom + part.top); }
+
+BodyId create_part(World& world, const Part& part, const RagdollDef& def) {
+    const float h = def.height, half = 0.5f * (part.top - part.bottom) * h;
+    const BodyId body = world.create_body({.type = BodyType::dynamic, .position = def.position + Vec2{0, middle_of(part) * h}});
+    if (!body) return body;  // the error stays the one that says why
+    const Capsule bone = {.point1 = {0, -half}, .point2 = {0, half}, .radius = part.radius * h};
+    const float sole = (foot_radius - middle_of(part)) * h;
+    const Capsule foot = {.point1 = {foot_heel * h, sole}, .point2 = {foot_toes * h, sole}, .radius = foot_radius * h};
+    const float area = capsule_area(bone) + (part.has_foot ? capsule_area(foot) : 0);
+    const ShapeDef skin = {.friction = def.friction, .density = part.mass * def.mass / area, .filter = def.filter};
+    const ShapeId shape = world.create_shape(body, bone, skin);
+    const bool is_whole = shape && (!part.has_foot || world.create_shape(body, foot, skin));
+    if (!is_whole) world.destroy_body(body);
+    return is_whole ? body : BodyId{};
 }
 
-SceneBody make_bone(const BonePlan& plan, const RagdollDef& def) {
-    const float s = def.scale;
-    SceneBody body;
-    body.def.type = BodyType::dynamic;
-    body.def.position = def.position + Vec2{0, plan.height * s};
-    body.def.linear_damping = plan.damping;
-    body.def.sleep_threshold = 0.1f;
-
-    ShapeDef skin;
-    skin.friction = 0.2f;
-    skin.filter = {.category = 2, .mask = 1 | 2, .group = -def.group};
-    body.shapes.push_back({Capsule{{0, plan.bottom * s}, {0, plan.top * s}, plan.radius * s}, skin});
-    if (plan.foot) {
-        ShapeDef sole = skin;
-        sole.friction = 0.05f;
-        sole.filter.mask = 1;
-        body.shapes.push_back({make_foot(s), sole});
-    }
-    return body;
-}
-
-RevoluteJointDef make_hinge(const BonePlan& plan, const RagdollDef& def) {
-    const float s = def.scale, parent_height = bones[static_cast<std::size_t>(plan.parent)].height;
-    RevoluteJointDef hinge;
-    hinge.base.frame_a = {{0, (plan.pivot - parent_height) * s}, plan.bend * pi};
-    hinge.base.frame_b = {{0, (plan.pivot - plan.height) * s}, 0};
-    hinge.limit = {.enable = true, .lower = plan.lower * pi, .upper = plan.upper * pi};
-    hinge.motor = {.enable = true, .speed = 0, .max_force = plan.friction * def.friction_torque * s};
-    hinge.spring = {.enable = def.hertz > 0, .hertz = def.hertz, .damping_ratio = def.damping_ratio};
-    return hinge;
+JointId create_hinge(World& world, const Part& part, BodyId parent, BodyId body, const RagdollDef& def) {
+    const float h = def.height;
+    return world.create_joint(
+        RevoluteJointDef{.base = {.body_a = parent,
+                                  .body_b = body,
+                                  .frame_a = {{0, (part.pivot - middle_of(parts[static_cast<std::size_t>(part.parent)])) * h}},
+                                  .frame_b = {{0, (part.pivot - middle_of(part)) * h}}},
+                         .spring = {.enable = def.hertz > 0, .hertz = def.hertz, .damping_ratio = def.damping_ratio},
+                         .limit = {.enable = true, .lower = radians(part.lower), .upper = radians(part.upper)},
+                         .motor = {.enable = true, .speed = 0, .max_force = part.torque * def.joint_torque * def.mass}});
 }
 
 }  // namespace
 
-Prefab make_ragdoll(const RagdollDef& def) {
-    Prefab ragdoll;
-    for (std::size_t i = 0; i < bone_count; ++i) {
-        const BonePlan& plan = bones[i];
-        ragdoll.bodies.push_back(make_bone(plan, def));
-        if (i > 0) ragdoll.joints.push_back({static_cast<std::size_t>(plan.parent), i, make_hinge(plan, def)});
+Ragdoll create_ragdoll(World& world, const RagdollDef& def) {
+    Ragdoll made;
+    for (std::size_t i = 0; i < body_part_count; ++i) {
+        made.bodies[i] = create_part(world, parts[i], def);
+        bool is_whole = static_cast<bool>(made.bodies[i]);
+        if (is_whole && i > 0) {
+            made.joints[i - 1] = create_hinge(world, parts[i], made[parts[i].parent], made.bodies[i], def);
+            is_whole = static_cast<bool>(made.joints[i - 1]);
+        }
+        if (is_whole) continue;
+        destroy(world, made);
+        return {};
     }
-    return ragdoll;
+    return made;
+}
+
+void destroy(World& world, const Ragdoll& ragdoll) {
+    for (const BodyId body : ragdoll.bodies)
+        if (world.is_valid(body)) world.destroy_body(body);
 }
 
 }  // namespace islet::samples

@@ -7,8 +7,12 @@ using namespace islet;
 
 static StaticWorld<Capacity{.bodies = 64, .shapes = 64, .contacts = 256, .joints = 16}> storage;
 
+static void print_error(Error error, void*) {  // told of everything that goes wrong, as it does
+    std::fprintf(stderr, "islet: %s\n", describe(error));
+}
+
 int main() {
-    World& world = storage.create({.gravity = {0, -10}});
+    World& world = storage.create({.gravity = {0, -10}, .error_hook = print_error});
     BodyId ground = world.create_body({});
     world.create_shape(ground, make_box(20, 1), {.friction = 0.6f});
     BodyId crate = world.create_body({.type = BodyType::dynamic, .position = {0, 8}});

@@ -4,7 +4,7 @@
 #include <memory>
 #include <numbers>
 
-#include "../prefabs/ragdoll.hpp"
+#include "benchmark_doll.hpp"
 #include "build.hpp"
 #include "checks.hpp"
 #include "scenes.hpp"
@@ -172,7 +172,7 @@ struct Rain {
         Vec2 place = {-0.5f * span + pitch * (static_cast<float>(column) + 0.5f), drop + storey * static_cast<float>(floor)};
         std::vector<Prefab> dolls;
         for (std::size_t i = 0; i < group; ++i) {
-            dolls.push_back(make_ragdoll({.position = place, .group = static_cast<int>(i) + 1}));
+            dolls.push_back(make_benchmark_doll({.position = place, .group = static_cast<int>(i) + 1}));
             place.x += 0.5f;
         }
         return dolls;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "../prefabs/ragdoll.hpp"
+#include "benchmark_doll.hpp"
 #include "build.hpp"
 #include "checks.hpp"
 #include "scenes.hpp"
@@ -43,7 +43,7 @@ Scene make_ragdoll() {
     const std::size_t first_joint = scene.joints.size();
     for (int i = 0; i < dolls; ++i) {
         const Vec2 place = {-1.4f + 0.6f * static_cast<float>(i), rise * steps + 0.05f};
-        const Placed doll = add_prefab(scene, make_ragdoll({.position = place, .friction_torque = 1, .hertz = 0.5f, .group = i + 1}));
+        const Placed doll = add_prefab(scene, make_benchmark_doll({.position = place, .friction_torque = 1, .hertz = 0.5f, .group = i + 1}));
         for (std::size_t bone = 0; bone < bone_count; ++bone) scene.bodies[doll.first_body + bone].def.linear_velocity = {3, 0};
         scene.traced.push_back(doll.first_body + static_cast<std::size_t>(Bone::torso));
     }
@@ -80,7 +80,7 @@ Scene make_ragdoll_pile() {
     for (int i = 0; i < dolls; ++i) {
         const int layer = i / columns, column = i % columns;
         const Vec2 place = {pitch * static_cast<float>(column - 1), 0.3f + tall * static_cast<float>(layer)};
-        const Placed doll = add_prefab(scene, make_ragdoll({.position = place, .friction_torque = 0.5f, .hertz = 0, .group = i + 1}));
+        const Placed doll = add_prefab(scene, make_benchmark_doll({.position = place, .friction_torque = 0.5f, .hertz = 0, .group = i + 1}));
         // Layer by layer to the left and to the right, or they would stand on each other's heads.
         const float aside = layer % 2 == 0 ? 1.5f : -1.5f;
         for (std::size_t bone = 0; bone < bone_count; ++bone) scene.bodies[doll.first_body + bone].def.linear_velocity = {aside, 0};

@@ -89,7 +89,7 @@ TEST_F(ControlRefusal, NumbersThatAreNoneOrOutOfRange) {
     expect_refused(Error::out_of_range, [&] { w->set_hit_threshold(-1); });
     expect_refused(Error::out_of_range, [&] { w->set_material(shape, {.restitution = 2}); });
     expect_refused(Error::out_of_range, [&] { w->set_target(box, {{0, 0}, {2, 0}}, 0.1f); });
-    for (const float dt : {0.0f, -1.0f, 2.0f, nan}) expect_refused(Error::bad_time_step, [&] { w->set_target(box, {}, dt); });
+    for (const float dt : {0.0f, -1.0f, 2.0f, 9.0e-7f, nan}) expect_refused(Error::bad_time_step, [&] { w->set_target(box, {}, dt); });
     expect_refused(Error::bad_geometry, [&] { w->set_capsule(shape, {{0, 0}, {0, 0}, 1}); });
     expect_refused(Error::bad_geometry, [&] { w->set_segment(shape, {{0, 0}, {0, 0}}); });
     expect_refused(Error::bad_geometry, [&] { w->set_polygon(shape, {}); });

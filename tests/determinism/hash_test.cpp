@@ -4,8 +4,11 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
+#include "memory/core.hpp"
 #include "support/bits.hpp"
+#include "support/image.hpp"
 #include "support/test_world.hpp"
 
 namespace islet::test {
@@ -225,6 +228,74 @@ TEST(Hash, TellsTheOrderOfCreation) {
     b.add_circle({5, 0});
     b.add_box({0, 0});
     EXPECT_NE(a->hash(), b->hash());
+}
+
+// What has ended since the last step the next one tells, so it is of the future.
+TEST(Hash, TellsWhatTheNextStepWillTell) {
+    TestWorld w;
+    w.add_ground();
+    const BodyId ball = w.add_circle({0, 0.5f}), other = w.add_circle({3, 0.5f});
+    BodyDef gate;
+    gate.position = {6, 1};
+    w.add(make_box(1, 1), gate, {.sensor = true});
+    const BodyId visitor = w.add_circle({6, 0.5f});
+    w.step(5);
+    const auto told = [](TestWorld& world) {
+        world.step();
+        std::vector<std::uint32_t> ids;
+        for (const TouchEvent& e : world->end_touch_events()) ids.insert(ids.end(), {e.shape_a.index1, e.shape_a.generation, e.shape_b.index1, e.shape_b.generation});
+        ids.push_back(0);
+        for (const SensorEvent& e : world->sensor_end_events()) ids.insert(ids.end(), {e.sensor.index1, e.sensor.generation, e.visitor.index1, e.visitor.generation});
+        return ids;
+    };
+    const auto expect_hash_tells = [&](std::uint32_t touches, std::uint32_t overlaps) {
+        SCOPED_TRACE(touches);
+        SCOPED_TRACE(overlaps);
+        const Image image = save(*w);
+        TestWorld same, forgetful;
+        ASSERT_TRUE(same->load(image.bytes()));
+        EXPECT_EQ(same->hash(), w->hash());
+        ASSERT_TRUE(forgetful->load(image.bytes()));
+        detail::Core& core = detail::Core::of(*forgetful);
+        ASSERT_EQ(core.end_count, touches);
+        ASSERT_EQ(core.sensor_ends.count, overlaps);
+        core.end_count = core.sensor_ends.count = 0;
+        EXPECT_EQ(forgetful->hash() != w->hash(), touches + overlaps != 0);
+        TestWorld twin;
+        ASSERT_TRUE(twin->load(image.bytes()));
+        EXPECT_EQ(told(same), told(twin)) << "a world that was restored tells what the one saved would have told";
+    };
+    expect_hash_tells(0, 0);
+    w->destroy_body(visitor);  // touches the ground too
+    expect_hash_tells(1, 1);
+    w->destroy_body(ball);
+    expect_hash_tells(2, 1);
+    w.step();
+    EXPECT_EQ(w->end_touch_events().size(), 2u);
+    EXPECT_EQ(w->sensor_end_events().size(), 1u);
+    expect_hash_tells(0, 0);
+    w->destroy_body(other);
+    expect_hash_tells(1, 0);
+}
+
+// One end event or the other: the kind of what ended matters, and which two it were.
+TEST(Hash, TellsEndedTouchesFromEndedOverlaps) {
+    TestWorld w;
+    w.add_ground();
+    const BodyId ball = w.add_circle({0, 0.5f});
+    w.step(5);
+    w->destroy_body(ball);
+    const std::uint64_t hash = w->hash();
+    detail::Core& core = detail::Core::of(*w);
+    ASSERT_EQ(core.end_count - core.end_reported, 1u);
+    core.end_events[core.end_reported].shape_a.generation += 2;
+    EXPECT_NE(w->hash(), hash);
+    core.end_events[core.end_reported].shape_a.generation -= 2;
+    EXPECT_EQ(w->hash(), hash);
+    core.sensor_ends = {reinterpret_cast<SensorEvent*>(core.end_events + core.end_reported), 1};
+    core.sensor_ends_reported = 0;
+    core.end_count = core.end_reported;
+    EXPECT_NE(w->hash(), hash);
 }
 
 }  // namespace

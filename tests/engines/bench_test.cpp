@@ -98,14 +98,14 @@ TEST(Summary, TakesTheMedianOfEachStage) {
 
 TEST(Bench, EnginesTakeTurnsAndEachBeginsOne) {
     made.clear();
-    bench(options_for("hello", {&first, &second}), ignore);
+    bench(options_for("hello", {&first, &second}), {ignore});
     EXPECT_EQ(made, (std::vector<std::string>{"first", "second", "second", "first"}));
 }
 
 TEST(Bench, IsletIsTimedWithEachNumberOfWorkersAgainstTheFirst) {
     BenchOptions options = options_for("pyramid", {&first, engines::find_engine("islet")});
     options.workers = {2, 1};
-    const std::vector<BenchResult> results = bench(options, ignore);
+    const std::vector<BenchResult> results = bench(options, {ignore});
     ASSERT_EQ(results.size(), 3u);
     EXPECT_EQ(results[0].workers, 1u);
     EXPECT_EQ(results[1].workers, 2u);
@@ -117,15 +117,53 @@ TEST(Bench, IsletIsTimedWithEachNumberOfWorkersAgainstTheFirst) {
 
 TEST(Bench, CountsTheStepsOfAllRuns) {
     int calls = 0;
-    bench(options_for("hello", {&first, &poor, &second}), [&calls](int done, int total) {
+    bench(options_for("hello", {&first, &poor, &second}), {[&calls](int done, int total) {
         EXPECT_EQ(done, ++calls);
         EXPECT_EQ(total, 2 * 2 * 5);
-    });
+    }});
     EXPECT_EQ(calls, 20);
 }
 
+TEST(Bench, TellsEachResultWhenItsSceneEnds) {
+    BenchOptions options = options_for("hello", {&first, &poor});
+    options.scenes.push_back(find_scene("pyramid"));
+    std::vector<std::string> told;
+    int steps = 0;
+    const std::vector<BenchResult> results =
+        bench(options, {[&](int done, int) { steps = done; }, [&](const BenchResult& r) { told.push_back(r.scene + " " + r.engine + " " + std::to_string(steps)); }});
+    EXPECT_EQ(told, (std::vector<std::string>{"hello first 10", "hello poor 10", "pyramid first 20", "pyramid poor 20"}));
+    EXPECT_EQ(results.size(), 4u);
+}
+
+// Stopped in the second turn: each engine's first run counts, and the scene that was not begun has no row.
+TEST(Bench, KeepsWholeRunsWhenItIsStopped) {
+    BenchOptions options = options_for("hello", {engines::find_engine("islet"), &first});
+    options.scenes.push_back(find_scene("pyramid"));
+    int steps = 0;
+    const std::vector<BenchResult> results = bench(options, {[&](int done, int) { steps = done; }, {}, [&] { return steps == 12; }});
+    EXPECT_EQ(steps, 12);
+    ASSERT_EQ(results.size(), 2u);
+    EXPECT_EQ(results[1].scene, "hello");
+    EXPECT_GT(results[1].ms_total, 0);
+    EXPECT_TRUE(results[1].ratio.has_value());
+}
+
+TEST(Bench, EstimatesLongOnes) {
+    EXPECT_EQ(estimate_seconds(options_for("hello", {&first})), 0);  // the bench itself is as quick
+    BenchOptions options = options_for("pyramid", {&first});
+    options.steps = 1000;
+    EXPECT_GT(estimate_seconds(options), 0);
+}
+
+TEST(Bench, CutsAScenesOwnStepsShort) {
+    BenchOptions options = options_for("hello", {&first});
+    options.steps.reset();
+    options.most_steps = 7;
+    EXPECT_EQ(bench(options, {ignore})[0].steps, 7);
+}
+
 TEST(Bench, SaysWhatAnEngineCannotBuildAndWhy) {
-    const std::vector<BenchResult> results = bench(options_for("hello", {&poor, &first}), ignore);
+    const std::vector<BenchResult> results = bench(options_for("hello", {&poor, &first}), {ignore});
     ASSERT_EQ(results.size(), 2u);
     EXPECT_EQ(results[0].engine, "poor");
     EXPECT_EQ(results[0].lacks, "Poor has no wheels");
@@ -137,7 +175,7 @@ TEST(Bench, SaysWhatAnEngineCannotBuildAndWhy) {
 }
 
 TEST(Bench, JsonHasTheFieldsThatArePromised) {
-    const std::vector<BenchResult> results = bench(options_for("pyramid", {engines::find_engine("islet"), &first}), ignore);
+    const std::vector<BenchResult> results = bench(options_for("pyramid", {engines::find_engine("islet"), &first}), {ignore});
     const json list = json::parse(json_of(results));
     ASSERT_EQ(list.size(), 2u);
     for (const json& object : list) {
@@ -167,7 +205,7 @@ TEST(Bench, JsonHasTheFieldsThatArePromised) {
 }
 
 TEST(Bench, WithoutIsletThereIsNoRatio) {
-    const json list = json::parse(json_of(bench(options_for("hello", {&first}), ignore)));
+    const json list = json::parse(json_of(bench(options_for("hello", {&first}), {ignore})));
     EXPECT_TRUE(list[0]["ratio"].is_null());
 }
 

@@ -2,7 +2,8 @@
 // are made right afterwards, so that what gets through the gate is decided by what the image holds. Every third input is taken as it is instead,
 // checksum and all.
 //
-// What is refused must leave the world as it was; what is accepted is stepped 10 times and must then still be sound. Prints how many were accepted
+// What is refused must leave the world as it was; what is accepted is stepped 10 times on one, four and eight lanes, with disabled bodies enabled and masses
+// worked out anew on the way, and must stay sound and equal. Prints how many were accepted
 // when it ends.
 #include <algorithm>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include <new>
 
 #include "support/busy_world.hpp"
+#include "support/chorus.hpp"
 #include "support/forge.hpp"
 #include "world/image.hpp"
 
@@ -24,13 +26,17 @@ using namespace islet::test;
 }
 
 struct Fixture {
-    StaticWorld<busy_capacity> source_storage, victim_storage;
+    StaticWorld<busy_capacity> source_storage, victim_storage, four_storage, eight_storage;
     World& source = source_storage.create();
-    World& victim = victim_storage.create();
+    World& victim = victim_storage.create({.lanes = 1});
+    Chorus all;  // the victim, and what it must stay equal to
     Image before, after, packed, out;
     unsigned long tried = 0, accepted = 0, applied = 0;
 
     Fixture() {
+        all.add(&victim, "one lane");
+        all.add(&four_storage.create({.lanes = 4}), "four lanes");
+        all.add(&eight_storage.create({.lanes = 8}), "eight lanes");
         fill_busy(source);
         before = save(source);
         for (int i = 0; i < 4; ++i) source.step(1.0f / 60);
@@ -107,12 +113,33 @@ void attack(Fixture& f, std::span<const std::byte> image) {
         return;
     }
     ++f.accepted;
-    for (int i = 0; i < 10; ++i) f.victim.step(1.0f / 60);
-    if (const char* broken = f.victim.validate()) fail(broken);
+    for (std::uint32_t k = 1; k < f.all.size(); ++k)
+        if (!f.all.voice(k).world->load(image)) fail("an image is loaded by one world and refused by another");
+    for (int i = 0; i < 10; ++i) {
+        f.all.step(1.0f / 60);
+        if (i != 1) continue;
+        for (std::uint32_t slot = 0; slot < busy_capacity.bodies; ++slot) {  // what was hidden comes out
+            const BodyId b = f.victim.body_at(slot);
+            if (!b) continue;
+            if (!f.victim.is_enabled(b)) f.all.set_enabled(b, true);
+            if (slot % 4 == 0) f.all.reset_mass(b);
+        }
+    }
+    f.all.compare(false);
+    f.all.check();
     if (!f.victim.restore(f.before.bytes())) fail("the world no longer goes back");
 }
 
 }  // namespace
+
+namespace islet::test {
+
+void broken(const char* what) {
+    std::fprintf(stderr, "islet_fuzz_images: %s\n", what);
+    std::abort();
+}
+
+}  // namespace islet::test
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Fixture& f = fixture();

@@ -22,6 +22,12 @@ expect 2 'near names: jacobi, l1_jacobi' hello --method l1jacobi
 expect 2 'symmetric_pgs' hello --method gauss
 expect 2 'name a scene'
 expect 2 'not expected' hello --nonsense
+expect 0 '^islet-lab [0-9]' --version
+expect 2 "no option '--stp'; near names: --step" hello --stp 5
+expect 2 'needs the name of a file' hello --csv ''
+expect 2 'No such file or directory' hello --csv "$scratch/missing/out.csv"
+expect 2 'Is a directory' hello --csv "$scratch"
+expect 2 '{largest,all}' hello --islands some
 expect 2 '--step' hello --step -1
 expect 2 '--omega' hello --omega 2
 expect 2 '--omega' hello --omega nan

@@ -5,7 +5,7 @@
 
 #include "engine.hpp"
 #include "joint_measure.hpp"
-#include "prefabs/ragdoll.hpp"
+#include "scenes/benchmark_doll.hpp"
 #include "scenes/build.hpp"
 #include "support/test_world.hpp"
 
@@ -120,7 +120,7 @@ TEST(JointMeasure, IndicesStayWhenJointsGo) {
 TEST(Prefab, ARagdollStandsTogetherInAWorldOfYourOwn) {
     TestWorld world({.bodies = 64, .shapes = 64, .contacts = 256, .joints = 32});
     world.add_ground();
-    const Spawned doll = spawn(*world, make_ragdoll({.position = {0, 0.1f}}));
+    const Spawned doll = spawn(*world, make_benchmark_doll({.position = {0, 0.1f}}));
     ASSERT_EQ(doll.bodies.size(), bone_count);
     ASSERT_EQ(doll.joints.size(), bone_count - 1);
     for (const JointId joint : doll.joints) EXPECT_LT(world->joint_error(joint).linear, 1e-6f);
@@ -141,7 +141,7 @@ TEST(Prefab, ARagdollStandsTogetherInAWorldOfYourOwn) {
 }
 
 TEST(Prefab, TheSameRagdollInASceneAndInAScript) {
-    const Prefab doll = make_ragdoll({});
+    const Prefab doll = make_benchmark_doll({});
     Scene scene;
     add_body(scene, {}, {});
     const Placed first = add_prefab(scene, doll);

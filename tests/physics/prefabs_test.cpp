@@ -13,7 +13,7 @@
 #include "prefabs/chain.hpp"
 #include "prefabs/cloth.hpp"
 #include "prefabs/gripper.hpp"
-#include "prefabs/ragdoll.hpp"
+#include "scenes/benchmark_doll.hpp"
 #include "prefabs/rope.hpp"
 #include "prefabs/soft_body.hpp"
 
@@ -275,7 +275,7 @@ std::vector<Kind> kinds() {
          }},
         {"ragdoll",
          [] {
-             return make_ragdoll({.position = {0, 1}});
+             return make_benchmark_doll({.position = {0, 1}});
          }},
     };
 }

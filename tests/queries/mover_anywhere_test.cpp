@@ -6,6 +6,7 @@
 
 #include "hero.hpp"
 #include "support/effort.hpp"
+#include "support/hard_shapes.hpp"
 
 namespace {
 
@@ -65,7 +66,7 @@ TEST(Mover, SinksIntoNothingInRandomWorldsUnlessItSaysThatItHasNoRoom) {
             BodyDef def;
             def.type = i % 3 == 0 ? BodyType::static_body : i % 3 == 1 ? BodyType::kinematic : BodyType::dynamic;
             def.position = {r.in(-11, 11), r.in(0.5, 9)};
-            def.angle = r.in(-3, 3);
+            def.angle = test::hard_angle(r);
             if (def.type == BodyType::kinematic) {
                 def.linear_velocity = {r.in(-0.5, 0.5), r.in(-0.3, 0.3)};
                 def.angular_velocity = r.in(-1, 1);
@@ -73,7 +74,7 @@ TEST(Mover, SinksIntoNothingInRandomWorldsUnlessItSaysThatItHasNoRoom) {
             const BodyId body = w->create_body(def);
             switch (r.below(4)) {
             case 0: w->create_shape(body, Circle{{0, 0}, r.in(0.2, 1)}); break;
-            case 1: w->create_shape(body, exact::random_polygon(r, 1.2)); break;
+            case 1: w->create_shape(body, test::hard_polygon(r, 1.2)); break;
             case 2: w->create_shape(body, Capsule{{-0.7f, 0}, {0.7f, 0}, 0.3f}); break;
             default: w->create_shape(body, make_rounded_box(0.7f, 0.3f, 0.1f));
             }
@@ -122,6 +123,7 @@ TEST(Mover, BadInputIsRefusedAndChangesNothing) {
     using S = MoverState;
     using I = MoverInput;
     refused(Error::bad_time_step, [](D&, S&, I&, float& t) { t = 0; });
+    refused(Error::bad_time_step, [](D&, S&, I&, float& t) { t = 9.0e-7f; });
     refused(Error::bad_time_step, [&](D&, S&, I&, float& t) { t = nan; });
     refused(Error::bad_geometry, [](D& d, S&, I&, float&) { d.capsule.radius = -1; });
     refused(Error::out_of_range, [](D& d, S&, I&, float&) { d.up = {0, 2}; });

@@ -1,4 +1,4 @@
-// Random worlds to be asked: every type of shape on static, kinematic, dynamic and sleeping bodies, sensors, disabled bodies, filters of all kinds, and
+// Random worlds to be asked, whose angles are half of them multiples of a quarter or nearly so (support/hard_shapes.hpp): every type of shape on static, kinematic, dynamic and sleeping bodies, sensors, disabled bodies, filters of all kinds, and
 // holes where shapes were destroyed. And what notes down what a query tells its caller.
 #pragma once
 
@@ -7,6 +7,7 @@
 #include "known.hpp"
 #include "shapes.hpp"
 #include "support/effort.hpp"
+#include "support/hard_shapes.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
 
@@ -33,7 +34,7 @@ inline void fill(TestWorld& w, exact::Random& r, int bodies, double reach) {
         BodyDef def;
         def.type = type;
         def.position = {r.in(-reach, reach), r.in(-reach, reach)};
-        def.angle = r.in(-3, 3);
+        def.angle = test::hard_angle(r);
         def.linear_velocity = {r.in(-3, 3), r.in(-3, 3)};
         def.angular_velocity = r.in(-2, 2);
         def.awake = r.below(3) != 0;
@@ -49,8 +50,8 @@ inline void fill(TestWorld& w, exact::Random& r, int bodies, double reach) {
             case 0: w->create_shape(body, Circle{point(), r.in(0.1, 1)}, def); break;
             case 1: w->create_shape(body, Capsule{point(), point(), r.in(0.1, 1)}, def); break;
             case 2: w->create_shape(body, Segment{point(), point()}, def); break;
-            case 3: w->create_shape(body, exact::random_polygon(r, 1.5), def); break;
-            case 4: w->create_shape(body, exact::random_polygon(r, 1, r.in(0.05, 0.5)), def); break;
+            case 3: w->create_shape(body, test::hard_polygon(r, 1.5), def); break;
+            case 4: w->create_shape(body, test::hard_polygon(r, 1, r.in(0.05, 0.5)), def); break;
             default: {
                 const Vec2 points[] = {{3, r.in(-1, 1)}, {1, r.in(-1, 1)}, {-1, r.in(-1, 1)}, {-3, r.in(-1, 1)}};
                 w->create_chain(body, points, false, def);
@@ -61,7 +62,7 @@ inline void fill(TestWorld& w, exact::Random& r, int bodies, double reach) {
     const auto all = w.bodies();
     for (std::size_t i = 0; i < all.size(); i += 9) w->destroy_body(all[i]);
     w.step(1 + static_cast<int>(r.below(4)));
-    for (std::size_t i = 4; i < all.size(); i += 9) w->set_transform(all[i], {r.in(-reach, reach), r.in(-reach, reach)}, r.in(-3, 3));
+    for (std::size_t i = 4; i < all.size(); i += 9) w->set_transform(all[i], {r.in(-reach, reach), r.in(-reach, reach)}, test::hard_angle(r));
     for (std::size_t i = 5; i < all.size(); i += 9) w->destroy_shape(w.shape_of(all[i]));
     w.errors.clear();
 }

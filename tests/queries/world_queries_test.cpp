@@ -117,7 +117,7 @@ TEST(WorldQueries, MovingShapesFindWhatASearchThroughAllShapesFindsIn100000Rando
     Tally tally;
     in_random_worlds(cases(200), [&](exact::Random& r, const TestWorld& w, const std::vector<Known>& known) {
         for (int i = 0; i < 500; ++i) {
-            const ShapeProxy p = transform_proxy(r.pose(size), test::random_shape(r, 0.7, false));
+            const ShapeProxy p = transform_proxy(test::hard_pose(r, size), test::random_shape(r, 0.7, false));
             if (p.count == 0) continue;
             const Vec2 d = i % 10 == 0 ? Vec2{0, r.in(-3, 3)} : Vec2{r.in(-size, size), r.in(-size, size)};
             const QueryFilter filter = random_filter(r);
@@ -203,7 +203,7 @@ TEST(WorldQueries, OverlapsAreThoseOfASearchThroughAllShapesIn100000RandomCasesE
                 [&](IdNotes& notes) { w->overlap_box_each(box, filter, IdNotes::visit, &notes); }, boxes);
             if (testing::Test::HasFatalFailure()) return;
 
-            const ShapeProxy p = transform_proxy(r.pose(size), test::random_shape(r, 1));
+            const ShapeProxy p = transform_proxy(test::hard_pose(r, size), test::random_shape(r, 1));
             if (p.count == 0) continue;
             const Solid solid = oracle::solid_of(p);
             check_overlaps(
@@ -267,7 +267,7 @@ TEST(WorldQueries, TheSurfacesNearAShapeAreThoseOfASearchThroughAllShapesIn10000
     Tally tally;
     in_random_worlds(cases(200), [&](exact::Random& r, const TestWorld& w, const std::vector<Known>& known) {
         for (int i = 0; i < 500; ++i) {
-            const ShapeProxy p = transform_proxy(r.pose(size), test::random_shape(r, 0.7, false));
+            const ShapeProxy p = transform_proxy(test::hard_pose(r, size), test::random_shape(r, 0.7, false));
             if (p.count == 0) continue;
             const float within = i % 4 == 0 ? 0 : r.in(0, 2);
             const QueryFilter filter = random_filter(r);

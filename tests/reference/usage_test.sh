@@ -15,6 +15,11 @@ expect 0 'Runs scenes' --help
 expect 2 'near names: pyramid' pyramidd
 expect 2 'name a scene'
 expect 2 'not expected' hello --nonsense
+expect 0 '^islet-compare [0-9]' --version
+expect 2 "no option '--stesp'; near names: --steps" hello --stesp 5
+expect 2 'needs the name of a file' hello --csv ''
+expect 2 'No such file or directory' hello --csv "$scratch/missing/out.csv"
+expect 2 'Is a directory' hello --csv "$scratch"
 expect 2 '--steps' hello --steps 0
 expect 2 '--steps' hello --steps many
 expect 2 'no tolerance' large_pyramid

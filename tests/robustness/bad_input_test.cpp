@@ -199,8 +199,8 @@ TEST_F(BadInput, ReadingAGeometryOfAnotherTypeIsNoError) {
 
 // -- time ------------------------------------------------------------------------------------------------------------------------------
 
-TEST_F(BadInput, ATimeStepMustBeAboveZeroAndAtMostASecond) {
-    for (const float dt : {0.0f, -0.0f, -1.0f / 60, nan, inf, -inf, 10.0f, 1.0001f}) {
+TEST_F(BadInput, ATimeStepMustBeFromAMicrosecondToASecond) {
+    for (const float dt : {0.0f, -0.0f, -1.0f / 60, nan, inf, -inf, 10.0f, 1.0001f, 9.99e-7f, 1.0e-36f}) {
         SCOPED_TRACE(dt);
         const StepReport report = w->report();
         const auto moved = w->moved_bodies().size();
@@ -301,7 +301,7 @@ TEST_F(BadInput, AWorldTakesOnlyNumbersInRange) {
 
 TEST(Describe, SaysSomethingDifferentAboutEveryError) {
     std::set<std::string> sentences;
-    for (int e = 0; e <= static_cast<int>(Error::events_full); ++e) {
+    for (int e = 0; e <= static_cast<int>(Error::inexact_build); ++e) {
         const char* sentence = describe(static_cast<Error>(e));
         ASSERT_NE(sentence, nullptr);
         EXPECT_GT(std::strlen(sentence), 5u);

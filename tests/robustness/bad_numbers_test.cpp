@@ -210,6 +210,22 @@ TEST_F(BadNumbers, BoxesOfNoSizeCannotBeMade) {
     }
 }
 
+TEST_F(BadNumbers, ChainsMayEndWhereTheWorldDoes) {
+    // An open end goes on straight in thought, so what is beyond it lies beyond the limit of coordinates.
+    for (const float sign : {1.0f, -1.0f}) {
+        for (const float other : {0.0f, 9.999e6f, -1e7f}) {
+            const Vec2 across[] = {{sign * other, 0}, {sign * 1e7f, 0}}, up[] = {{3, sign * 1e7f}, {2, sign * other}, {-1e7f, sign * other}};
+            EXPECT_EQ(w->create_chain(ground, across, false), 1u) << other;
+            EXPECT_EQ(w->create_chain(ground, up, false), 2u) << other;
+        }
+    }
+    EXPECT_TRUE(w.errors.empty());
+    EXPECT_EQ(w->validate(), nullptr);
+    const Vec2 beyond[] = {{0, 0}, {1.001e7f, 0}};
+    expect_refused(Error::bad_chain, [&] { EXPECT_EQ(w->create_chain(ground, beyond, false), 0u); });
+    expect_refused(Error::bad_geometry, [&] { EXPECT_FALSE(w->create_shape(ground, ChainSegment{{-4.1e7f, 0}, {{0, 0}, {1, 0}}, {2, 0}})); });
+}
+
 TEST_F(BadNumbers, ChainsNeedEnoughPointsThatAreApart) {
     const Vec2 two[] = {{0, 0}, {1, 0}};
     const Vec2 repeated[] = {{0, 0}, {1, 0}, {1, 0}, {2, 0}};

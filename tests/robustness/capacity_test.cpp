@@ -331,4 +331,76 @@ TEST(Capacity, NothingIsWrittenBeyondTheBlock) {
     for (const std::byte b : guard) ASSERT_EQ(b, std::byte{0x77});
 }
 
+// -- what it costs ------------------------------------------------------------------------------------------------------------------
+
+// All bodies at one place make pairs by the square of their number. Once there is no room the search for more goes on only as far as it counts.
+TEST(Capacity, FullContactsCostNoMoreThanTheirNumber) {
+    for (const bool asleep : {false, true}) {
+        SCOPED_TRACE(asleep);
+        constexpr std::uint32_t room = 500;
+        std::uint32_t asked = 0;
+        WorldDef def;
+        def.gravity = {0, 0};
+        def.solver.contact_push_speed = 0;
+        def.hooks.filter = [](ShapeId, ShapeId, void* context) {
+            ++*static_cast<std::uint32_t*>(context);
+            return true;
+        };
+        def.hooks.context = &asked;
+        TestWorld w({.bodies = 1000, .shapes = 1000, .contacts = room}, def);
+        for (int i = 0; i < 1000; ++i) {
+            BodyDef body;
+            body.type = BodyType::dynamic;
+            body.awake = !asleep || i < 500;
+            w.add(Circle{{0, 0}, 0.5f}, body);
+        }
+        for (int i = 0; i < 5; ++i) {
+            asked = 0;
+            w.step();
+            EXPECT_EQ(w->contact_count(), room);
+            EXPECT_EQ(w->report().dropped_contacts, room) << "counted as far as the capacity";
+            EXPECT_LE(asked, 2 * room) << "499 500 pairs are not looked at";
+            EXPECT_EQ(w->validate(), nullptr);
+        }
+    }
+}
+
+TEST(Capacity, FastBodiesLookAheadNoFurtherThanTheirDroppedContactsAreCounted) {
+    std::uint32_t asked = 0;
+    WorldDef def;
+    def.gravity = {0, 0};
+    def.hooks.filter = [](ShapeId, ShapeId, void* context) {
+        ++*static_cast<std::uint32_t*>(context);
+        return true;
+    };
+    def.hooks.context = &asked;
+    TestWorld w({.bodies = 300, .shapes = 300, .contacts = 10}, def);
+    for (int i = 0; i < 100; ++i) w.add(make_box(0.1f, 1), {.position = {3 + 0.01f * static_cast<float>(i), 0}});
+    for (int i = 0; i < 100; ++i) w.add(Circle{{0, 0}, 0.1f}, {.type = BodyType::dynamic, .position = {0.3f * static_cast<float>(i % 5), 0.25f * static_cast<float>(i / 5 % 4)}, .linear_velocity = {390, 0}});
+    w.step();
+    EXPECT_EQ(w->contact_count(), 10u);
+    EXPECT_EQ(w->report().dropped_contacts, 10u);
+    EXPECT_LE(asked, 20u);
+}
+
+TEST(Capacity, WhatIsDroppedDoesNotDependOnLanes) {
+    const auto run = [](std::uint32_t lanes) {
+        WorldDef def;
+        def.lanes = lanes;
+        def.gravity = {0, 0};
+        TestWorld w({.bodies = 400, .shapes = 400, .contacts = 150}, def);
+        for (int i = 0; i < 400; ++i) w.add_box({0.1f * static_cast<float>(i % 7), 0.3f * static_cast<float>(i % 31)});
+        std::vector<std::uint64_t> history;
+        for (int i = 0; i < 60; ++i) {
+            w.step();
+            history.push_back(w->hash());
+            history.push_back(w->report().dropped_contacts);
+        }
+        return history;
+    };
+    const auto first = run(1);
+    EXPECT_EQ(run(4), first);
+    EXPECT_EQ(run(8), first);
+}
+
 }  // namespace

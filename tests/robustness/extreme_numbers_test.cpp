@@ -4,6 +4,7 @@
 #include <string>
 
 #include "robustness/refusal.hpp"
+#include "support/image.hpp"
 #include "support/island.hpp"
 
 namespace {
@@ -186,6 +187,28 @@ TEST(ExtremeNumbers, ABodyAtRestThatReachesToTheEndOfTheWorldMayGetMoreShapes) {
         ASSERT_EQ(w->validate(), nullptr) << "turned by " << turn;
         w.step();
         ASSERT_EQ(w->validate(), nullptr) << "turned by " << turn;
+    }
+}
+
+// Each shape's mass is a number, but not their sum, or not its first moment: the body weighs a kilogram, as one whose only shape is too heavy to say.
+TEST(ExtremeNumbers, ABodyOfShapesThatAreTooHeavyTogetherHasAPlace) {
+    for (const float density : {3.0e29f, 3.0e35f, 3.0e37f, 3.0e38f}) {
+        for (const float apart : {0.0f, 1.0f, 1.0e4f, 9.0e6f}) {
+            TestWorld w;
+            const BodyId body = w->create_body({.type = BodyType::dynamic});
+            for (const float x : {apart, -apart, 0.5f * apart}) w->create_shape(body, Circle{{x, 1}, 0.5f}, {.density = density});
+            const auto expect_sound = [&] {
+                const char* broken = w->validate();
+                EXPECT_EQ(broken, nullptr) << broken << ": density " << density << ", " << apart << " m apart";
+                EXPECT_TRUE(w.is_finite() && is_finite(w->mass(body)) && is_finite(w->rotational_inertia(body)) && is_finite(w->center_of_mass(body)));
+                const Image image = save(*w);
+                TestWorld other;
+                EXPECT_TRUE(other->load(image.bytes())) << "density " << density << ", " << apart << " m apart";
+            };
+            expect_sound();
+            w.step(2);
+            expect_sound();
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "physics/measure.hpp"
-#include "prefabs/ragdoll.hpp"
+#include "scenes/benchmark_doll.hpp"
 #include "spawn.hpp"
 #include "support/random.hpp"
 
@@ -25,7 +25,7 @@ public:
         w_.add_box({4, 3}, 0.5f, 4, {}, BodyType::static_body);
         for (std::uint32_t i = 0; i < dolls; ++i) {
             const Vec2 at = {static_cast<float>(i % 3) * 2 - 2, 1 + 2 * static_cast<float>(i / 3)};
-            prefabs_.push_back(samples::make_ragdoll({.position = at, .group = static_cast<int>(i) + 1}));
+            prefabs_.push_back(samples::make_benchmark_doll({.position = at, .group = static_cast<int>(i) + 1}));
             dolls_.push_back(samples::spawn(*w_, prefabs_.back()));
         }
     }

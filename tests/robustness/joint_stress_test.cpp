@@ -223,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(StressCall, JointExtreme, testing::ValuesIn(stress_call
 // -- the whole machine in odd circumstances -----------------------------------------------------------------------------------------------
 
 TEST(JointStress, AnyTimeStepAndTimeStepsThatJump) {
-    for (const float dt : {1e-45f, 1e-38f, 1e-20f, 1e-6f, 1e-3f, 1.0f / 240, 1.0f / 20, 0.25f, 1.0f}) {
+    for (const float dt : {min_time_step, 1e-3f, 1.0f / 240, 1.0f / 20, 0.25f, 1.0f}) {
         SCOPED_TRACE(dt);
         TestWorld w;
         add_machine(*w, {0, 0});
@@ -364,21 +364,21 @@ TEST(JointStress, AMotorOfAMillionRadiansASecondTurnsAsFastAsBodiesMay) {
     EXPECT_LT(w->joint_error(hinge).linear, 0.01f);
 }
 
-// A step may be so short that nothing is left of it when it is cut into substeps; what a joint then asks for is beyond all numbers.
-TEST(JointStress, NoStepIsTooShortForARodThatPullsAtARim) {
+TEST(JointStress, TheShortestStepIsNotTooShortForARodThatPullsAtARim) {
     for (const Schedule schedule : {Schedule::soft, Schedule::classic}) {
-        for (const float dt : {1.4e-45f, 1e-44f, 1e-40f, 1e-37f}) {
+        for (const std::uint32_t substeps : {1u, 64u}) {
             WorldDef def;
             def.solver.schedule = schedule;
+            def.solver.substeps = substeps;
             TestWorld w(roomy, def);
             const BodyId ground = w.add_ground(), ball = w.add_circle({0, 10}, 2.5f);
             w->create_joint(DistanceJointDef{.base = {.body_a = ground, .body_b = ball, .frame_b = {{1, 1}, 0}}, .length = 2});
             for (int i = 0; i < 3; ++i) {
-                w.step(1, dt);
-                ASSERT_EQ(w->validate(), nullptr) << "dt " << dt;
+                w.step(1, min_time_step);
+                ASSERT_EQ(w->validate(), nullptr) << substeps << " substeps";
             }
             w.step(5);
-            EXPECT_EQ(w->validate(), nullptr) << "dt " << dt;
+            EXPECT_EQ(w->validate(), nullptr) << substeps << " substeps";
         }
     }
 }

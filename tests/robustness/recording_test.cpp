@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "support/busy_world.hpp"
+#include "support/forge.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
+#include "world/recorder.hpp"
 
 namespace islet::test {
 namespace {
@@ -327,6 +329,146 @@ TEST(Recording, BadArgumentsAreRefused) {
     EXPECT_EQ(read_recording(tape.bytes.first(size - 4), info), Error::truncated_image);
     TestWorld small({.bodies = 1, .shapes = 1, .contacts = 1});
     EXPECT_EQ(replay(*small, tape.bytes.first(size)).end, ReplayEnd::complete) << "an empty world fits anywhere";
+}
+
+// -- what a recording asks for ----------------------------------------------------------------------------------------------------------
+
+// Whatever the world's capacity was: what its calls cannot fill is not asked for, and what is asked for is enough.
+TEST(RecordingNeeds, NoMoreThanWhatItHolds) {
+    Tape tape(1 << 20);
+    TestWorld w({.bodies = 100'000, .shapes = 150'000, .contacts = 200'000, .joints = 1000});
+    ASSERT_TRUE(w->start_recording(tape.bytes));
+    make_every_call(*w);
+    for (int i = 0; i < 30; ++i) w->step(1.0f / 60);
+    const std::size_t size = w->stop_recording();
+    ASSERT_NE(size, 0u);
+    RecordingInfo info;
+    ASSERT_EQ(read_recording(tape.bytes.first(size), info), Error::none);
+    EXPECT_EQ(info.capacity, w->capacity());
+    EXPECT_LE(info.needed.bodies, 40u);
+    EXPECT_GE(info.needed.bodies, w->body_count());
+    EXPECT_LE(info.needed.shapes, 60u);
+    EXPECT_GE(info.needed.shapes, w->shape_count());
+    EXPECT_LE(info.needed.contacts, 60u * 60u);
+    EXPECT_LE(info.needed.joints, 40u);
+    EXPECT_GE(info.needed.joints, w->joint_count());
+    EXPECT_LT(world_bytes(info.needed), 100 * size);
+    TestWorld other(info.needed);
+    const ReplayResult result = replay(*other, tape.bytes.first(size));
+    EXPECT_EQ(result.end, ReplayEnd::complete) << describe(result.error) << ", step " << result.steps;
+    EXPECT_EQ(other->hash(), w->hash());
+    EXPECT_EQ(other.errors, w.errors);
+}
+
+// Where the recorded world ran out of room, the one that replays it must run out too.
+TEST(RecordingNeeds, AsMuchAsTheWorldHadIfItWasFull) {
+    Tape tape(1 << 20);
+    TestWorld w({.bodies = 12, .shapes = 11, .contacts = 9, .joints = 2, .geometries = 5, .hits = 3});
+    ASSERT_TRUE(w->start_recording(tape.bytes));
+    w.add_ground();
+    for (int i = 0; i < 20; ++i) {
+        const BodyId box = w.add_box({0.8f * static_cast<float>(i % 5), 1 + static_cast<float>(i / 5)}, 0.5f, 0.3f + 0.1f * static_cast<float>(i % 6), {.hit_events = true});
+        w->create_joint(MouseJointDef{.body = box});
+        w.step(3);
+    }
+    const std::size_t size = w->stop_recording();
+    RecordingInfo info;
+    ASSERT_EQ(read_recording(tape.bytes.first(size), info), Error::none);
+    EXPECT_EQ(info.needed, w->capacity());
+    TestWorld other(info.needed);
+    EXPECT_EQ(replay(*other, tape.bytes.first(size)).end, ReplayEnd::complete);
+    EXPECT_EQ(other->hash(), w->hash());
+    EXPECT_EQ(other.errors, w.errors);
+}
+
+// Snapshots that a world is taken back to count as well, and what is made after them.
+TEST(RecordingNeeds, WhatItsSnapshotsHold) {
+    TestWorld full(busy_capacity);
+    fill_busy(*full);
+    const Image image = save(*full);
+    Tape tape(1 << 20);
+    TestWorld w;
+    ASSERT_TRUE(w->start_recording(tape.bytes));
+    w.step(2);
+    ASSERT_TRUE(w->load(image.bytes()));
+    w.step(5);
+    w.add_box({50, 50});
+    w.step(5);
+    const std::size_t size = w->stop_recording();
+    RecordingInfo info;
+    ASSERT_EQ(read_recording(tape.bytes.first(size), info), Error::none);
+    SnapshotInfo held;
+    ASSERT_EQ(read_snapshot(image.bytes(), held), Error::none);
+    EXPECT_EQ(info.needed.bodies, held.used.bodies + 1);
+    EXPECT_EQ(info.needed.shapes, held.used.shapes + 1);
+    EXPECT_EQ(info.needed.joints, held.used.joints);
+    TestWorld other(info.needed);
+    EXPECT_EQ(replay(*other, tape.bytes.first(size)).end, ReplayEnd::complete);
+    EXPECT_EQ(other->hash(), w->hash());
+}
+
+// A file that is damaged, or never ended, needs what is whole in it; and no lie about its capacity goes beyond that.
+TEST(RecordingNeeds, NothingForALieInItsHead) {
+    Tape tape(1 << 16);
+    TestWorld w({.bodies = 40, .shapes = 40, .contacts = 90});
+    ASSERT_TRUE(w->start_recording(tape.bytes));
+    w.add_ground();
+    for (int i = 0; i < 10; ++i) w.add_box({0.8f * static_cast<float>(i), 1});
+    w.step(20);
+    const std::size_t size = w->stop_recording();
+    const Capacity huge{.bodies = max_capacity, .shapes = max_capacity, .contacts = max_capacity, .joints = max_capacity, .geometries = max_capacity, .hits = max_capacity};
+    const auto lie = [&](const Capacity& capacity) {
+        detail::ImageHeader h;
+        std::byte* image = tape.bytes.data() + sizeof(detail::RecordingHead);
+        std::memcpy(&h, image, sizeof h);
+        h.capacity = capacity;
+        std::memcpy(image, &h, sizeof h);
+        seal({image, static_cast<std::size_t>(h.head.length)});
+    };
+    lie(huge);
+    RecordingInfo info;
+    ASSERT_EQ(read_recording(tape.bytes.first(size), info), Error::none);
+    EXPECT_LE(info.needed.bodies, 12u) << "11, and an empty snapshot needs 1";
+    EXPECT_LE(info.needed.shapes, 12u);
+    EXPECT_LE(info.needed.contacts, 144u);
+    EXPECT_EQ(info.needed.joints, 0u);
+    TestWorld other(info.needed);
+    EXPECT_EQ(replay(*other, tape.bytes.first(size)).end, ReplayEnd::complete);
+    EXPECT_EQ(other->hash(), w->hash());
+    // A thousand times damaged: still bounded by the bytes there are.
+    Random random(3);
+    for (int i = 0; i < 1000; ++i) {
+        Tape torn(size);
+        std::memcpy(torn.bytes.data(), tape.bytes.data(), size);
+        const detail::RecordingHead* head = reinterpret_cast<const detail::RecordingHead*>(tape.bytes.data());
+        const std::size_t first = detail::calls_at(head->image_bytes);
+        for (std::uint32_t flips = 1 + random.below(4); flips > 0; --flips)
+            torn.bytes[first + random.below(static_cast<std::uint32_t>(size - first))] = static_cast<std::byte>(random.below(256));
+        RecordingInfo of_torn;
+        ASSERT_EQ(read_recording(torn.bytes, of_torn), Error::none);
+        EXPECT_LE(of_torn.needed.bodies, size / 8);
+        EXPECT_LE(of_torn.needed.shapes, size / 8);
+        EXPECT_LE(of_torn.needed.joints, size / 8);
+    }
+}
+
+// An image from outside says what its world could hold; less than it holds itself is a lie.
+TEST(RecordingNeeds, AnImageOfLessCapacityThanItUsesIsCorrupt) {
+    TestWorld w;
+    w.add_ground();
+    w.add_box({0, 0.5f});
+    w.step(2);
+    for (const bool bodies : {true, false}) {
+        Image image = save(*w);
+        detail::ImageHeader h = header_of(image.bytes());
+        (bodies ? h.capacity.bodies : h.capacity.contacts) = 0;
+        std::memcpy(image.bytes().data(), &h, sizeof h);
+        seal(image.bytes());
+        SnapshotInfo info;
+        EXPECT_EQ(read_snapshot(image.bytes(), info), Error::corrupt_image);
+        EXPECT_FALSE(w->load(image.bytes()));
+        EXPECT_EQ(w->last_error(), Error::corrupt_image);
+    }
 }
 
 }  // namespace

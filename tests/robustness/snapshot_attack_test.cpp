@@ -18,6 +18,12 @@ protected:
     Attack() {
         TestWorld source(busy_capacity);
         fill_busy(*source);
+        const std::vector<BodyId> bodies = source.bodies();
+        for (std::size_t i = 0; i < bodies.size(); i += 5) source->set_enabled(bodies[i], false);
+        for (int i = 0; i < 4; ++i) {
+            const BodyId off = source->create_body({.position = {60 + 3 * static_cast<float>(i), 0}, .enabled = false});
+            EXPECT_TRUE(source->create_shape(off, make_box(1, 1)));
+        }
         image_ = save(*source);
         TestWorld victim(busy_capacity);
         EXPECT_TRUE(victim->load(image_.bytes()));
@@ -38,11 +44,45 @@ protected:
         for (int i = 0; i < 10; ++i) victim_->step(1.0f / 60);
         broken = victim_->validate();
         ASSERT_EQ(broken, nullptr) << broken << ": " << what << ", word " << where << ", 10 steps later";
+        if (!random_.one_in(slow_build ? 30 : 4)) return;
+        ASSERT_TRUE(victim_->load(forged.bytes()));
+        for (int round = 0; round < 2; ++round) {
+            use(round);
+            broken = victim_->validate();
+            ASSERT_EQ(broken, nullptr) << broken << ": " << what << ", word " << where << ", used, round " << round;
+        }
+        ASSERT_TRUE(second_->load(save(*victim_).bytes())) << what << ", word " << where << ": its own image is refused";
+    }
+
+    /// What is in the image in places that no step looks at, calls may.
+    void use(int round) {
+        World& w = *victim_;
+        for (const BodyId body : victim_.bodies()) {
+            if (round == 0 && !w.is_enabled(body)) continue;
+            const ShapeId shape = victim_.shape_of(body);
+            switch ((body.index1 + static_cast<std::uint32_t>(round)) % 8) {
+                case 0: w.set_enabled(body, !w.is_enabled(body)); break;
+                case 1: w.set_type(body, w.type(body) == BodyType::static_body ? BodyType::dynamic : BodyType::static_body); break;
+                case 2: w.reset_mass(body); break;
+                case 3: w.set_transform(body, w.position(body), w.angle(body)); break;
+                case 4: if (shape) w.set_circle(shape, Circle{{0, 0}, 0.4f}); break;
+                case 5: w.destroy_body(body); break;
+                case 6: w.create_shape(body, make_box(0.2f, 0.1f)); break;
+                default: if (shape) w.destroy_shape(shape);
+            }
+        }
+        for (const BodyId body : victim_.bodies()) w.set_enabled(body, true);
+        for (std::uint32_t slot = 0; slot < w.capacity().joints; slot += 3)
+            if (const JointId joint = w.joint_at(slot)) w.destroy_joint(joint);
+        while (const BodyId body = w.create_body({.type = BodyType::dynamic, .position = {3, 3}}))
+            w.create_shape(body, Circle{{0, 0}, 0.1f * static_cast<float>(body.index1 % 9 + 1)});
+        for (int i = 0; i < 3; ++i) w.step(1.0f / 60);
     }
 
     Image image_;
-    TestWorld victim_{busy_capacity};
+    TestWorld victim_{busy_capacity}, second_{busy_capacity};
     int accepted_ = 0, refused_ = 0;
+    Random random_{7};
 };
 
 TEST_F(Attack, EveryWordMayLie) {
@@ -60,6 +100,46 @@ TEST_F(Attack, EveryWordMayLie) {
     }
     EXPECT_GT(accepted_, 1000) << "hardly any lie was harmless: the test does not reach behind the gate";
     EXPECT_GT(refused_, 1000);
+}
+
+// Every number that the next step or a reader would meet: of the world, of bodies, contacts and joints.
+TEST_F(Attack, NoNumberMayBeInfiniteOrNone) {
+    using namespace detail;
+    const ImageHeader h = header_of(image_.bytes());
+    struct Field {
+        const char* what;
+        std::size_t at, bytes;  // of floats in the first record
+    };
+    std::vector<Field> fields;
+    std::size_t at = sizeof h;
+    Core nowhere;
+    for_each_part(nowhere, h, [&](auto& part, std::uint64_t bytes) {
+        using Record = std::remove_cvref_t<decltype(*part)>;
+        const auto add = [&](const char* what, std::size_t first, std::size_t end) { fields.push_back({what, at + first, end - first}); };
+        if constexpr (std::is_same_v<Record, State>) add("gravity", offsetof(State, gravity), offsetof(State, solver));
+        if constexpr (std::is_same_v<Record, Pose>) add("a pose", 0, offsetof(Pose, flags));
+        if constexpr (std::is_same_v<Record, Motion>) add("a motion", 0, sizeof(Motion));
+        if constexpr (std::is_same_v<Record, Body>) {
+            add("a body", 0, offsetof(Body, flags));
+            add("a body's stretch", offsetof(Body, stretch), offsetof(Body, stretch) + 4);
+        }
+        if constexpr (std::is_same_v<Record, ContactManifold>) add("a contact", offsetof(ContactManifold, normal), sizeof(ContactManifold));
+        if constexpr (std::is_same_v<Record, Joint>) {
+            add("a joint", offsetof(Joint, local_a), offsetof(Joint, gear_count));
+            add("a joint's impulse", offsetof(Joint, impulse), offsetof(Joint, user_data));
+        }
+        at += bytes;
+    });
+    for (const Field& field : fields) {
+        for (std::size_t i = field.at; i < field.at + field.bytes; i += 4) {
+            for (const std::uint32_t none : {0x7fc00000u, 0xffc00000u, 0x7f800000u, 0xff800000u}) {
+                Image forged = image_;
+                set_word(forged, i / 4, none);
+                seal(forged.bytes());
+                EXPECT_FALSE(victim_->load(forged.bytes())) << field.what << ", byte " << i - field.at;
+            }
+        }
+    }
 }
 
 TEST_F(Attack, TwoWordsMayBeExchangedAndRecordsRepeated) {
@@ -141,6 +221,41 @@ TEST(Attacks, AGearHangsOnWhatItsJointsMove) {
     const Image image = save(*source);
     TestWorld victim;
     EXPECT_FALSE(victim->load(image.bytes()));
+}
+
+// A disabled body has no leaf in the tree, so its boxes may be any that hold its shapes. Enabled again it must get its own.
+TEST(Attacks, ADisabledBodyIsSoundWhenItIsEnabled) {
+    for (const BodyType type : {BodyType::static_body, BodyType::kinematic, BodyType::dynamic}) {
+        SCOPED_TRACE(int(type));
+        TestWorld source;
+        source.add_ground();
+        const BodyId box = source.add_box({0, 0.5f}, 0.5f, 0.5f, {}, type);
+        source->set_enabled(box, false);
+        Image image = save(*source);
+        const detail::ImageHeader h = header_of(image.bytes());
+        detail::Core nowhere;
+        std::size_t at = sizeof h;
+        detail::for_each_part(nowhere, h, [&](auto& part, std::uint64_t bytes) {
+            if (static_cast<const void*>(&part) == static_cast<const void*>(&nowhere.boxes)) {
+                std::byte* where = image.bytes().data() + at + (source.shape_of(box).index1 - 1) * sizeof(Aabb);
+                Aabb box_there;
+                std::memcpy(&box_there, where, sizeof box_there);
+                box_there = expand(box_there, 3);
+                std::memcpy(where, &box_there, sizeof box_there);
+            }
+            at += bytes;
+        });
+        seal(image.bytes());
+        TestWorld victim;
+        if (!victim->load(image.bytes())) continue;
+        ASSERT_EQ(victim->validate(), nullptr);
+        victim->set_enabled(box, true);
+        EXPECT_STREQ(victim->validate(), nullptr);
+        victim.step(5);
+        EXPECT_STREQ(victim->validate(), nullptr);
+        TestWorld other;
+        EXPECT_TRUE(other->load(save(*victim).bytes()));
+    }
 }
 
 }  // namespace

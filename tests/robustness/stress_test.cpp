@@ -50,17 +50,21 @@ TEST(Stress, TimeStepsThatJumpAbout) {
     expect_sound_world(w, "after steps of 10 microseconds to a second");
 }
 
-TEST(Stress, TimeStepsHoweverShort) {
-    for (const float dt : {1e-6f, 1e-9f, 1e-12f, 1e-20f, 1e-30f, 1e-37f, 1.2e-38f, 1e-40f, 1.4e-45f}) {
-        SCOPED_TRACE(dt);
-        TestWorld w;
-        add_heap(w, {0, 0});
-        w.step(20);
-        w.step(5, dt);
-        expect_sound_world(w, "after short steps");
-        w.step(20);
-        expect_sound_world(w, "after going on");
+TEST(Stress, TimeStepsDownToAMicrosecond) {
+    TestWorld w;
+    add_heap(w, {0, 0});
+    w.step(20);
+    w.step(5, min_time_step);
+    expect_sound_world(w, "after short steps");
+    w.step(20);
+    expect_sound_world(w, "after going on");
+    const std::uint64_t hash = w->hash();
+    for (const float dt : {std::nextafter(min_time_step, 0.0f), 1e-9f, 1e-20f, 1e-37f, 1.2e-38f, 1e-40f, 1.4e-45f}) {
+        w.errors.clear();
+        w.step(1, dt);
+        EXPECT_EQ(w.errors, std::vector{Error::bad_time_step}) << dt;
     }
+    EXPECT_EQ(w->hash(), hash) << "a step refused changes nothing";
 }
 
 TEST(Stress, HugeVelocitiesAreCutDownToTheSpeedLimit) {

@@ -1,9 +1,16 @@
 // Scenes as files: what is written is the same scene when it is read, to the bit, and what is no scene is refused with its place.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <ctime>
+#include <stdexcept>
 #include <string>
 
 #include "engine.hpp"
+#include "html.hpp"
+#include "printable.hpp"
+#include "recorder.hpp"
+#include "report.hpp"
 #include "runner.hpp"
 #include "scene_file.hpp"
 #include "svg.hpp"
@@ -106,7 +113,8 @@ TEST(SceneFiles, AreRefusedWithThePlaceThatIsWrong) {
         {R"({"steps": 3.5})", "steps: must be a whole number, not a number like 3.5"},
         {R"({"steps": -1})", "steps: must be from 0 to 100000000"},
         {R"({"steps": 99999999999999999999})", "steps: must be a whole number, not a number like 1e+20"},
-        {R"({"dt": 0})", "dt: must be above 0 and at most 1 s"},
+        {R"({"dt": 0})", "dt: must be from 1e-06 to 1 s"},
+        {R"({"dt": 1e-9})", "dt: must be from 1e-06 to 1 s"},
         {R"({"view": [0, 0, 1]})", "view: must be a list of 4 numbers"},
         {R"({"view": [1, 0, 0, 1]})", "view: must be [left, bottom, right, top]"},
         {R"({"traced": [0]})", "traced: there is no body 0; there are 0, and the first is 0"},
@@ -146,6 +154,92 @@ TEST(SceneFiles, NamesLeaveAPictureWhole) {
     EXPECT_NE(picture.find("<title>a  &lt;b&gt;</title>"), std::string::npos) << picture;
     EXPECT_EQ(picture.find('\0'), std::string::npos);
     EXPECT_EQ(picture.find('\1'), std::string::npos);
+}
+
+// Of U+FFFF and its like XML has no form at all, and a file's name may be of bytes that are no UTF-8.
+TEST(SceneFiles, NamesThatAreNoTextLeavePicturesAndPagesWhole) {
+    samples::Run run(read_scene(R"({"name": "a\uffff\ufffe\u0085\u001bé\ud83d\ude00&lt;", "steps": 1})"), {});
+    Recorder recorder(run);
+    const RunResult result = run.run([&](const StepRecord& step) { recorder.observe(step); });
+    const std::string fffd = "\xef\xbf\xbd", shown = "a" + fffd + fffd + "  \xc3\xa9\xf0\x9f\x98\x80";
+    EXPECT_NE(draw_svg(run, usual_drawing()).find("<title>" + shown + "&amp;lt;</title>"), std::string::npos);
+    const std::string page = player_page(run, result, recorder);
+    EXPECT_NE(page.find("<title>" + shown + "&amp;lt;"), std::string::npos);
+    EXPECT_EQ(page.find("\xef\xbf\xbf"), std::string::npos);
+    EXPECT_EQ(table_of(result).substr(0, shown.size()), shown);
+    EXPECT_EQ(printable("\xff\xc0\x80\xed\xa0\x80\xf4\x90\x80\x80 \xe2\x82"), fffd + fffd + fffd + fffd + fffd + fffd + fffd + fffd + fffd + fffd + " " + fffd + fffd);
+}
+
+// The grid had a line for every few metres of it, without end.
+TEST(SceneFiles, ViewsOfAnyShapeGiveAPicture) {
+    for (const char* view : {"[-5, -9223372036854775808, 5, 5]", "[-3e38, -1, 3e38, 1]", "[0, 0, 1e-38, 3e38]", "[0, 0, 1e-38, 1e-38]", "[-3e38, -3e38, 3e38, 3e38]",
+                             "[16777215, 16777215, 16777216, 16777216]", "[0, 0, 3e38, 1e-38]"}) {
+        samples::Run run(read_scene(std::string(R"({"view": )") + view + R"(, "steps": 1, "bodies": [{"shapes": [{"box": [5, 0.5]}]}]})"), {});
+        run.run({});
+        const std::string picture = draw_svg(run, usual_drawing());
+        EXPECT_LT(picture.size(), 20'000u) << view;
+        EXPECT_NE(picture.find("</svg>"), std::string::npos);
+        EXPECT_EQ(picture.find("nan"), std::string::npos) << view;
+        EXPECT_EQ(picture.find("inf"), std::string::npos) << view;
+    }
+}
+
+std::string many_bodies(int count) {
+    std::string text = "{\"bodies\": [{}";
+    for (int i = 1; i < count; ++i) text += ",\n{\"type\": \"dynamic\", \"position\": [" + std::to_string(i) + ", 0], \"shapes\": [{\"circle\": {\"radius\": 0.5}}]}";
+    return text;
+}
+
+/// Processor time, s; the least of three.
+template <class Work>
+double time_of(const Work& work) {
+    double least = 1e9;
+    for (int i = 0; i < 3; ++i) {
+        const std::clock_t start = std::clock();
+        work();
+        least = std::min(least, double(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    return least;
+}
+
+// Eight times the bodies take eight times as long (and a cache that is too small): not 64 times.
+TEST(SceneFiles, AreReadInLinearTime) {
+    const std::string few = many_bodies(10'000), many = many_bodies(80'000);
+    const double reading = time_of([&] { read_scene(few + "]}"); });
+    EXPECT_LT(time_of([&] { read_scene(many + "]}"); }), 16 * reading);
+    const double refusing = time_of([&] { refusal(few + "}"); });
+    EXPECT_LT(time_of([&] { refusal(many + "}"); }), 16 * refusing);
+    EXPECT_EQ(refusal(many + "}").substr(0, 11), "line 80000,");
+}
+
+TEST(SceneFiles, AskForNoMoreContactsThanTheirShapesCouldHave) {
+    EXPECT_EQ(refusal(R"({"extra_contacts": 4160})"), "it is a scene");
+    EXPECT_EQ(refusal(R"({"extra_contacts": 10000000})"), "extra_contacts: must be at most 4160: 4096, and 64 for each shape");
+}
+
+TEST(SceneFiles, TellWhichNumberIsTooLarge) { EXPECT_EQ(refusal("{\"steps\":\n 1e999}"), "line 2, column 6: the number 1e999 is too large"); }
+
+/// What the engine says of a scene that read_scene takes.
+std::string engines_refusal(const std::string& text) {
+    try {
+        IsletEngine engine;
+        engine.load(read_scene(text));
+    } catch (const std::runtime_error& error) {
+        return std::string(error.what()).substr(0, std::string(error.what()).find(':'));
+    }
+    return "it is a scene";
+}
+
+// What only the engine can tell is said with its place too.
+TEST(SceneFiles, TheFieldThatTheEngineRefusesIsNamed) {
+    const std::string circle = R"({"circle": {}})", body = R"({"type": "dynamic", "shapes": [)" + circle + "]}";
+    EXPECT_EQ(engines_refusal(R"({"bodies": [{}, {"shapes": [)" + circle + R"(, {"circle": {}, "friction": -1}]}]})"), "bodies[1].shapes[1].friction");
+    EXPECT_EQ(engines_refusal(R"({"bodies": [{"shapes": [{"circle": {}, "density": -1, "restitution": -2}]}]})"), "bodies[0].shapes[0].density");
+    EXPECT_EQ(engines_refusal(R"({"bodies": [{"angular_damping": -1}]})"), "bodies[0].angular_damping");
+    EXPECT_EQ(engines_refusal(R"({"bodies": [{"shapes": [{"chain": {"points": [[0, 0], [0, 0], [1, 0], [2, 0]]}}]}]})"), "bodies[0].shapes[0].chain");
+    EXPECT_EQ(engines_refusal(R"({"world": {"solver": {"substeps": 0}}})"), "world.solver.substeps");
+    EXPECT_EQ(engines_refusal(R"({"bodies": [{}, )" + body + R"(], "joints": [{"type": "weld", "body_a": 0, "body_b": 1},
+        {"type": "revolute", "body_a": 0, "body_b": 1, "motor": {"max_force": -1}}]})"), "joints[1].motor.max_force");
 }
 
 // What it takes to refuse a file grows with the file, however many fields it has and however deep it goes: under sanitizers too this is a matter of a second.

@@ -486,7 +486,7 @@ TEST(ExportIsland, RefusesWhatHasNone) {
     EXPECT_EQ(refused(gone, substep), Error::stale_id);
     EXPECT_EQ(refused(ground, substep), Error::no_dynamic_body);
     EXPECT_EQ(refused(lift, substep), Error::no_dynamic_body);
-    for (const float bad : {0.0f, -substep, 1.5f, inf, nan}) EXPECT_EQ(refused(box, bad), Error::bad_time_step) << bad;
+    for (const float bad : {0.0f, 1.0e-8f, -substep, 1.5f, inf, nan}) EXPECT_EQ(refused(box, bad), Error::bad_time_step) << bad;
     IslandProblem out;
     EXPECT_GT(w->export_island(box, 1, memory, out), 0u);
 }

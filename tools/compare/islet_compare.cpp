@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "command_line.hpp"
 #include "compare.hpp"
 #include "compare_report.hpp"
 #include "output_file.hpp"
@@ -88,25 +89,29 @@ int run_comparison(const Options& options, const std::vector<const SceneInfo*>& 
     OutputFile csv(options.csv);
     std::vector<OutputFile> pictures;
     for (const SceneInfo* info : scenes) pictures.emplace_back(picture_path(options.svg, info->name, scenes.size() > 1));
-    if (!csv.good() || !std::all_of(pictures.begin(), pictures.end(), [](const OutputFile& o) { return o.good(); })) {
-        fmt::print(stderr, "islet-compare: cannot write to {}\n", csv.good() ? options.svg : options.csv);
-        return wrong_usage;
-    }
+    const auto has_failed = [](const OutputFile& file) {
+        if (!file.error().empty()) fmt::print(stderr, "islet-compare: {}\n", file.error());
+        return !file.error().empty();
+    };
+    if (has_failed(csv) || std::any_of(pictures.begin(), pictures.end(), has_failed)) return wrong_usage;
 
     std::vector<Comparison> comparisons;
-    bool pass = true, written = true;
+    bool pass = true;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         progress(scenes[i]->name, i, scenes.size());
         std::string picture;
         comparisons.push_back(compare_scene(*scenes[i], *find_tolerance(scenes[i]->name), options.steps, &picture));
         pass = pass && comparisons.back().pass();
-        written = pictures[i].write(picture) && written;
+        pictures[i].write(picture);
+        pictures[i].close();
     }
     end_progress();
-    written = csv.write(to_csv(comparisons)) && written;
+    csv.write(to_csv(comparisons));
+    csv.close();
     fmt::print("{}", options.json ? to_json(comparisons) : to_table(comparisons));
-    if (!written) fmt::print(stderr, "islet-compare: a file could not be written to its end\n");
-    return pass && written ? ok : check_failed;
+    std::fflush(stdout);
+    const auto unwritten = std::count_if(pictures.begin(), pictures.end(), has_failed) + (has_failed(csv) ? 1 : 0);  // each says so
+    return pass && unwritten == 0 ? ok : check_failed;
 }
 
 }  // namespace
@@ -119,14 +124,9 @@ int main(int argc, char** argv) {
     app.add_flag("--time", options.time, "Compare speed instead: whole runs in turns, median of 3 ratios (default: the benchmark scenes)");
     app.add_option("--steps", options.steps, "Run this many steps instead of the scene's own")->check(CLI::Range(1, 1000000));
     app.add_flag("--json", options.json, "Print JSON instead of a table");
-    app.add_option("--csv", options.csv, "Write one line per scene and step to this file");
-    app.add_option("--svg", options.svg, "Write a picture of both final states to this file (one per scene if there are several)");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& e) { return app.exit(e); } catch (const CLI::ParseError& e) {
-        app.exit(e, std::cerr, std::cerr);
-        return wrong_usage;
-    }
+    app.add_option("--csv", options.csv, "Write one line per scene and step to this file")->check(islet::samples::not_empty);
+    app.add_option("--svg", options.svg, "Write a picture of both final states to this file (one per scene if there are several)")->check(islet::samples::not_empty);
+    if (const std::optional<int> status = islet::samples::parse_or_explain(app, argc, argv, "islet-compare")) return *status;
     if (options.scenes.empty() && !options.all && !options.time) {
         fmt::print(stderr, "islet-compare: name a scene, or say --all\n{}", app.help());
         return wrong_usage;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "command_line.hpp"
 #include "finite_number.hpp"
 #include "lab.hpp"
 #include "near_names.hpp"
@@ -95,13 +95,14 @@ std::optional<std::vector<const MethodInfo*>> choose_methods(const Command& comm
     return chosen;
 }
 
-/// Whether every picture of a scene may be written, before the work begins.
-bool can_write_pictures(const Command& command, const std::vector<const SceneInfo*>& scenes) {
-    return std::all_of(scenes.begin(), scenes.end(), [&](const SceneInfo* info) {
+/// Why a scene's first picture may not be written, before the work begins; empty if all may.
+std::string picture_error(const Command& command, const std::vector<const SceneInfo*>& scenes) {
+    for (const SceneInfo* info : scenes) {
         Island island;
         island.scene = info->name;
-        return OutputFile(picture_path(command.svg_prefix, island)).good();
-    });
+        if (const OutputFile file(picture_path(command.svg_prefix, island)); !file.good()) return file.error();
+    }
+    return {};
 }
 
 std::vector<IslandReport> examine_scene(const SceneInfo& info, const LabOptions& options) {
@@ -123,11 +124,10 @@ int run(Command& command) {
     command.options.methods = *chosen;
     command.options.all_islands = command.islands == "all";
     OutputFile csv(command.csv_path);
-    if (!csv.good()) return wrong(fmt::format("cannot write '{}'", command.csv_path));
+    if (!csv.good()) return wrong(csv.error());
     if (!command.svg_prefix.empty()) {
         if (!can_plot()) return wrong("--svg needs gnuplot (Debian: gnuplot-nox)");
-        if (!can_write_pictures(command, *scenes))
-            return wrong(fmt::format("cannot write '{}-{}.svg'", command.svg_prefix, scenes->front()->name));
+        if (const std::string error = picture_error(command, *scenes); !error.empty()) return wrong(error);
     }
 
     std::vector<IslandReport> all;
@@ -146,7 +146,7 @@ int run(Command& command) {
     }
     if (command.json) fmt::print("{}", json_of(all));
     if (!all_printed()) return wrong("cannot write all of the standard output");
-    if (!csv.write(csv_of(all))) return wrong(fmt::format("cannot write all of '{}'", command.csv_path));
+    if (!csv.write(csv_of(all)) || !csv.close()) return wrong(csv.error());
     if (!drawn) fmt::print(stderr, "islet-lab: gnuplot could not draw all pictures\n");
     return drawn ? ok : failed;
 }
@@ -172,8 +172,8 @@ void declare(CLI::App& app, Command& command) {
         ->check(CLI::Range(0, 5000))
         ->capture_default_str();
     app.add_flag("--json", command.json, "print a JSON list");
-    app.add_option("--csv", command.csv_path, "write the curves to this file");
-    app.add_option("--svg", command.svg_prefix, "draw the curves, a picture for each island: PREFIX-SCENE.svg");
+    app.add_option("--csv", command.csv_path, "write the curves to this file")->check(islet::samples::not_empty);
+    app.add_option("--svg", command.svg_prefix, "draw the curves, a picture for each island: PREFIX-SCENE.svg")->check(islet::samples::not_empty);
 }
 
 }  // namespace
@@ -182,12 +182,7 @@ int main(int argc, char** argv) {
     Command command;
     CLI::App app("Measures how the matrix solvers of islet::lcp converge on the islands of scenes.", "islet-lab");
     declare(app, command);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& e) { return app.exit(e); } catch (const CLI::ParseError& e) {
-        app.exit(e, std::cerr, std::cerr);
-        return wrong_usage;
-    }
+    if (const std::optional<int> status = islet::samples::parse_or_explain(app, argc, argv, "islet-lab")) return *status;
     try {
         return run(command);
     } catch (const std::exception& e) { return wrong(e.what()); }

@@ -1,5 +1,5 @@
 // What a build of the engine has in it. All of this is for those who compile the engine (in CMake: ISLET_WITHOUT, a list of names); a program that uses
-// it needs to know only ISLET_MAX_LANES.
+// it need not know.
 //
 // First of all, what a program does not call it need not link: the engine's functions stand in sections of their own, for -Wl,--gc-sections, and
 // joints and chains as a whole come only with the functions that make them. The switches below leave out what a program that does call these, or
@@ -9,8 +9,7 @@
 #pragma once
 
 /// The widest lanes that the constraint kernels are compiled for: 1, 4 or 8. Unless given, as wide as the target's baseline has vectors (on x86-64
-/// eight too, used where the processor turns out to have AVX2), and 1 where it has none. Decides the size of the scratch memory, so the engine and
-/// those who use it must agree. The bits are the same.
+/// eight too, used where the processor turns out to have AVX2), and 1 where it has none. The bits are the same.
 #if !defined(ISLET_MAX_LANES)
 #if defined(__x86_64__) || defined(_M_X64)
 #define ISLET_MAX_LANES 8
@@ -65,6 +64,9 @@
 #endif
 #if !defined(ISLET_HOOKS)
 #define ISLET_HOOKS 1  // the user's filter, pre-solve and mixing
+#endif
+#if !defined(ISLET_ONE_WAY)
+#define ISLET_ONE_WAY 1  // platforms that are passed from below
 #endif
 #if !defined(ISLET_QUERIES)
 #define ISLET_QUERIES 1  // ray and shape casts, overlaps, closest points in a world

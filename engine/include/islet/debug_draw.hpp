@@ -81,7 +81,7 @@ enum class BodyColors : std::uint8_t {
     island,  ///< distinct_color of the lowest slot of a body in its island, awake or not. Islands are found while drawing, from contacts and joints.
 };
 
-/// What draws, and what is drawn. Functions that are null are skipped; none may call the world. The pointers they get are valid during the call only.
+/// What draws, and what is drawn. Functions that are null are skipped; none may change the world (in_step). The pointers they get are valid during the call only.
 struct DebugDraw {
     /// A convex polygon, counter-clockwise, rounded by `radius` (>= 0) around its corners. The first edge is always the same one of a shape: a mark on it
     /// shows how the shape turns.

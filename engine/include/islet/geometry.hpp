@@ -35,7 +35,7 @@ struct Segment {
 
 /// One link of a chain: collides only on the right of point1 -> point2 (a floor runs from right to left, solid ground below; that is,
 /// the outward normal is right_perp(point2 - point1)). The ghost points are the neighbours' far ends; they let the narrow phase know
-/// which corners are inner ones, so that nothing catches on them.
+/// which corners are inner ones, so that nothing catches on them. They may be as far as 4e7 m, for what goes on straight beyond a point at the limit.
 struct ChainSegment {
     Vec2 ghost1 = {};
     Segment segment = {};

@@ -32,8 +32,17 @@ namespace detail {
 inline constexpr std::size_t core_bytes = 640;  // room for Core inside World
 inline constexpr std::size_t host_bytes = 704;  // room for World at the start of the block
 
-// The widest lanes that the build can use decide how the constraint rows are padded in scratch.
+// The widest lanes of any engine for this processor decide how the constraint rows are padded in scratch. Only the processor counts, never a file's flags:
+// a program and the engine, compiled apart, must agree.
+#if defined(__x86_64__) || defined(_M_X64)
+inline constexpr std::uint32_t layout_lanes = 8;
+#elif defined(__i386__) || defined(_M_IX86) || defined(__aarch64__) || defined(__wasm__)
+inline constexpr std::uint32_t layout_lanes = 4;
+#else
+inline constexpr std::uint32_t layout_lanes = 1;
+#endif
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
+static_assert(max_lanes <= layout_lanes, "this processor has no such ISLET_MAX_LANES");
 
 // Sizes of the records, checked against the structs by static_assert in memory/records.hpp and core.hpp.
 inline constexpr std::size_t state_bytes = 256;
@@ -59,7 +68,7 @@ inline constexpr std::size_t tree_link_bytes = 140;  // per body of a tree of jo
 inline constexpr std::size_t batch_bytes = 168;
 inline constexpr std::uint32_t max_plan_parts = 8;  // that the touching contacts are cut into while they are planned
 inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are found
-inline constexpr std::uint32_t sort_digit_bits = max_lanes > 1 ? 11 : 8;  // of the sort by which pairs are found: three passes, or four in little memory
+inline constexpr std::uint32_t sort_digit_bits = layout_lanes > 1 ? 11 : 8;  // of the sort by which pairs are found: three passes, or four in little memory
 inline constexpr std::uint32_t sort_digits = 1u << sort_digit_bits;
 inline constexpr std::uint32_t color_count = 32;  // constraint colours: bits of a body's mask
 inline constexpr std::uint32_t batch_bodies = 704;  // a batch of islands closes at this many bodies: with their rows they still fit a core's own cache
@@ -87,7 +96,7 @@ constexpr std::uint32_t plan_parts(const Capacity& c) { return c.contacts < 2048
 /// Contact rows including the padding that fills up the last block of each colour of each batch.
 constexpr std::size_t row_capacity(const Capacity& c) {
     const std::size_t colors = std::size_t{batch_capacity(c)} * color_count;
-    return c.contacts + (colors < c.contacts ? colors : c.contacts) * (max_lanes - 1);
+    return c.contacts + (colors < c.contacts ? colors : c.contacts) * (layout_lanes - 1);
 }
 
 /// Runs of joints of one kernel and one colour in one batch, at most.
@@ -97,7 +106,7 @@ constexpr std::size_t joint_run_capacity(const Capacity& c) {
 }
 
 /// Joint rows including the padding that fills up the last block of each run.
-constexpr std::size_t joint_row_capacity(const Capacity& c) { return c.joints + joint_run_capacity(c) * (max_lanes - 1); }
+constexpr std::size_t joint_row_capacity(const Capacity& c) { return c.joints + joint_run_capacity(c) * (layout_lanes - 1); }
 
 /// Bodies in trees of joints that are solved exactly, at most.
 constexpr std::uint32_t tree_capacity(const Capacity& c) { return c.bodies < 2 * c.joints ? c.bodies : 2 * c.joints; }
@@ -119,7 +128,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     // Finding pairs: sort keys and the boxes as columns. Collide: which contacts changed, whom to wake. Plan: bodies and contacts in batch order, kept
     // while the solve uses what is left for bodies and contact rows, planning before it for islands and edges, and finishing after it in place of the rows.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
-    const std::size_t pairs = std::size_t{c.shapes} * (sweep_bytes + box_bytes) + sort_digits * 4 + 12 * 4 * max_lanes + 21 * 64;
+    const std::size_t pairs = std::size_t{c.shapes} * (sweep_bytes + box_bytes) + sort_digits * 4 + 12 * 4 * layout_lanes + 21 * 64;
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;
     const std::size_t plan = bodies * 4 * 4 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
                              joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 10 * 64;

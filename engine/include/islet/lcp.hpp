@@ -53,7 +53,7 @@ struct Problem {
     /// Upper bounds, infinity allowed; empty: all infinity. For a row with friction: its coefficient, finite and at least 0.
     std::span<const T> hi = {};
     /// Coulomb friction; empty: none. Where friction[i] is a row j and not no_row, the bounds of row i are -hi_i x_j and +hi_i x_j (0 while x_j is negative),
-    /// whatever x_j is at that moment, and lo_i is not looked at. Row j must have bounds of its own.
+    /// whatever x_j is at that moment (none where the product is beyond the largest number), and lo_i is not looked at. Row j must have bounds of its own.
     std::span<const std::uint32_t> friction = {};
 };
 

@@ -5,8 +5,9 @@
 //
 // Errors. Everything is computed in single precision from the differences of the corners, so shapes close to each other lose nothing by being far from the
 // origin. Distances, depths and surface points are within 1e-6 times the largest such difference (of any two corners, one of each shape, and along the way of
-// a cast). Casts are exact for shapes displaced by that much; a hit that only grazes may therefore be a miss, and the other way round. There is no iteration
-// and no tolerance. No finite input gives a NaN.
+// a cast; or the radii, where they are larger), however nearly parallel, collinear or alike the shapes are; points are rounded to numbers of their size besides.
+// Casts are exact for shapes displaced by that much; a hit that only grazes may therefore be a miss, and the other way round. There is no iteration and no
+// tolerance. No finite input gives a NaN.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,8 @@
 //
 //     RecordingInfo info;                      // elsewhere, another day:
 //     if (read_recording({buffer.data(), bytes}, info) == Error::none) {
-//         World* world = World::create(block, info.capacity, {});
+//         if (world_bytes(info.needed) > block.size()) ...                // a file from outside may ask for more than you give
+//         World* world = World::create(block, info.needed, {});
 //         ReplayResult result = replay(*world, {buffer.data(), bytes});   // the same calls, the same hash after each step, or the first that differs
 //     }
 //
@@ -27,13 +28,15 @@ inline constexpr std::size_t recording_alignment = 8;
 
 /// What a recording says of itself.
 struct RecordingInfo {
-    Capacity capacity = {};      ///< of the world it was made of
+    Capacity capacity = {};      ///< of the world it was made of, as it says: anything, if it comes from outside
+    Capacity needed = {};        ///< the least that is known to replay it alike: of that capacity no more than its snapshots and calls could ever fill. (They
+                                 ///< fill a byte of the file with one shape at most, contacts with the square of the shapes.)
     std::uint64_t bytes = 0;     ///< of the whole recording
     bool bodies = false;         ///< whether each step tells body from body
 };
 
-/// Reads the head of a recording. Errors: image_misaligned; not_a_recording; truncated_image; other_byte_order, other_version, corrupt_image as of the
-/// snapshot it begins with.
+/// Reads the head of a recording, and goes through its calls without making them. Errors: image_misaligned; not_a_recording; truncated_image;
+/// other_byte_order, other_version, corrupt_image as of the snapshot it begins with.
 Error read_recording(std::span<const std::byte> recording, RecordingInfo& out);
 
 /// How a replay ended.
@@ -55,8 +58,8 @@ struct ReplayResult {
 
 class World;
 
-/// Puts the world into the state the recording began with and makes its calls again, up to and including `steps` steps. The world's capacity should be the
-/// recorded one. A recording may be hostile: nothing it holds is used unchecked, and a step's calls are known to be the recorded ones after that step.
+/// Puts the world into the state the recording began with and makes its calls again, up to and including `steps` steps. The world's capacity should be
+/// RecordingInfo::needed, or the recorded one. A recording may be hostile: nothing it holds is used unchecked, and a step's calls are known to be the recorded ones after that step.
 ReplayResult replay(World& world, std::span<const std::byte> recording, std::uint64_t steps = ~std::uint64_t{0});
 
 }  // namespace islet

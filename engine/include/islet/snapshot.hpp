@@ -31,8 +31,8 @@ constexpr std::size_t max_snapshot_bytes(const Capacity& capacity) {
 /// What an image says about itself.
 struct SnapshotInfo {
     std::uint64_t bytes = 0;     ///< of the whole image
-    Capacity capacity = {};      ///< of the world it was taken of
-    Capacity used = {};          ///< the least capacity that can hold it
+    Capacity capacity = {};      ///< of the world it was taken of, as it says: anything that holds it, if it comes from outside
+    Capacity used = {};          ///< the least capacity that can hold it: records that it has
 };
 
 /// Reads the head of an image; the rest is not looked at. Errors: not_an_image, other_byte_order, other_version, truncated_image, and corrupt_image if

@@ -17,6 +17,8 @@ inline constexpr float max_position = 1.0e7f;
 inline constexpr float max_coefficient = 1.0e9f;
 /// Speed limits and surface speeds go up to this, m/s.
 inline constexpr float max_speed_limit = 1.0e6f;
+/// Steps are at least this long, s: what a shorter one adds to a speed or a place, a float mostly cannot hold.
+inline constexpr float min_time_step = 1.0e-6f;
 
 /// Handle of a body. Default-constructed: null. Safe to keep: an id whose object was destroyed is stale, never wrong.
 struct BodyId {
@@ -52,7 +54,7 @@ enum class Error : std::uint8_t {
     stale_id,            ///< the object was destroyed, or the id belongs to another world
     not_finite,          ///< an argument is NaN or infinite
     out_of_range,        ///< a number is outside the range its comment states
-    bad_time_step,       ///< dt is not above 0 and at most 1 s
+    bad_time_step,       ///< dt is not from min_time_step to 1 s
     bad_geometry,        ///< the geometry breaks its own rules
     bad_chain,           ///< fewer than 2 points (3 for a loop), or neighbours closer than 0.005 m
     bodies_full,         ///< raise Capacity::bodies
@@ -83,12 +85,14 @@ enum class Error : std::uint8_t {
     recording_full,      ///< the memory given for a recording is too small, or was used up: it ends before this call
     not_a_recording,     ///< the bytes are no recording, or the world is not being recorded
     corrupt_recording,   ///< the recording is not as it was made
+    in_step,             ///< called from a function that the world itself calls: a hook, a drawing function
+    inexact_build,       ///< the engine was compiled with flags under which floats are not IEEE's: no world keeps the same bits
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.
 const char* describe(Error e);
 
-/// Receives each error as it happens. Must not call the world.
+/// Receives each error as it happens. May read the world's bodies and shapes; what would change it is refused (in_step), and it is not told of that.
 using ErrorHook = void (*)(Error error, void* context);
 
 struct PreSolve;  // below
@@ -97,25 +101,26 @@ struct PreSolve;  // below
 /// them and no snapshot holds them, so worlds that are to have equal futures must be given equal ones, which answer alike.
 ///
 /// filter and pre_solve are called on the thread that steps, one after another, in an order that does not depend on the number of workers; they may read the
-/// world's bodies and shapes, and must not change it. mix_friction and mix_restitution are called on any worker, as often as the engine likes: they must be
+/// world's bodies and shapes, but not change it (in_step). mix_friction and mix_restitution are called on any worker, as often as the engine likes: they must be
 /// functions of their arguments alone.
 struct Hooks {
     /// May these two shapes meet, or may this sensor see that shape? (The one in the lower slot comes first.) Asked when their fat boxes begin to overlap
     /// and whenever that pair is found again, of pairs that their filters allow. A pair once made is not asked about again before it parts.
     bool (*filter)(ShapeId shape_a, ShapeId shape_b, void* context) = nullptr;
     /// May look at a contact before it is solved, and change it for this step: see PreSolve. Called in every step for every awake contact that has points
-    /// and a shape with ShapeDef::pre_solve, in the order of their slots.
+    /// and a shape with ShapeDef::pre_solve, in the order of their slots. Of a fast body the contact with what it may hit in the step is made ahead, and what
+    /// is said of it holds for continuous collision too; of a one-way shape (ShapeDef::one_way) only contacts that it holds are asked about.
     void (*pre_solve)(PreSolve& contact, void* context) = nullptr;
     /// Coefficient of two shapes, in place of the geometric mean; `material` is SurfaceMaterial::id. Taken as 0 to max_coefficient. Asked when two shapes
     /// meet or a material changes.
     float (*mix_friction)(float friction_a, std::uint32_t material_a, float friction_b, std::uint32_t material_b, void* context) = nullptr;
-    /// The same for restitution, in place of the larger. Taken as 0 to 1.
+    /// The same for restitution, in place of the larger. Taken as 0 to 1. Asked in steps too.
     float (*mix_restitution)(float restitution_a, std::uint32_t material_a, float restitution_b, std::uint32_t material_b, void* context) = nullptr;
     void* context = nullptr;
     friend bool operator==(const Hooks&, const Hooks&) = default;
 };
 
-/// Reads a clock of yours, which counts on in whatever unit you like. Must not call the world.
+/// Reads a clock of yours, which counts on in whatever unit you like. Must not call the world; it cannot change it (in_step).
 using Clock = std::uint64_t (*)(void* context);
 
 /// The order of the numbers in a step. `soft` is the default; `classic` is one position-corrected velocity solve per step.
@@ -151,8 +156,9 @@ struct SolverDef {
     float contact_damping_ratio = 10.0f; ///< >= 0. Soft contacts are overdamped so that they do not bounce.
     float contact_push_speed = 3.0f;     ///< m/s, >= 0. Fastest that overlap is pushed apart.
     float joint_hertz = 60.0f;           ///< Hz, > 0. Stiffness with which joints mend their errors; capped at a quarter of the substep rate. A rigid
-                                         ///< joint under a steady force F gives by F / (m (2 pi joint_hertz)^2), m the mass it moves; a
-                                         ///< limit of an angle under a torque likewise, with the inertia about the centre of mass.
+                                         ///< joint under a steady force F gives by F / (m (2 pi joint_hertz)^2), m the mass it moves. A
+                                         ///< limit holds where it is set: at once against the joint's own motor, within two seconds
+                                         ///< under a load from elsewhere.
     float joint_damping_ratio = 2.0f;    ///< >= 0
     float baumgarte = 0.2f;              ///< 0 to 1. Share of overlaps and joint errors mended per step (classic schedule).
     float omega = 1.0f;                  ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
@@ -249,6 +255,10 @@ struct ShapeDef {
                                      ///< version 3.1 on both shapes have to be told to.)
     bool hit_events = false;         ///< Tell of hits of this shape: World::hit_events.
     bool pre_solve = false;          ///< Ask the pre_solve hook about contacts of this shape.
+    Vec2 one_way = {};               ///< Not zero: a platform that holds only what came from the side of this direction, in the body's frame ({0, 1}: from
+                                     ///< above), to 1/1000 rad. The other shape is held once all of it is beyond the platform's farthest point, until it
+                                     ///< leaves; before, it passes. Bodies, fast ones too, and movers are held alike; queries see the shape as any other.
+                                     ///< One that stands on it drops through when the pre_solve hook says no once, or when its filter does.
     std::uint32_t material = 0;      ///< SurfaceMaterial::id
     std::uint64_t user_data = 0;
 };
@@ -302,7 +312,9 @@ struct StepReport {
     std::uint32_t contacts = 0;          ///< pairs with overlapping fat boxes, touching or not, asleep or not
     std::uint32_t touching_contacts = 0; ///< of the awake ones
     std::uint32_t recycled_contacts = 0; ///< awake contacts whose manifold was kept
-    std::uint32_t dropped_contacts = 0;  ///< pairs that found no room this step; they are retried every step
+    /// Pairs that found no room this step, counted up to Capacity::contacts: they pass through each other. They are tried again every step, and each such
+    /// step tells Error::contacts_full. Raise Capacity::contacts: 3 to 5 for each moving shape of a dense pile, 7 where it is squeezed.
+    std::uint32_t dropped_contacts = 0;
     std::uint32_t dropped_events = 0;    ///< end events that found no room since the last step began
     std::uint32_t dropped_hits = 0;      ///< hits that found no room among the hit events
     std::uint32_t islands = 0;           ///< awake islands

@@ -29,11 +29,15 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
 /// Every function checks its arguments in every build. On bad input it changes nothing, returns a null or zero value, sets last_error() and
 /// calls the error hook, if there is one. Units: metres, kilograms, seconds, radians.
 ///
+/// Functions that a world calls (hooks, the error hook, the clock, drawing functions) may read it, but not change it, and not step, save, hash, validate,
+/// export or draw it: in_step. Nor is such a call recorded.
+///
 /// Spans returned by a world are valid until the next call that changes it.
 class World {
 public:
     /// Makes a world in `block`, which must be aligned to world_alignment and hold at least world_bytes(capacity) bytes, all of which the
-    /// world then owns. Returns null, and sets *error if given, when the block or the capacity or the definition will not do.
+    /// world then owns. Returns null, and sets *error if given, when the block or the capacity or the definition will not do,
+    /// or the engine was compiled in a way that changes the bits (inexact_build).
     static World* create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error = nullptr);
 
     World(const World&) = delete;
@@ -41,7 +45,8 @@ public:
 
     // -- the world ---------------------------------------------------------------------------------------------------------------
 
-    /// Advances time by dt seconds: 0 < dt <= 1. 1/60 is usual; see SolverDef for what a step consists of.
+    /// Advances time by dt seconds, min_time_step <= dt <= 1 (else bad_time_step, and nothing changes). 1/60 is usual; see SolverDef for what a step
+    /// consists of.
     void step(float dt);
 
     Vec2 gravity() const;
@@ -70,8 +75,9 @@ public:
     void enable_continuous(bool enable);
 
     Hooks hooks() const;
-    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part. (In a
-    /// lean build, ISLET_LEAN, only programs that call this function or hooks() have hooks; World::create refuses them in others.)
+    /// Hooks from now on. What two shapes have been mixed to stays until their materials change or they part: their friction, and whether they bounce (how
+    /// much is asked anew in every step). (In a lean build, ISLET_LEAN, only programs that call this function or hooks() have hooks; World::create refuses
+    /// them in others.)
     void set_hooks(const Hooks& hooks);
     float hit_threshold() const;
     void set_hit_threshold(float speed);
@@ -86,7 +92,7 @@ public:
     /// The last error since creation or clear_error().
     Error last_error() const;
     void clear_error();
-    /// Hash of all persistent state that affects the future, and nothing else: equal worlds have equal futures.
+    /// Hash of all persistent state that affects the future, and nothing else: equal worlds have equal futures, what the next step tells included.
     std::uint64_t hash() const;
     /// Steps taken since creation.
     std::uint64_t step_count() const;
@@ -101,7 +107,8 @@ public:
     std::size_t save(std::span<std::byte> out) const;
     /// Goes back to an image that this program made. What the image uses must fit this world's capacity, which need not be that of the world it was
     /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook,
-    /// the clock and the task system. Until the next step there are no events, and the report holds only how full the pools are.
+    /// the clock and the task system. Until the next step there are no events, and the report holds only how full the pools are. What had ended since
+    /// the last step (a touching shape was destroyed) is part of the image: the next step tells of it.
     /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut where this build leaves out what the image
     /// needs. (A program that neither makes joints nor calls load has none linked, so an image with joints needs what it leaves out.)
     bool restore(std::span<const std::byte> image);
@@ -287,6 +294,9 @@ public:
     void enable_hit_events(ShapeId shape, bool enable);
     bool pre_solve_enabled(ShapeId shape) const;
     void enable_pre_solve(ShapeId shape, bool enable);
+    /// ShapeDef::one_way: unit or zero. What has come to stand on it stays where it is, if that is above in the new direction too.
+    Vec2 one_way(ShapeId shape) const;
+    void set_one_way(ShapeId shape, Vec2 direction);
     /// Adds the force of a wind on what of the shape's outline faces it, from the shape's own motion too; acts over the next step, as apply_force does:
     /// rho u^2 / 2 times width times coefficient, u being the air's velocity past the shape's middle. Each face of a polygon is pushed at its middle; only
     /// flat faces have lift. No effect on segments and on bodies that are not dynamic. Nothing shields anything.
@@ -425,7 +435,7 @@ public:
 
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------
 
-    /// Writes to `memory` the complementarity problem that a substep of `h` seconds, 0 < h <= 1, would pose to the island of a dynamic body as it stands
+    /// Writes to `memory` the complementarity problem that a substep of `h` seconds, min_time_step / 64 <= h <= 1, would pose to the island of a dynamic body as it stands
     /// now, and points `out` to it. (Contacts have the normals and arms that the last step found; a centre of mass moved since then is not seen by them.)
     /// Returns the bytes needed, and writes neither to memory nor to out if there are fewer; memory needs no alignment. Motion locks are not in it. It is the
     /// same problem whichever of the island's bodies is named, asleep or awake. Not part of the state: no hash knows of it, and solving it changes no body; but it uses the world's scratch memory, so no other call to the world may run at the same time. Bodies of absurd masses may
@@ -436,7 +446,7 @@ public:
     // -- drawing (debug_draw.hpp) ------------------------------------------------------------------------------------------------
 
     /// Hands what `draw` asks for to its functions. Changes nothing and calls no function on an error: not_finite or out_of_range of its view, size or
-    /// scale. With BodyColors::island it uses the world's scratch memory, so then no other call to the world may run at the same time.
+    /// scale. No other drawing of the world may run at the same time; with BodyColors::island, which uses the world's scratch memory, no other call.
     void draw(const DebugDraw& draw) const;
     /// Draws a shape alone, as if its body were at `pose`, by draw's functions; nothing else of `draw` is looked at.
     void draw_shape(const DebugDraw& draw, ShapeId shape, const Transform& pose, const DrawStyle& style) const;
@@ -461,7 +471,7 @@ class StaticWorld {
 
 public:
     /// Makes the world anew, dropping whatever it held. A definition that breaks its rules falls back to the default one with the error set:
-    /// see World::last_error.
+    /// see World::last_error. Of an engine that was compiled in a way that changes the bits (inexact_build) the world takes no step.
     World& create(const WorldDef& def = {}) {
         return detail::create_static(block_, C, layout, def);
     }

@@ -1,12 +1,16 @@
 // Compiled for AVX2, as solver/kernel_avx2.cpp is.
+#include "math/avx2.hpp"
+
 #include "broadphase/columns.hpp"
 
 namespace islet::detail {
 
-#if defined(__AVX2__)
+#if defined(ISLET_AVX2)
 std::uint32_t scan_columns_8(const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i, std::uint32_t* out) {
     return scan_columns<Lane8>(c, first, from, i, out);
 }
 #endif
 
 }  // namespace islet::detail
+
+ISLET_AVX2_END

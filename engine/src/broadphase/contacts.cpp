@@ -105,10 +105,14 @@ void mix_materials(Core& core, std::uint32_t contact) {
     const bool bouncy = has_restitution && mixed_restitution(core, a, b) > 0;
     const bool special = has_surfaces && a.rolling_resistance + b.rolling_resistance + abs(a.tangent_speed) + abs(b.tangent_speed) > 0;
     const std::uint32_t told = a.flags | b.flags;
-    m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy | contact_hits | contact_asks)) |
+    const bool was_one_way = (m.flags & contact_one_way) != 0;
+    m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy | contact_hits | contact_asks | contact_one_way)) |
               (special ? std::uint32_t{contact_special} : 0u) | (bouncy ? std::uint32_t{contact_bouncy} : 0u) |
               (has_hits && (told & shape_hit_events) != 0 ? std::uint32_t{contact_hits} : 0u) |
-              (has_hooks && (told & shape_pre_solve) != 0 ? std::uint32_t{contact_asks} : 0u);
+              (has_hooks && (told & shape_pre_solve) != 0 ? std::uint32_t{contact_asks} : 0u) |
+              (has_one_way && (told & shape_one_way_bits) != 0 ? std::uint32_t{contact_one_way} : 0u);
+    if ((m.flags & contact_one_way) == 0) m.flags &= ~static_cast<std::uint32_t>(contact_passes | contact_dropped);
+    if ((m.flags & contact_one_way) != 0 && !was_one_way) m.flags &= ~static_cast<std::uint32_t>(contact_posed);  // looked at as a new one
 }
 
 bool has_room_for_end(Core& core) {

@@ -14,7 +14,12 @@ namespace islet::detail {
 
 namespace {
 
+// As many pairs were dropped as there are contacts. No contact goes while pairs are found, so none that is found from here on could have one: the search
+// ends, or bodies that crowd together would cost the square of their number in every step.
+bool is_over(const Core& core) { return core.report.dropped_contacts == core.capacity.contacts; }
+
 void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, float dt) {
+    if (is_over(core)) return;
     if (core.pairs.contains(PairSet::key(shape_1, shape_2))) return;
     if (!meet(core.boxes[shape_1], core.boxes[shape_2]) && !may_meet(core, shape_1, shape_2, dt)) return;
     if (!may_collide(core, shape_1, shape_2)) return;
@@ -196,10 +201,10 @@ template <class Visit>
 
 // A box that changed meets the boxes that begin after it; one that did not meets the changed ones that begin after it.
 void sweep(PairBuffer& out, const Scan& how, const Columns& all, const Columns& moved) {
-    for (std::uint32_t i = 0; i < moved.count; ++i)
+    for (std::uint32_t i = 0; i < moved.count && !is_over(out.core); ++i)
         scan(how, all, moved.place[i] + 1, moved, i, [&](std::uint32_t j) { out.push(moved.shape[i], all.shape[j]); });
     std::uint32_t first = 0;  // of the changed boxes behind box i
-    for (std::uint32_t i = 0; i < all.count; ++i) {
+    for (std::uint32_t i = 0; i < all.count && !is_over(out.core); ++i) {
         while (first < moved.count && moved.place[first] < i) ++first;
         if (first == moved.count) break;
         if (moved.place[first] == i) continue;
@@ -254,7 +259,7 @@ void find_moved_pairs(Core& core, float dt) {
     sweep(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(all.count) : nullptr}, all, moved);
 
     const Tree tree{&core.state->tree, core.tree};
-    for (std::uint32_t i = 0; i < moved.count; ++i) {
+    for (std::uint32_t i = 0; i < moved.count && !is_over(core); ++i) {
         const std::uint32_t shape = moved.shape[i];
         const Aabb box = columns.box(i);
         if (is_clear(core.poses[core.shapes[shape].body], box)) continue;
@@ -264,7 +269,7 @@ void find_moved_pairs(Core& core, float dt) {
     // Shapes at rest whose boxes changed: just created, teleported, or fallen asleep as they moved. Each pair is looked at once, so that each one
     // dropped counts once.
     core.moved_shapes.for_each([&](std::uint32_t shape) {
-        if (core.is_awake(core.shapes[shape].body)) return;
+        if (core.is_awake(core.shapes[shape].body) || is_over(core)) return;
         for (std::uint32_t i = 0; i < all.count; ++i) {
             const std::uint32_t other = all.shape[i];
             if (meet(core.boxes[other], core.boxes[shape]) && !core.moved_shapes.test(other)) out.push(shape, other);

@@ -11,7 +11,7 @@ inline constexpr float max_box_margin = 0.05f;  // m, by which a fat box exceeds
 
 /// Creates contacts for the shapes whose fat boxes changed since the last call, and for fast bodies with the static shapes they may reach within dt.
 /// The cost follows what moved; nothing moved costs nothing. Pairs that find no room are counted in report.dropped_contacts and tried again in every
-/// later call.
+/// later call. The search ends once as many were dropped as the capacity has contacts: what it costs does not grow with the pairs there are.
 void find_pairs(Core& core, float dt);
 
 /// Of two bodies that move no more than this in a step, m, a contact is made early enough at speculative_distance: an old answer that they are apart

@@ -6,76 +6,103 @@
 namespace islet::detail {
 namespace {
 
-// Corners closer than this (m) are one: an edge between them would have no direction.
-constexpr float same_point = 1e-9f;
+// Edges shorter than this (m) are left out: their squares would soon underflow.
+constexpr float least_edge = 1e-15f;
 // Translations shorter than this (m) lead nowhere.
 constexpr float least_way = 1e-10f;
 
 bool is_lower(Vec2 p, Vec2 q) { return p.y < q.y || (p.y == q.y && p.x < q.x); }
 
 // A walk around the edges of a polygon from its lowest corner (sign 1), or around those of its mirror image at the origin (sign -1): either way
-// counter-clockwise, so the directions of the edges only turn left.
+// counter-clockwise, so the directions of the edges only turn left: first those that lead up, then those that lead down.
 struct EdgeWalk {
     const Vec2* points;
     std::uint32_t count;
     float sign;
     std::uint32_t at = 0;
     std::uint32_t left = 0;  // edges not walked yet
+    Vec2 edge;               // the next one
 
     EdgeWalk(const ShapeProxy& p, float s) : points(p.points), count(p.count), sign(s), left(p.count > 1 ? p.count : 0) {
         for (std::uint32_t i = 1; i < count; ++i) {
             if (is_lower(sign * points[i], sign * points[at])) at = i;
         }
+        look();
     }
-    Vec2 edge() const { return sign * (points[next(at, count)] - points[at]); }
+    void look() { edge = sign * (points[next(at, count)] - points[at]); }
     void advance() {
         at = next(at, count);
         --left;
+        look();
     }
+    bool leads_up() const { return is_lower({}, edge); }
 };
 
-void push(Difference& w, Vec2 point, std::uint32_t a, std::uint32_t b) {
-    if (w.count > 0 && distance_squared(w.points[w.count - 1], point) <= same_point * same_point) return;
-    w.points[w.count] = point;
-    w.index_a[w.count] = static_cast<std::uint8_t>(a);
-    w.index_b[w.count] = static_cast<std::uint8_t>(b);
-    ++w.count;
+// Above 0 if b's edge comes first, below 0 if a's does, 0 if they are parallel. Directions are compared within half a turn only, where the sign of the cross
+// product is an order.
+float order(const EdgeWalk& a, const EdgeWalk& b) {
+    if (a.left == 0) return 1;
+    if (b.left == 0) return -1;
+    if (a.leads_up() != b.leads_up()) return b.leads_up() ? 1.0f : -1.0f;
+    return cross(b.edge, a.edge);
 }
 
-Vec2 edge_of(const Difference& w, std::uint32_t k) { return w.points[next(k, w.count)] - w.points[k]; }
+Vec2 end_of(const Difference& w, std::uint32_t k) { return w.points[next(k, w.count)]; }
 
-Impact start_inside(const Nearest& n) { return {true, 0, n.normal, n.distance, n.place}; }
+Impact start_inside(const Nearest& n) { return {true, 0, n.normal, min(n.distance, 0.0f), n.place}; }
 
-// The ray's point q, at `from` of the way, is outside the disc around a corner; where does it enter from there on?
-Impact against_corner(const Difference& w, std::uint32_t corner, Vec2 q, float from, Vec2 d) {
-    const Vec2 m = q - w.points[corner];
-    const float dd = length_squared(d);
-    const float b = dot(m, d);
-    if (!(b < 0)) return {};
-    // h is the way's point closest to the corner, seen from there: it and the chord have no difference of large squares.
-    const float s = -b / dd;
-    const Vec2 h = m + s * d;
-    const float rest = w.radius * w.radius - length_squared(h);
-    if (!(rest > 1e-30f)) return {};
-    const float back = sqrt(rest / dd);
-    const float t = max(from + (s - back), 0.0f);
-    if (!(t <= 1)) return {};
-    return {true, t, normalize(h - back * d), 0, {corner, 0}};
+// Where a line along d enters the outline: at `numerator` / |d|^2 of d.
+struct Entry {
+    bool found = false;
+    float numerator = 0;
+    Vec2 normal;
+    Place place;
+};
+
+// On edge k, moved outward by the radius, at `along` of it.
+Entry entry_on_edge(const Difference& w, std::uint32_t k, float along, Vec2 d) {
+    const Vec2 n = normalize(right_perp(w.edges[k]));
+    const Vec2 point = lerp(w.points[k], end_of(w, k), along) + w.radius * n;
+    return {true, dot(point, d), n, {k, along}};
 }
 
-// Two corners and no radius: a line, met where the ray has one corner on each side. The sides are worked out from the corners alone, so a ray cannot slip
-// between two segments that share a corner.
-Impact against_line(const Difference& w, Vec2 d) {
-    const float s0 = cross(d, w.points[0]);
-    const float s1 = cross(d, w.points[1]);
-    const bool one_side = (s0 > 0 && s1 > 0) || (s0 < 0 && s1 < 0);
-    if (one_side || s0 == s1) return {};
-    const float along = clamp(s0 / (s0 - s1), 0, 1);
-    const Vec2 edge = edge_of(w, 0);
-    const float t = dot(w.points[0] + along * edge, d) / length_squared(d);
-    if (!(t >= 0 && t <= 1)) return {};
-    const Vec2 n = normalize(right_perp(edge));
-    return {true, t, dot(n, d) < 0 ? n : -n, 0, {0, along}};
+// On the arc around corner k, which the line passes at `sine` of the radius, to its right.
+Entry entry_on_arc(const Difference& w, std::uint32_t k, float sine, Vec2 d, float way) {
+    const float cosine = sqrt((1 - sine) * (1 + sine));
+    const Vec2 u = (1 / way) * d;
+    return {true, dot(w.points[k], d) - w.radius * way * cosine, -(sine * left_perp(u) + cosine * u), {k, 0}};
+}
+
+// At m from something with normal n, but behind it: deep in the shape, unless m is hardly longer than rounding.
+bool is_behind(Vec2 n, Vec2 m) { return dot(n, m) < -0.5f * length(m); }
+
+// The origin is nearest to a corner, by edge k, which ends there or begins. Rounding may have cut that edge short, or hidden that the other edge at the corner
+// leads still nearer: seen from the corner itself, to which little is lost, both are made good.
+Nearest nearest_to_corner(const Difference& w, std::uint32_t k, bool at_end) {
+    std::uint32_t corner = at_end ? next(k, w.count) : k;
+    Vec2 n = normalize(right_perp(w.edges[k]));
+    Vec2 m = -w.points[corner];
+    const float back = dot(m, w.edges[k]);
+    if (at_end ? back < 0 : back > 0) return {dot(n, m) - w.radius, n, {corner, 0}};
+    for (std::uint32_t i = 0; i < w.count; ++i) {
+        const std::uint32_t other = at_end ? corner : (corner > 0 ? corner : w.count) - 1;
+        const Vec2 e = at_end ? w.edges[other] : -w.edges[other];
+        const float over = dot(m, e);
+        if (!(over > 0)) break;
+        const Vec2 across = normalize(right_perp(w.edges[other]));
+        const float square = length_squared(e);
+        if (over < square) {
+            if (!(dot(across, m) > dot(n, m)) && !is_behind(n, m)) break;
+            return {dot(across, m) - w.radius, across, {other, at_end ? over / square : 1 - over / square}};
+        }
+        corner = at_end ? next(corner, w.count) : other;
+        n = across;
+        m = -w.points[corner];
+    }
+    // Behind both edges: rounding made a dent of a corner that is hardly one.
+    if (is_behind(n, m)) return {dot(n, m) - w.radius, n, {corner, 0}};
+    const Vec2 direction = normalize(m);
+    return {length(m) - w.radius, direction != Vec2{} ? direction : n != Vec2{} ? n : Vec2{0, 1}, {corner, 0}};
 }
 
 }  // namespace
@@ -83,101 +110,100 @@ Impact against_line(const Difference& w, Vec2 d) {
 Difference difference_of(const ShapeProxy& a, const ShapeProxy& b) {
     Difference w;
     w.radius = a.radius + b.radius;
+    const auto push = [&](std::uint32_t index_a, std::uint32_t index_b, Vec2 edge) {
+        w.points[w.count] = b.points[index_b] - a.points[index_a];
+        w.edges[w.count] = edge;
+        w.index_a[w.count] = static_cast<std::uint8_t>(index_a);
+        w.index_b[w.count] = static_cast<std::uint8_t>(index_b);
+        ++w.count;
+    };
     // Edges of both, merged by direction: at each corner the one that turns less comes next, parallel ones together.
     EdgeWalk on_b(b, 1);
     EdgeWalk on_a(a, -1);
-    push(w, b.points[on_b.at] - a.points[on_a.at], on_a.at, on_b.at);
     while (on_a.left + on_b.left > 0) {  // at most 16 times
-        const float turn = on_a.left == 0 ? 1.0f : (on_b.left == 0 ? -1.0f : cross(on_b.edge(), on_a.edge()));
-        if (turn >= 0) on_b.advance();
-        if (turn <= 0) on_a.advance();
-        if (on_a.left + on_b.left > 0) push(w, b.points[on_b.at] - a.points[on_a.at], on_a.at, on_b.at);
+        const std::uint32_t index_a = on_a.at, index_b = on_b.at;
+        const float turn = order(on_a, on_b);
+        Vec2 edge;
+        if (turn >= 0) {
+            edge += on_b.edge;
+            on_b.advance();
+        }
+        if (turn <= 0) {
+            edge += on_a.edge;
+            on_a.advance();
+        }
+        if (length_squared(edge) > least_edge * least_edge) push(index_a, index_b, edge);
     }
-    while (w.count > 1 && distance_squared(w.points[w.count - 1], w.points[0]) <= same_point * same_point) --w.count;
+    if (w.count == 0) push(on_a.at, on_b.at, {});
     return w;
 }
 
+// The nearest of all edges, where those that do not face the origin count as twice as far: see the header.
 Nearest nearest(const Difference& w) {
-    if (w.count == 1) {
-        const Vec2 n = normalize(-w.points[0]);
-        return {length(w.points[0]) - w.radius, n != Vec2{} ? n : Vec2{0, 1}, {0, 0}};
-    }
-    Nearest inside{-3.0e38f, {}, {}};
-    Nearest outside{0, {}, {}};
-    float least = 3.0e38f;  // squared distance of `outside`
-    const bool line = w.count == 2;
-    const std::uint32_t edges = line ? 1 : w.count;
-    for (std::uint32_t k = 0; k < edges; ++k) {
+    float least = 3.0e38f;  // squared distance, four times as much of edges that do not face the origin
+    Place place;
+    for (std::uint32_t k = 0; k < w.count && w.count > 1; ++k) {
         const Vec2 p = w.points[k];
-        const Vec2 e = edge_of(w, k);
-        Vec2 n = normalize(right_perp(e));
-        float gap = -dot(n, p);  // of the origin above the edge
-        if (line && gap < 0) {
-            n = -n;
-            gap = -gap;
-        }
-        const float along = clamp(-dot(p, e) / length_squared(e), 0, 1);
-        if (gap > inside.distance) inside = {gap, n, {k, along}};
-        if (!line && !(gap > 0)) continue;
-        const float squared = length_squared(p + along * e);
-        if (!(squared < least)) continue;
-        least = squared;
-        if (along > 0 && along < 1) {
-            outside = {gap, n, {k, along}};
-            continue;
-        }
-        const std::uint32_t corner = along > 0 ? next(k, w.count) : k;
-        const Vec2 away = normalize(-w.points[corner]);
-        outside = {length(w.points[corner]), away != Vec2{} ? away : n, {corner, 0}};
+        const Vec2 e = w.edges[k];
+        const float per_square = 1 / length_squared(e);
+        const float along = clamp(-dot(p, e) * per_square, 0, 1);
+        const float area = cross(p, e);
+        const float squared = along > 0 && along < 1 ? area * per_square * area : length_squared(along > 0 ? end_of(w, k) : p);
+        const float weighed = area < 0 ? squared : 4 * squared;
+        if (!(weighed < least)) continue;
+        least = weighed;
+        place = {k, along};
     }
-    Nearest& result = least < 3.0e38f ? outside : inside;
-    result.distance -= w.radius;
-    return result;
+    if (!(place.along > 0 && place.along < 1)) return nearest_to_corner(w, place.corner, place.along > 0);
+    const Vec2 n = normalize(right_perp(w.edges[place.corner]));
+    return {-dot(n, w.points[place.corner]) - w.radius, n, place};
 }
 
-// The outline lies within the planes of its edges, moved outward by the radius (Cyrus and Beck 1978): the ray is inside from the last plane that it enters to
-// the first that it leaves. Planes meet beyond the round corners, so a ray that enters there is tried against the disc around the corner; if it misses that, it
-// leaves by the corner's other plane and misses the whole.
+// Which side of the ray's line a place of the outline is on (left above 0) is worked out from the corners and the directions of the edges alone, so neighbours
+// agree about what they share. Edges that face the ray, moved outward by the radius, and the arcs between them lead from the leftmost place to the rightmost
+// one: where they pass over, the line enters, and there is no gap to slip through.
 Impact impact(const Difference& w, Vec2 d) {
-    if (!(length_squared(d) >= least_way * least_way)) {
+    const float way = length(d);
+    if (!(way >= least_way)) {
         const Nearest n = nearest(w);
         return n.distance < 0 ? start_inside(n) : Impact{};
     }
-    if (w.count == 1) {
-        const Nearest n = nearest(w);
-        return n.distance < 0 ? start_inside(n) : against_corner(w, 0, {}, 0, d);
-    }
-    if (w.count == 2 && w.radius == 0) return against_line(w, d);
-
-    float enter = -1;
-    float leave = 3.0e38f;
-    std::uint32_t face = 0;
+    const float reach = w.radius * way;
+    float leftmost = -3.0e38f, rightmost = 3.0e38f;
+    float arc_from[Difference::max_count], arc_to[Difference::max_count];  // sides of the ends of the arc around each corner
+    Entry entry;
+    float side = cross(d, w.points[0]);
     for (std::uint32_t k = 0; k < w.count; ++k) {
-        const Vec2 e = edge_of(w, k);
-        const Vec2 n = right_perp(e);  // not unit: only ratios matter
-        const float room = dot(n, w.points[k]) + (w.radius > 0 ? w.radius * length(e) : 0);
-        const float speed = dot(n, d);
-        if (speed < 0) {
-            const float t = room / speed;
-            face = t > enter ? k : face;
-            enter = max(t, enter);
-        } else if (speed > 0) {
-            leave = min(leave, room / speed);
-        } else if (!(room > 0)) {
-            return {};
-        }
+        leftmost = max(leftmost, side);
+        rightmost = min(rightmost, side);
+        const Vec2 e = w.edges[k];
+        const float next_side = cross(d, end_of(w, k));
+        const bool faces = cross(d, e) < 0;
+        // An edge that does not face the ray ends an arc at its outermost.
+        float lift = reach;
+        if (faces) lift = w.radius > 0 ? w.radius * (dot(d, e) / length(e)) : 0;
+        const float from = side - lift;
+        const float to = faces ? next_side - lift : next_side + reach;
+        if (faces && from >= 0 && to <= 0 && !entry.found) entry = entry_on_edge(w, k, from > to ? from / (from - to) : 0, d);
+        arc_to[k] = from;
+        arc_from[next(k, w.count)] = to;
+        side = next_side;
     }
-    if (!(enter <= leave) || !(leave > 0) || enter > 1) return {};
-    if (enter < 0) {
-        const Nearest n = nearest(w);
-        if (n.distance < 0 || (n.place.along > 0 && dot(n.normal, d) < 0)) return start_inside(n);
-        return against_corner(w, n.place.corner, {}, 0, d);
+    const bool on_edge = entry.found;
+    // A ray that meets just the end of a line meets it: so none slips between two segments that share a corner.
+    const bool line = w.count == 2 && w.radius == 0;
+    if (!(leftmost + reach > 0 && rightmost - reach < 0) && !(line && on_edge)) return {};
+    for (std::uint32_t k = 0; k < w.count && reach > 0 && !on_edge; ++k) {
+        if (!(arc_from[k] >= 0 && arc_to[k] <= 0)) continue;
+        const Entry arc = entry_on_arc(w, k, clamp(cross(d, w.points[k]) / reach, -1, 1), d, way);
+        if (!entry.found || arc.numerator < entry.numerator) entry = arc;
     }
-    const Vec2 q = enter * d;
-    const Vec2 e = edge_of(w, face);
-    const float along = dot(q - w.points[face], e) / length_squared(e);
-    if (w.radius > 0 && !(along >= 0 && along <= 1)) return against_corner(w, along < 0 ? face : next(face, w.count), q, enter, d);
-    return {true, max(enter, 0.0f), normalize(right_perp(e)), 0, {face, clamp(along, 0, 1)}};
+    const float fraction = entry.numerator / (way * way);
+    if (!entry.found || !(fraction <= 1)) return {};
+    if (fraction >= 0) return {true, fraction, entry.normal, 0, entry.place};
+    if (line) return {};
+    const Nearest n = nearest(w);
+    return n.distance < 0 || dot(n.normal, d) < 0 ? start_inside(n) : Impact{};
 }
 
 Vec2 point_of(const Difference& w, const std::uint8_t* index, const Vec2* points, Place place) {

@@ -10,6 +10,17 @@
 //                              |________/    <---o
 //
 // Corners are differences of nearby numbers, so nothing is lost far from the origin, and there is no iteration that could fail to converge.
+//
+// What rounding may do. Let u be half a unit in the last place (2^-24), and L the largest coordinate of a difference. A corner w is displaced by 1.4 u L. Edges
+// are not taken from corners but from the shapes, to 1 u of their own length, however short they are beside L: so the directions of nearly parallel edges can be
+// compared and trusted. Where rounding sorts two of them the wrong way round their directions differ by 3 u at most, and the outline gets a dent 2 u L deep.
+// - nearest: the distance from each edge is within 4 u L, so the least of them is too; and so is the height above the edge's line, whose sign says whether the
+//   edge faces the origin. Signs are trusted only where they can be: the back of a thin outline may be as near as its front but for rounding, and far along the
+//   line of a short edge the origin may seem to be in front of it. So an edge that does not face the origin counts as twice as far: a front wins from a back,
+//   while an edge that only seems to face the origin from afar loses, unless the origin is on the outline but for rounding.
+// - impact: the side of the ray's line that a corner is on is within 3 u L, its place on the way too. As neighbours share sides nothing slips between them, and
+//   what is met is met exactly by an outline displaced by as much.
+// All together: 10 u L, 6e-7 L. Measured over millions of hard pairs: 3e-7 L.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +31,8 @@ namespace islet::detail {
 
 struct Difference {
     static constexpr std::uint32_t max_count = 2 * max_polygon_vertices;
-    Vec2 points[max_count];  // m, counter-clockwise, no two neighbours alike
+    Vec2 points[max_count];  // m, counter-clockwise
+    Vec2 edges[max_count];   // m, from each corner to the next, made of the shapes' own edges
     std::uint8_t index_a[max_count];  // the corners of A and B that each is made of
     std::uint8_t index_b[max_count];
     std::uint32_t count = 0;

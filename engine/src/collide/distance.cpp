@@ -155,7 +155,8 @@ DistanceResult core_distance(const Vec2* a, std::uint32_t count_a, const Vec2* b
     Feature nearest = vertex_feature(cores.corner(0, 0));
     for (std::uint32_t pass = 0; pass < max_iterations; ++pass) {
         if (nearest.distance_squared <= touching_squared) { return cores.touching(nearest); }
-        const Corner next = cores.furthest(towards_origin(nearest));
+        const Vec2 towards = towards_origin(nearest);
+        const Corner next = cores.furthest(towards);
         if (is_among(next, nearest)) { break; }
         Feature closer = edge_feature(nearest.corner[0], next);
         if (nearest.count == 2) {
@@ -163,9 +164,11 @@ DistanceResult core_distance(const Vec2* a, std::uint32_t count_a, const Vec2* b
             const Feature other = edge_feature(nearest.corner[1], next);
             if (other.distance_squared < closer.distance_squared) { closer = other; }
         }
-        // From a corner to an edge that it ends is always a gain, though rounding may hide it.
+        // From a corner to an edge that it ends is always a gain, though rounding may hide it. So it is if the new corner stands out of the edge by more than
+        // rounding: then the edge was closest at its very end, and only the next pass comes closer.
         const bool gained_edge = nearest.count == 1 && closer.count == 2;
-        if (!gained_edge && !(closer.distance_squared < nearest.distance_squared)) { break; }
+        const bool stands_out = dot(next.w - nearest.corner[0].w, towards) > 1e-6f * (length_squared(towards) + length_squared(next.w));
+        if (!gained_edge && !stands_out && !(closer.distance_squared < nearest.distance_squared)) { break; }
         nearest = closer;
     }
     return cores.separated(nearest);

@@ -27,7 +27,10 @@ Manifold collide(const Capsule& a, const Circle& b, const Transform& b_in_a, flo
     const Vec2 axis = a.point2 - a.point1;
     const float t = clamp(dot(center - a.point1, axis) / max(length_squared(axis), 1e-14f), 0.0f, 1.0f);
     const Vec2 fallback = right_perp(direction_of(axis, {1, 0}).unit);
-    return collide_point(a.point1 + t * axis, a.radius, center, b.radius, fallback, margin, 0);
+    // A centre on the axis but for rounding has no direction of its own: what is left may lead along the axis.
+    const Vec2 foot = a.point1 + t * axis;
+    const bool on_axis = distance_squared(center, foot) < 1e-12f * length_squared(axis);
+    return collide_point(foot, a.radius, on_axis ? foot : center, b.radius, fallback, margin, 0);
 }
 
 Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, float margin) {

@@ -53,6 +53,10 @@ struct ContactKernel {
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
     /// Writes the impulses back for the next step.
     static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count);
+
+private:
+    /// The size of the sum of a contact's impulses: infinite or not a number if any of them is.
+    static F size_of(const Rows& r);
 };
 
 template <class L>
@@ -81,7 +85,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
                 __builtin_prefetch(&soon);
                 __builtin_prefetch(&soon.rolling_impulse);
             }
-            const bool is_live = r.contact[i] != null_index;
+            const bool is_live = W == 1 || r.contact[i] != null_index;  // single rows need no padding
             contact[i] = is_live ? r.contact[i] : r.contact[0];
             const ContactManifold& m = in.manifolds[contact[i]];
             pose_a[i] = m.body_a;
@@ -169,9 +173,11 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             }
         }
         if (r.is_special()) {
+            // Where there is no resistance there is no impulse, though a neighbour's or the step before had one.
             const F k = a[7] + b[7];
-            L::store(r.rolling_mass, select(k > zero, L::load(live) * omega / k, zero));
-            const F rolling = L::load(live) * warm * m3[0];
+            const auto rolls = L::load(r.rolling_resistance) > zero;
+            L::store(r.rolling_mass, select(k > zero, omega / k, zero));
+            const F rolling = select(rolls, warm * m3[0], zero);
             L::store(r.rolling_impulse, rolling);
             wa = wa + rolling;
             wb = wb + rolling;
@@ -268,7 +274,8 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
             }
             if (r.is_special()) {
                 const F old = L::load(r.rolling_impulse);
-                const F bound = L::load(r.rolling_resistance) * total_n;
+                const F resistance = L::load(r.rolling_resistance);
+                const F bound = select(resistance > zero, resistance * total_n, zero);  // even if the normal impulse has overflowed
                 const F lambda = max(min(old - L::load(r.rolling_mass) * (wb - wa), bound), zero - bound);
                 const F delta = lambda - old;
                 L::store(r.rolling_impulse, lambda);
@@ -362,11 +369,19 @@ void ContactKernel<L>::restitute(SolverBody* bodies_in, Rows* rows, std::uint32_
 }
 
 template <class L>
+typename L::F ContactKernel<L>::size_of(const Rows& r) {
+    F sum = L::load(r.points[0].normal_impulse) + L::load(r.points[0].tangent_impulse);
+    if (r.two_points) sum = sum + L::load(r.points[1].normal_impulse) + L::load(r.points[1].tangent_impulse);
+    if (r.is_special()) sum = sum + L::load(r.rolling_impulse);
+    return L::abs(sum);
+}
+
+template <class L>
 void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) {
     for (std::uint32_t block = 0; block < count; ++block) {
         const Rows& r = rows[block];
         for (std::uint32_t i = 0; i < W; ++i) {
-            if (r.contact[i] == null_index) continue;
+            if (W > 1 && r.contact[i] == null_index) continue;
             ContactManifold& m = manifolds[r.contact[i]];
             m.normal_impulse[0] = r.points[0].normal_impulse[i];
             m.tangent_impulse[0] = r.points[0].tangent_impulse[i];
@@ -374,8 +389,12 @@ void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::
                 m.normal_impulse[1] = r.points[1].normal_impulse[i];
                 m.tangent_impulse[1] = r.points[1].tangent_impulse[i];
             }
-            if ((m.flags & contact_special) != 0) m.rolling_impulse = r.rolling_impulse[i];
+            m.rolling_impulse = (m.flags & contact_special) != 0 ? r.rolling_impulse[i] : 0;
         }
+        const std::uint32_t sound = L::bits(size_of(r) < L::splat(unsound_impulse));
+        if (sound == (1u << W) - 1) continue;
+        for (std::uint32_t i = 0; i < W; ++i)
+            if ((sound >> i & 1u) == 0 && (W == 1 || r.contact[i] != null_index)) manifolds[r.contact[i]].forget_impulses();
     }
 }
 

@@ -6,6 +6,10 @@
 //     friction  Cdot = 0,      |lambda| <= h friction
 //     lower     C = x - lower >= 0,  lambda >= 0
 //     upper     C = upper - x >= 0,  lambda >= 0, pulls the other way
+// A rigid row is soft (softness.hpp): in each sweep it loses a part of its impulse, and under a steady load it gives way until its error makes up for
+// that. Limits lose a part only of what exceeds their load, so that they hold where they are set: what the joint's own motor puts on them, and what else they
+// have borne in the last two seconds. (Without any loss the impulses follow the error like an integrating controller, which swings up where the load is
+// much heavier than the bodies of the joint; so does a load that is learnt faster.)
 // Units: rad, N m s and so on for an angle; m, N s for a length. Limits are speculative: they may be reached within the substep, not passed
 // (Catto, "Solver2D", 2024).
 #pragma once
@@ -23,10 +27,13 @@ struct CoordinateRows {
     float speed[W], max_motor[W];  // max_motor, max_friction: N s, N m s over a substep
     float max_friction[W];
     float lower[W], upper[W];
+    float load[W];  // of the limits, an impulse over a substep: positive on the lower, negative on the upper one
     float spring[W], motor[W], friction[W], low[W], high[W];  // accumulated impulses
     std::uint32_t parts;
     std::uint8_t pad[W * 4 - 4];
 };
+
+inline constexpr float load_share = 1.0f / 128;  // of the difference, by which the load follows the impulse in each step: slower than joints swing
 
 inline constexpr float no_bound = 1.0e12f;  // m or rad: what is farther is out of reach, and its products could leave the range of float
 inline float within_bound(float a) { return within_bounds(a, no_bound); }
@@ -35,6 +42,9 @@ inline std::uint32_t coordinate_parts(const Joint& j) {
     return ((j.flags & joint_spring) != 0 ? std::uint32_t{part_spring} : 0u) | ((j.flags & joint_motor) != 0 ? std::uint32_t{part_motor} : 0u) |
            (j.friction > 0 ? std::uint32_t{part_friction} : 0u) | ((j.flags & joint_limit) != 0 ? std::uint32_t{part_limit} : 0u);
 }
+
+/// What the joint's own motor put on its limits in the last substep. (A wheel's motor turns it, and its limits are the strut's.)
+inline float own_drive(const Joint& j) { return j.joint_type() == JointType::wheel ? 0 : j.motor_impulse; }
 
 /// Fills rows that hold zeros. Returns the sum of the impulses, which warm starting applies.
 template <std::uint32_t W>
@@ -67,6 +77,7 @@ float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, c
         r.upper[lane] = within_bound(j.upper);
         r.low[lane] = n.warm * j.lower_impulse;
         r.high[lane] = n.warm * j.upper_impulse;
+        r.load[lane] = n.warm * (j.limit_load() - own_drive(j));
     }
     return r.spring[lane] + r.motor[lane] + r.friction[lane] + r.low[lane] - r.high[lane];
 }
@@ -78,6 +89,7 @@ ISLET_SHARED void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane,
     j.friction_impulse = r.friction[lane];
     j.lower_impulse = r.low[lane];
     j.upper_impulse = r.high[lane];
+    if ((j.flags & joint_limit) != 0) j.limit_load() += load_share * (r.low[lane] - r.high[lane] + own_drive(j) - j.limit_load());
 }
 
 /// The sum of the impulses so far.
@@ -109,20 +121,21 @@ ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, ty
         const F inv_h = L::splat(n.inv_h);
         const F rate = L::splat(n.soft.rate), mass_scale = L::splat(n.soft.mass_scale), impulse_scale = L::splat(n.omega * n.soft.impulse_scale);
         const F ahead = curve<L>(bend, n);
-        const auto side = [&](float* impulse, F c, F rate_of_c) {
+        const F load = L::load(r.load);
+        const auto side = [&](float* impulse, F borne, F c, F rate_of_c) {
             const F old = L::load(impulse);
             const auto apart = c > zero;
             const F bias = select(apart, c * inv_h, rate * c);
             const F scale = select(apart, L::splat(1.0f), mass_scale);
-            const F delta = -(m * scale * (rate_of_c + bias)) - select(apart, zero, impulse_scale) * old;
+            const F delta = -(m * scale * (rate_of_c + bias)) - select(apart, zero, impulse_scale) * (old - max(borne, zero));
             const F lambda = max(old + delta, zero);
             L::store(impulse, lambda);
             return lambda - old;
         };
-        const F low = side(r.low, x - L::load(r.lower), speed + ahead);
+        const F low = side(r.low, load, x - L::load(r.lower), speed + ahead);
         sum = sum + low;
         speed = speed + k * low;
-        const F high = side(r.high, L::load(r.upper) - x, -(speed + ahead));
+        const F high = side(r.high, -load, L::load(r.upper) - x, -(speed + ahead));
         sum = sum - high;
     }
     return sum;

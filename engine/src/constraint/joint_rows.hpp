@@ -277,23 +277,26 @@ ISLET_LANE void solve_point(JointBodies<L>& s, LaneVec<typename L::F> ra, LaneVe
     return {v.x, v.y};
 }
 
-/// False of impulses beyond what any body can bear, and of those that are no numbers.
-inline bool is_sound(float a, float b, float c) { return abs(a) + abs(b) + abs(c) < 1.0e28f; }
-
-/// Numbers that are absurd together (a largest float here, a speck of dust there) can overflow in a solve. The bodies are held within their limits
-/// (solver.cpp), and the joint starts anew in the next step.
+/// See unsound_impulse: so of what the joint applies; of the rest, which may cancel out in that, if it is not finite (then the sum is not).
 inline void forget_unsound(Joint& j) {
-    if (is_sound(j.force_impulse.x, j.force_impulse.y, j.torque_impulse)) return;
-    j.impulse = j.force_impulse = {0, 0};
-    j.angular_impulse = j.torque_impulse = 0;
-    j.spring_impulse = j.motor_impulse = j.friction_impulse = j.lower_impulse = j.upper_impulse = 0;
+    constexpr std::size_t first = offsetof(Joint, impulse), bytes = offsetof(Joint, torque_impulse) + 4 - first;
+    float impulses[bytes / 4];
+    std::memcpy(impulses, reinterpret_cast<const std::byte*>(&j) + first, bytes);
+    float size = 0;
+    for (const float impulse : impulses) size += impulse;
+    if (abs(j.force_impulse.x) + abs(j.force_impulse.y) + abs(j.torque_impulse) < unsound_impulse && is_finite(size)) return;
+    std::memset(reinterpret_cast<std::byte*>(&j) + first, 0, bytes);
+    if ((j.flags & joint_limit) != 0) j.limit_load() = 0;
 }
 
 /// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in free_motion.hpp). What cannot
 /// be pushed is not stretched.
 inline void add_stretch(const JointOutput& out, std::uint32_t slot, std::uint32_t body, Vec2 arm, Vec2 p) {
     const SolverBody& b = out.solved[slot];
-    if (b.inv_mass > 0) out.bodies[body].stretch += out.h * dot(turned(b.dq, arm.x, arm.y), p);
+    if (!(b.inv_mass > 0)) return;
+    constexpr float most = 1.0e37f;  // so many joints may pull at a body that their sum would be no number
+    float& stretch = out.bodies[body].stretch;
+    stretch = within_bounds(stretch + out.h * dot(turned(b.dq, arm.x, arm.y), p), most);
 }
 
 /// Writes back the impulse, for readers, and how the joint stretched its bodies.
@@ -301,7 +304,7 @@ template <std::uint32_t W>
 void store_applied(const Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
     const Vec2 p = {applied.px[lane], applied.py[lane]};
     j.force_impulse = p;
-    if (!is_sound(p.x, p.y, 0)) return;
+    if (!(abs(p.x) + abs(p.y) < unsound_impulse)) return;
     add_stretch(out, r.body_b[lane], j.body_b, {r.rbx[lane], r.rby[lane]}, p);
     add_stretch(out, r.body_a[lane], j.body_a, {r.rax[lane], r.ray[lane]}, -p);
 }

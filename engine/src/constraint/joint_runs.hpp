@@ -110,7 +110,7 @@ void prepare_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, c
             for (std::uint32_t lane = 0; lane < W; ++lane) {
                 const std::uint32_t joint = *joints++;
                 ends_of<W>(rows).joint[lane] = joint;
-                if (joint == null_index) continue;
+                if (W > 1 && joint == null_index) continue;
                 const Joint& j = in.joints[joint];
                 const JointPose p = pose_of(j, in.poses, in.bodies_in);
                 set_ends(ends_of<W>(rows), lane, j, in, p);
@@ -171,7 +171,7 @@ void store_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, con
         for (; blocks-- > 0; rows += block_bytes) {
             for (std::uint32_t lane = 0; lane < W; ++lane) {
                 const JointEnds<W>& ends = ends_of<W>(rows);
-                if (ends.joint[lane] == null_index) continue;
+                if (W > 1 && ends.joint[lane] == null_index) continue;
                 Joint& j = out.joints[ends.joint[lane]];
                 if (has_applied(kernel)) store_applied(applied_of<W>(rows), ends, lane, j, out);
                 with_row(rows, [&](auto* r) { store(*r, known_lane<W>(lane), j, out); });

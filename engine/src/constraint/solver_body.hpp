@@ -29,6 +29,10 @@ struct SolverMotion {
 
 static_assert(sizeof(SolverBody) == solver_body_bytes && sizeof(SolverMotion) == solver_motion_bytes);
 
+/// N s, N m s: impulses that come to so much are beyond what any body can bear. Numbers that are absurd together (a largest float here, a speck of dust
+/// there) can overflow in a solve. The bodies are held within their limits (solver.cpp), and the contact or joint starts anew in the next step.
+inline constexpr float unsound_impulse = 1.0e28f;
+
 /// Constants of one solve.
 struct StepNumbers {
     float dt = 0;           // s

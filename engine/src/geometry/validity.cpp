@@ -13,6 +13,9 @@ ISLET_SHARED bool are_apart(Vec2 a, Vec2 b) {
     return detail::in_range(a) && detail::in_range(b) && distance_squared(a, b) > detail::min_length * detail::min_length;
 }
 
+// A ghost may be the mirror image of a segment's one end at the other.
+ISLET_SHARED bool is_ghost(Vec2 a) { return detail::in_range(0.25f * a); }
+
 /// True if n is the outward unit normal of the edge from a to b.
 bool is_normal(Vec2 n, Vec2 a, Vec2 b) {
     const Vec2 edge = b - a;
@@ -46,7 +49,7 @@ bool is_valid(const Capsule& c) { return are_apart(c.point1, c.point2) && c.radi
 
 bool is_valid(const Segment& s) { return are_apart(s.point1, s.point2); }
 
-bool is_valid(const ChainSegment& s) { return is_valid(s.segment) && detail::in_range(s.ghost1) && detail::in_range(s.ghost2); }
+bool is_valid(const ChainSegment& s) { return is_valid(s.segment) && is_ghost(s.ghost1) && is_ghost(s.ghost2); }
 
 bool is_valid(const Polygon& p) {
     if (p.count < 3 || p.count > max_polygon_vertices || !detail::is_radius(p.radius)) return false;

@@ -50,6 +50,18 @@ void cut_out(const Task<T>& task, const T* divisors, Range range, Block<T>& bloc
     }
 }
 
+/// Cuts y to its bounds; friction last, whose bounds are made of a y that is cut already.
+template <class T>
+void keep_bounds(const Block<T>& block, T* y) {
+    for (const bool has_friction : {false, true}) {
+        for (std::uint32_t k = 0; k < block.size; ++k) {
+            if ((block.friction[k] != no_row) != has_friction) continue;
+            const T limit = has_friction ? block.hi[k] * larger(y[block.friction[k]], T(0)) : T(0);
+            y[k] = clamp(y[k], has_friction ? -limit : block.lo[k], has_friction ? limit : block.hi[k]);
+        }
+    }
+}
+
 /// Returns the row that failed, or no_row.
 template <class T>
 std::uint32_t update_block(const Task<T>& task, const T* divisors, Range range) {
@@ -60,15 +72,14 @@ std::uint32_t update_block(const Task<T>& task, const T* divisors, Range range) 
     if (range.end - range.first > 1) {
         cut_out(task, divisors, range, block);
         if (solve_block(block, y)) {
+            T* const x = task.x + range.first;
+            if (omega != T(1)) {
+                for (std::uint32_t k = 0; k < block.size; ++k) y[k] = x[k] + omega * (y[k] - x[k]);
+                keep_bounds(block, y);
+            }
             for (std::uint32_t k = 0; k < block.size; ++k)
                 if (!is_finite(y[k])) return range.first + k;
-            T* const x = task.x + range.first;
-            for (std::uint32_t k = 0; k < block.size; ++k) x[k] = omega == T(1) ? y[k] : x[k] + omega * (y[k] - x[k]);
-            if (omega == T(1)) return no_row;
-            for (std::uint32_t k = 0; k < block.size; ++k) {
-                const Bounds<T> b = bounds_of(task.problem, range.first + k, task.x);
-                x[k] = clamp(x[k], b.lo, b.hi);
-            }
+            for (std::uint32_t k = 0; k < block.size; ++k) x[k] = y[k];
             return no_row;
         }
     }

@@ -263,7 +263,8 @@ void refine(const Task<T>& task, const Lemke<T>& s) {
     for (std::uint32_t k = 0; k < m; ++k) {
         const std::uint32_t i = rows[k];
         kept[i] = task.x[i];
-        task.x[i] = clamp(task.x[i] + rhs[k], s.lo[i], s.hi[i]);
+        const T corrected = clamp(task.x[i] + rhs[k], s.lo[i], s.hi[i]);
+        if (is_finite(corrected)) task.x[i] = corrected;
     }
     if (natural_residual(task.problem, task.x) <= before) return;
     for (std::uint32_t k = 0; k < m; ++k) task.x[rows[k]] = kept[rows[k]];

@@ -91,6 +91,7 @@ std::uint32_t find_step(const Task<T>& task, Newton<T>& s, bool damped) {
         const Row<T> row = row_of(task.problem, s.free_rows[k]);
         for (std::uint32_t e = 0; e < row.count; ++e) {
             const std::uint32_t j = row.column(e);
+            if (row.values[e] == T(0)) continue;  // a sparse matrix may not have it, and a step may be infinite
             if (s.index[j] != no_row) {
                 a[s.index[j]] += row.values[e];
                 continue;
@@ -113,13 +114,22 @@ std::uint32_t find_step(const Task<T>& task, Newton<T>& s, bool damped) {
     return no_row;
 }
 
+template <class T>
+bool all_finite(const Task<T>& task, const T* x) {
+    for (std::uint32_t i = 0; i < task.rows; ++i)
+        if (!is_finite(x[i])) return false;
+    return true;
+}
+
 /// Goes along the step as far as |F|^2 falls enough; false, with x and f as they were, if it does nowhere.
 template <class T>
 bool search_along(const Task<T>& task, Newton<T>& s, T square) {
     T length = T(1);
     for (std::uint32_t halving = 0; halving <= most_halvings; ++halving, length *= T(0.5)) {
         for (std::uint32_t i = 0; i < task.rows; ++i) s.trial[i] = task.x[i] + length * s.step[i];
-        if (squared_map(task, s.trial, s.rhs) > (T(1) - T(2 * least_descent) * length) * square) continue;
+        if (!all_finite(task, s.trial)) continue;  // where numbers end, so does what the map says
+        const T trial_square = squared_map(task, s.trial, s.rhs);
+        if (!is_finite(trial_square) || trial_square > (T(1) - T(2 * least_descent) * length) * square) continue;
         for (std::uint32_t i = 0; i < task.rows; ++i) task.x[i] = s.trial[i];
         return true;
     }

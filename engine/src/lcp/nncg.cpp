@@ -11,6 +11,24 @@
 
 namespace islet::lcp {
 
+namespace {
+
+/// A sweep that failed left rows where the step along the direction had put them: all that are swept go back within their bounds, friction last.
+template <class T>
+void undo_step(const Task<T>& task) {
+    const std::span<const std::uint32_t> order = task.options.order;
+    for (const bool with_friction : {false, true}) {
+        for (std::size_t k = 0; k < (order.empty() ? task.size() : order.size()); ++k) {
+            const std::uint32_t i = order.empty() ? static_cast<std::uint32_t>(k) : order[k];
+            if (has_friction(task.problem, i) != with_friction) continue;
+            const Bounds<T> b = bounds_of(task.problem, i, task.x);
+            task.x[i] = clamp(task.x[i], b.lo, b.hi);
+        }
+    }
+}
+
+}  // namespace
+
 template <class T>
 Result<T> run_nncg(Task<T> task) {
     const Options<T>& o = task.options;
@@ -26,7 +44,10 @@ Result<T> run_nncg(Task<T> task) {
         for (std::uint32_t i = 0; i < task.rows; ++i) old[i] = task.x[i];
         std::uint32_t failed = sweep(task.problem, o.order, false, T(1), divisors, task.x);
         if (failed == no_row) failed = sweep(task.problem, o.order, true, T(1), divisors, task.x);
-        if (failed != no_row) return finish(task, Status::diverged, failed, done + 1);
+        if (failed != no_row) {
+            undo_step(task);
+            return finish(task, Status::diverged, failed, done + 1);
+        }
         if (reached(task, done + 1)) return finish(task, Status::converged, no_row, done + 1);
         if (done + 1 == o.max_iterations) break;
 
@@ -39,7 +60,7 @@ Result<T> run_nncg(Task<T> task) {
             const T step = restart ? T(0) : beta * direction[i];
             direction[i] = step + (task.x[i] - old[i]);
             const T next = task.x[i] + step;
-            if (is_finite(next)) task.x[i] = next;
+            if (step != T(0) && is_finite(next)) task.x[i] = next;
         }
     }
     return finish(task, Status::iteration_limit, no_row, o.max_iterations);

@@ -15,16 +15,22 @@ T infeasibility_of(T x, T w, Bounds<T> b) {
 
 template <class T>
 T complementarity_of(T x, T w, Bounds<T> b) {
-    if (w == T(0)) return T(0);
-    const T to_lo = magnitude(x - b.lo);
-    const T to_hi = magnitude(b.hi - x);
-    T gap = w > T(0) ? to_lo : to_hi;
-    if (!is_finite(gap)) gap = w > T(0) ? to_hi : to_lo;
-    if (!is_finite(gap)) gap = T(1);
-    return magnitude(w) * gap;
+    const T nearer = w > T(0) ? b.lo : b.hi;
+    const T other = w > T(0) ? b.hi : b.lo;
+    const T gap = is_finite(nearer) ? magnitude(x - nearer) : (is_finite(other) ? magnitude(x - other) : T(1));
+    return w == T(0) || gap == T(0) ? T(0) : magnitude(w) * gap;  // an infinite w times 0 would be a NaN
 }
 
 }  // namespace
+
+template <class T>
+T overflowing_row_value(const Problem<T>& problem, std::uint32_t i, const T* x) {
+    constexpr T s = Numbers<T>::shrink;
+    const Row<T> row = row_of(problem, i);
+    T sum = problem.q[i] * s * s;
+    for (std::uint32_t k = 0; k < row.count; ++k) sum += (row.values[k] * s) * (x[row.column(k)] * s);
+    return sum / s / s;
+}
 
 template <class T>
 T natural_residual(const Problem<T>& problem, const T* x) {
@@ -54,6 +60,8 @@ Residuals<T> residuals(const Problem<T>& problem, std::span<const T> x) {
     return all_residuals(problem, x.data());
 }
 
+template float overflowing_row_value(const Problem<float>&, std::uint32_t, const float*);
+template double overflowing_row_value(const Problem<double>&, std::uint32_t, const double*);
 template float natural_residual(const Problem<float>&, const float*);
 template double natural_residual(const Problem<double>&, const double*);
 template Residuals<float> all_residuals(const Problem<float>&, const float*);

@@ -28,8 +28,12 @@ Row<T> row_of(const Problem<T>& problem, std::uint32_t i) {
     return {problem.sparse.values.data() + first, problem.sparse.columns.data() + first, problem.sparse.row_starts[i + 1] - first};
 }
 
+/// The sum of row_value where it left the range of numbers on its way: computed small and enlarged at the end, it is infinite only if w_i is, and no NaN.
+template <class T>
+T overflowing_row_value(const Problem<T>& problem, std::uint32_t i, const T* x);
+
 /// w_i = q_i + sum of M_ij x_j. The sum is never -0 (q_i + 0 is not, nor is any sum that begins so), so adding the zeros that a dense matrix has and a
-/// sparse one leaves out changes no bit.
+/// sparse one leaves out changes no bit. Where x is finite it is no NaN.
 template <class T>
 T row_value(const Problem<T>& problem, std::uint32_t i, const T* x) {
     const Row<T> row = row_of(problem, i);
@@ -39,7 +43,7 @@ T row_value(const Problem<T>& problem, std::uint32_t i, const T* x) {
     } else {
         for (std::uint32_t k = 0; k < row.count; ++k) sum += row.values[k] * x[row.columns[k]];
     }
-    return sum;
+    return is_finite(sum) ? sum : overflowing_row_value(problem, i, x);
 }
 
 template <class T>

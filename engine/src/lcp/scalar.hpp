@@ -11,6 +11,7 @@ struct Numbers<float> {
     static constexpr float epsilon = __FLT_EPSILON__;  // from 1 to the next number
     static constexpr float smallest = __FLT_MIN__;     // positive and normal
     static constexpr float infinity = __builtin_inff();
+    static constexpr float shrink = 0x1p-77f;  // max_rows products of any two numbers times this fit, their sum too
 };
 
 template <>
@@ -18,6 +19,7 @@ struct Numbers<double> {
     static constexpr double epsilon = __DBL_EPSILON__;
     static constexpr double smallest = __DBL_MIN__;
     static constexpr double infinity = __builtin_inf();
+    static constexpr double shrink = 0x1p-525;
 };
 
 template <class T>

@@ -37,6 +37,7 @@ struct Lane1 {
     ISLET_LANE static F load(const float* p) { return *p; }
     ISLET_LANE static void store(float* p, F a) { *p = a; }
     ISLET_LANE static F sqrt(F a) { return detail::sqrt(a); }
+    ISLET_LANE static F abs(F a) { return __builtin_fabsf(a); }
 
     /// Column i of the output is word i of the record at base + stride * index.
     template <std::uint32_t stride>
@@ -121,6 +122,7 @@ struct Lane4 {
         return F{detail::sqrt(a[0]), detail::sqrt(a[1]), detail::sqrt(a[2]), detail::sqrt(a[3])};
 #endif
     }
+    ISLET_LANE static F abs(F a) { return reinterpret_cast<F>(reinterpret_cast<i4>(a) & 0x7fffffff); }
 
     template <std::uint32_t stride>
     ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
@@ -152,8 +154,8 @@ struct Lane4 {
     ISLET_LANE static std::uint32_t positive(F a) { return bits(a > F{}); }
 };
 
-#if defined(__AVX2__)
-// Eight lanes. This part is seen only by the translation units compiled for AVX2.
+#if defined(ISLET_AVX2)
+// Eight lanes, seen only by the files compiled for AVX2 (math/avx2.hpp).
 typedef float f8 __attribute__((vector_size(32)));
 typedef int i8 __attribute__((vector_size(32)));
 
@@ -168,6 +170,7 @@ struct Lane8 {
     ISLET_LANE static F load(const float* p) { return _mm256_loadu_ps(p); }
     ISLET_LANE static void store(float* p, F a) { _mm256_storeu_ps(p, a); }
     ISLET_LANE static F sqrt(F a) { return _mm256_sqrt_ps(a); }
+    ISLET_LANE static F abs(F a) { return reinterpret_cast<F>(reinterpret_cast<i8>(a) & 0x7fffffff); }
 
     template <std::uint32_t stride>
     ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {

@@ -7,10 +7,10 @@
 //
 // The angle passed is itself rounded, by up to 0.004 rad at 1e5 rad and by up to a turn at 2e8 rad: what is exact for the float
 // may still be far from what the caller meant. No step converts a number to an integer type that cannot hold it.
-#include <bit>
 #include <cstdint>
 
 #include "islet/math.hpp"
+#include "math/scalar.hpp"
 
 namespace islet {
 namespace {
@@ -40,7 +40,7 @@ Reduced reduce_easy(float a) {
 Reduced reduce_hard(float a) {
     constexpr std::uint32_t two_over_pi[7] = {0, 0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041};
     constexpr float half_pi_over_2_30 = 1.462918120e-9f;
-    const auto bits = std::bit_cast<std::uint32_t>(a);
+    const auto bits = detail::bits_of(a);
     const std::uint32_t m = (bits & 0x7fffff) | 0x800000;
     const std::uint32_t first = ((bits >> 23) & 0xff) - 120;  // e + 30: the place in the table of the bit worth 2; 23 to 134 here
     const std::uint32_t* word = two_over_pi + first / 32;

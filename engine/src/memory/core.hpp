@@ -19,10 +19,18 @@ struct SensorEvents {
 
 struct RecordingHead;  // world/calls.hpp
 
+/// Why nothing may change the world now: it calls a function of the user's, from the middle of something.
+enum Inside : std::uint32_t {
+    inside_call = 1u,   // a hook, the task system, the clock, a drawing function
+    inside_error = 2u,  // the error hook, which is told no errors of its own
+};
+
 struct Core {
     Capacity capacity;
     std::uint32_t lanes = 1;
     Error last_error = Error::none;
+    std::uint32_t inside = 0;            // Inside
+    bool exact = true;  // false: no step is taken (Error::inexact_build)
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     TaskSystem tasks;
@@ -69,9 +77,12 @@ struct Core {
 
     Arena arena() const { return {scratch, scratch_end}; }
 
-    void fail(Error error) {
+    ISLET_SHARED void fail(Error error) {
         last_error = error;
-        if (error_hook != nullptr) error_hook(error, error_context);
+        if (error_hook == nullptr || (inside & inside_error) != 0) return;
+        inside |= inside_error;
+        error_hook(error, error_context);
+        inside &= ~std::uint32_t{inside_error};
     }
 
     BodyId body_id(std::uint32_t i) const { return {i + 1, bodies[i].generation}; }
@@ -82,6 +93,19 @@ struct Core {
 
     static Core& of(World& world);
     static const Core& of(const World& world);
+};
+
+/// While it lives, nothing may change the world. Workers may make one within a step, which has done so already: then it writes nothing.
+struct Closed {
+    Core* core;
+    explicit Closed(const Core& open) : core(open.inside == 0 ? const_cast<Core*>(&open) : nullptr) {
+        if (core != nullptr) core->inside = inside_call;
+    }
+    ~Closed() {
+        if (core != nullptr) core->inside = 0;
+    }
+    Closed(const Closed&) = delete;
+    Closed& operator=(const Closed&) = delete;
 };
 
 static_assert(sizeof(Core) <= core_bytes);

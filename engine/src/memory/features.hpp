@@ -30,6 +30,7 @@ inline constexpr bool has_continuous = ISLET_CONTINUOUS != 0;
 inline constexpr bool has_sensors = ISLET_SENSORS != 0;
 inline constexpr bool has_hits = ISLET_HITS != 0;
 inline constexpr bool has_hooks = ISLET_HOOKS != 0;
+inline constexpr bool has_one_way = ISLET_ONE_WAY != 0;
 inline constexpr bool has_queries = ISLET_QUERIES != 0;
 inline constexpr bool has_mover = ISLET_MOVER != 0 && has_queries;
 inline constexpr bool has_recorder = ISLET_RECORDER != 0;

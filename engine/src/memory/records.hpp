@@ -80,7 +80,8 @@ enum ShapeFlags : std::uint32_t {
     shape_unseen = 2u,         // sensors do not see it
     shape_hit_events = 4u,
     shape_pre_solve = 8u,      // the pre-solve hook is asked about its contacts
-    shape_all_flags = 15u,
+    shape_all_flags = 15u,     // of those that a world has to know of
+    shape_one_way_bits = ~255u,  // the direction in which it holds what comes, as two numbers of 12 bits; 0: no one-way shape
 };
 
 struct Shape {
@@ -97,6 +98,15 @@ struct Shape {
     std::uint32_t flags = 0;                             // ShapeFlags
     std::uint32_t material = 0;                          // the user's id
 };
+
+/// The direction of a one-way shape in its flags, to 1/1000 rad, along an axis exactly; and back, unit or zero.
+inline std::uint32_t flags_of_direction(Vec2 unit) {
+    const auto bits = [](float a) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(1024.0f * a + (a < 0 ? -0.5f : 0.5f))); };
+    return (bits(unit.x) & 0xfffu) << 8 | bits(unit.y) << 20;
+}
+inline Vec2 direction_of_flags(std::uint32_t flags) {
+    return normalize(Vec2{static_cast<float>(static_cast<std::int32_t>(flags << 12) >> 20), static_cast<float>(static_cast<std::int32_t>(flags) >> 20)});
+}
 
 /// A geometry, stored once however many shapes share it.
 struct Geometry {
@@ -128,8 +138,11 @@ enum ContactFlags : std::uint32_t {
     contact_color_shift = 8,   // 8 bits: colour, or no_color
     contact_hits = 1u << 16,   // tells of hits
     contact_asks = 1u << 17,   // the pre_solve hook is asked
-    contact_ahead = 1u << 18,  // the shapes come together fast: solved harder
-    contact_untold = 1u << 19, // made so far ahead that it is not said to touch before it does
+    contact_one_way = 1u << 18,  // one of the shapes is a one-way shape
+    contact_passes = 1u << 19,   // and lets the other pass
+    contact_dropped = 1u << 20,  // because the hook said so
+    contact_ahead = 1u << 21,    // the shapes come together fast: solved harder
+    contact_untold = 1u << 22,   // made so far ahead that it is not said to touch before it does
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
@@ -167,6 +180,7 @@ struct ContactManifold {
     ISLET_INLINE std::uint32_t count() const { return flags >> contact_count_shift & 3u; }
     ISLET_INLINE std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
+    void forget_impulses() { normal_impulse[0] = normal_impulse[1] = tangent_impulse[0] = tangent_impulse[1] = rolling_impulse = 0; }
 };
 
 /// The user knows that the two shapes touch.
@@ -199,7 +213,7 @@ struct Joint {
     float motor_speed = 0, motor_max = 0;     // of a motor joint: angular velocity, greatest force
     float friction = 0;
     float length = 0;              // distance: of the rod; pulley, gear: the constant
-    float ratio = 0;               // pulley, gear
+    float ratio = 0;               // pulley, gear; where there is a limit: limit_load
     float linear_hertz = 0, linear_damping_ratio = 0, angular_hertz = 0, angular_damping_ratio = 0;  // weld, motor, mouse
     Vec2 velocity;                 // motor
     float max_torque = 0;          // motor
@@ -217,6 +231,8 @@ struct Joint {
     std::uint64_t user_data = 0;
 
     JointType joint_type() const { return known(static_cast<JointType>(type)); }
+    float limit_load() const { return ratio; }  // N s or N m s over a substep, without the joint's own motor: coordinate.hpp
+    float& limit_load() { return ratio; }
     ISLET_INLINE std::uint32_t color() const { return flags >> joint_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << joint_color_shift)) | color << joint_color_shift; }
 };

@@ -35,19 +35,19 @@ inline Vec2 limit_speed(Vec2 v, float max_speed) {
     constexpr float huge = 1.0e18f;  // its square is still a number
     v = {within(v.x, huge), within(v.y, huge)};
     const float speed = length(v);
-    return speed > max_speed ? (max_speed / speed) * v : v;
+    if (speed > max_speed) v = (max_speed / speed) * v;
+    return {v.x + 0.0f, v.y + 0.0f};  // a product that is too small for a float may be -0, which a lane that adds nothing would change
 }
 
 /// The velocities v, w after the substep, before warm start and sweeps.
 inline Vec2 free_velocity(const SolverMotion& m, Vec2 v, float max_speed) {
     v = m.linear_factor * (v + m.a);
     if (!(dot(v, v) <= max_speed * max_speed)) v = limit_speed(v, max_speed);
-    return v;
+    return {v.x + 0.0f, v.y + 0.0f};
 }
-inline float free_turn(const SolverMotion& m, float w, float max_turn) { return within(m.angular_factor * (w + m.alpha), max_turn); }
+inline float free_turn(const SolverMotion& m, float w, float max_turn) { return within(m.angular_factor * (w + m.alpha), max_turn) + 0.0f; }
 
-/// The fastest a body may turn in a step of dt seconds, rad/s: separations follow the turning to first order. Finite for any dt: times a substep of which
-/// nothing is left it is 0.
-inline float max_turn_of(float dt) { return min(0.5f * pi / dt, 1.0e30f); }
+/// The fastest a body may turn in a step of dt seconds, rad/s: separations follow the turning to first order.
+inline float max_turn_of(float dt) { return 0.5f * pi / dt; }
 
 }  // namespace islet::detail

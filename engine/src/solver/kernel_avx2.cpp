@@ -1,10 +1,12 @@
 // The kernel for eight lanes: this file alone is compiled for AVX2 (never FMA, which would change the bits).
+#include "math/avx2.hpp"
+
 #include "constraint/contact.hpp"
 #include "constraint/joint_runs.hpp"
 
 namespace islet::detail {
 
-#if defined(__AVX2__)
+#if defined(ISLET_AVX2)
 void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count) { ContactKernel<Lane8>::prepare(in, rows, count); }
 void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers) {
     ContactKernel<Lane8>::solve(bodies, rows, count, numbers);
@@ -21,3 +23,5 @@ void solve_joints_8(JointKernel kernel, SolverBody* bodies, std::byte* rows, std
 #endif
 
 }  // namespace islet::detail
+
+ISLET_AVX2_END

@@ -223,10 +223,15 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
         }
         if ((any & (contact_special | contact_bouncy | contact_hits)) == 0) continue;
         for (std::uint32_t i = 0; i < W; ++i) {
-            const MixedSurface surface = r.contact[i] != null_index ? surface_of(core, r.contact[i]) : MixedSurface{};
-            r.restitution[i] = surface.restitution;
-            r.rolling_resistance[i] = surface.rolling_resistance;
-            r.tangent_speed[i] = surface.tangent_speed;
+            // Each has what its own flags say, whatever its neighbours have and its shapes would have now.
+            const std::uint32_t c = r.contact[i];
+            const bool is_live = W == 1 || c != null_index;
+            const std::uint32_t own = W == 1 ? any : is_live ? core.manifolds[c].flags : 0;
+            const MixedSurface surface = is_live ? surface_of(core, c) : MixedSurface{};
+            const bool special = W == 1 || (own & contact_special) != 0;  // of a row by itself nobody asks unless it is
+            r.restitution[i] = (own & contact_bouncy) != 0 ? surface.restitution : 0;
+            r.rolling_resistance[i] = special ? surface.rolling_resistance : 0;
+            r.tangent_speed[i] = special ? surface.tangent_speed : 0;
         }
     }
 }

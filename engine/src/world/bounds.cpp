@@ -114,7 +114,9 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
         }
         slack = min(slack, room_in(fat, tight));
     }
-    core.motions[body].slack = slack;
+    // From beyond the end of the world the next step takes the body back, and counts no way for that.
+    const Vec2 center = core.poses[body].center;
+    core.motions[body].slack = max(abs(center.x), abs(center.y)) > max_position ? -1.0f : slack;
 }
 
 void update_boxes(Core& core, std::uint32_t body, bool force) { fit_boxes(core, body, force, nullptr); }
@@ -182,17 +184,19 @@ void update_mass(Core& core, std::uint32_t body) {
         total.mass += m.mass;
         total.center += m.mass * m.center;
     }
-    if (total.mass < min_mass) {
-        // A dynamic body without mass would not move: it weighs a kilogram. One lighter than the lightest is a point of that mass.
-        apply_mass(core, body, {total.mass > 0 ? min_mass : 1.0f, {0, 0}, 0});
+    total.center *= 1.0f / total.mass;
+    const float known = total.mass + 0.0f * (total.center.x + total.center.y);  // the mass, if there is a centre
+    if (!(known >= min_mass && known <= no_limit)) {
+        // A dynamic body without mass would not move: it weighs a kilogram, and so does one whose shapes together are too heavy to say. One lighter than
+        // the lightest is a point of that mass.
+        apply_mass(core, body, {total.mass > 0 && total.mass < min_mass ? min_mass : 1.0f, {0, 0}, 0});
         return;
     }
-    total.center *= 1.0f / total.mass;
     for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
         const MassData m = mass_of(core, core.shapes[s]);
         inertia += m.inertia + m.mass * distance_squared(m.center, total.center);
     }
-    total.inertia = inertia;
+    total.inertia = min(inertia, no_limit);
     apply_mass(core, body, total);
 }
 

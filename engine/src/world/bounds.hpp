@@ -26,7 +26,8 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed);
 void mark_changed(Core& core, std::uint32_t body, const bool* changed);
 /// Mass, centre and inertia from the shapes, unless overridden; keeps the velocity of the material. Updates the extents too.
 void update_mass(Core& core, std::uint32_t body);
-/// Sets mass data as given and all that follows from it.
+/// Sets mass data as given and all that follows from it. Call update_boxes afterwards: how exactly the body's place was known so far depends on how far
+/// away its centre was.
 void apply_mass(Core& core, std::uint32_t body, const MassData& mass);
 /// Farthest distance of any point from a centre, and the smallest half-thickness of what is solid, m.
 struct Extent {

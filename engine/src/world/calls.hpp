@@ -85,7 +85,8 @@
     X(set_joint_length, set_joint_length, JointId, float) \
     X(set_joint_velocity, set_joint_velocity, JointId, Vec2, float) \
     X(set_joint_strength, set_joint_strength, JointId, float, float) \
-    X(set_joint_target, set_target, JointId, Vec2)
+    X(set_joint_target, set_target, JointId, Vec2) \
+    X(set_one_way, set_one_way, ShapeId, Vec2)
 // clang-format on
 
 namespace islet::detail {
@@ -115,57 +116,57 @@ struct RecordingHead {
 //
 // members(visit, value) calls visit with the value's members, in an order that is part of the format.
 
-template <class V> void members(V& v, Vec2& a) { v(a.x, a.y); }
-template <class V> void members(V& v, Rot& a) { v(a.c, a.s); }
-template <class V> void members(V& v, Transform& a) { v(a.p, a.q); }
-template <class V> void members(V& v, BodyId& a) { v(a.index1, a.generation); }
-template <class V> void members(V& v, ShapeId& a) { v(a.index1, a.generation); }
-template <class V> void members(V& v, JointId& a) { v(a.index1, a.generation); }
-template <class V> void members(V& v, Filter& a) { v(a.category, a.mask, a.group); }
-template <class V> void members(V& v, MassData& a) { v(a.mass, a.center, a.inertia); }
-template <class V> void members(V& v, SurfaceMaterial& a) { v(a.friction, a.restitution, a.rolling_resistance, a.tangent_speed, a.id); }
-template <class V> void members(V& v, ExplosionDef& a) { v(a.position, a.radius, a.falloff, a.impulse_per_length, a.mask); }
-template <class V> void members(V& v, WindDef& a) { v(a.velocity, a.drag, a.lift, a.density, a.wake); }
-template <class V> void members(V& v, Circle& a) { v(a.center, a.radius); }
-template <class V> void members(V& v, Capsule& a) { v(a.point1, a.point2, a.radius); }
-template <class V> void members(V& v, Segment& a) { v(a.point1, a.point2); }
-template <class V> void members(V& v, ChainSegment& a) { v(a.ghost1, a.segment, a.ghost2); }
-template <class V> void members(V& v, Polygon& a) {
+template <class V> constexpr void members(V& v, Vec2& a) { v(a.x, a.y); }
+template <class V> constexpr void members(V& v, Rot& a) { v(a.c, a.s); }
+template <class V> constexpr void members(V& v, Transform& a) { v(a.p, a.q); }
+template <class V> constexpr void members(V& v, BodyId& a) { v(a.index1, a.generation); }
+template <class V> constexpr void members(V& v, ShapeId& a) { v(a.index1, a.generation); }
+template <class V> constexpr void members(V& v, JointId& a) { v(a.index1, a.generation); }
+template <class V> constexpr void members(V& v, Filter& a) { v(a.category, a.mask, a.group); }
+template <class V> constexpr void members(V& v, MassData& a) { v(a.mass, a.center, a.inertia); }
+template <class V> constexpr void members(V& v, SurfaceMaterial& a) { v(a.friction, a.restitution, a.rolling_resistance, a.tangent_speed, a.id); }
+template <class V> constexpr void members(V& v, ExplosionDef& a) { v(a.position, a.radius, a.falloff, a.impulse_per_length, a.mask); }
+template <class V> constexpr void members(V& v, WindDef& a) { v(a.velocity, a.drag, a.lift, a.density, a.wake); }
+template <class V> constexpr void members(V& v, Circle& a) { v(a.center, a.radius); }
+template <class V> constexpr void members(V& v, Capsule& a) { v(a.point1, a.point2, a.radius); }
+template <class V> constexpr void members(V& v, Segment& a) { v(a.point1, a.point2); }
+template <class V> constexpr void members(V& v, ChainSegment& a) { v(a.ghost1, a.segment, a.ghost2); }
+template <class V> constexpr void members(V& v, Polygon& a) {
     for (Vec2& p : a.vertices) v(p);
     for (Vec2& p : a.normals) v(p);
     v(a.centroid, a.radius, a.count);
 }
-template <class V> void members(V& v, SolverDef& a) {
+template <class V> constexpr void members(V& v, SolverDef& a) {
     v(a.schedule, a.substeps, a.iterations, a.relax_iterations, a.contact_hertz, a.contact_damping_ratio, a.contact_push_speed, a.joint_hertz,
       a.joint_damping_ratio, a.baumgarte, a.omega, a.warm_start, a.joint_trees, a.joint_tree_load, a.sweep_order, a.block_contacts, a.shock,
       a.measure_residual, a.tolerance);
 }
-template <class V> void members(V& v, BodyDef& a) {
+template <class V> constexpr void members(V& v, BodyDef& a) {
     v(a.type, a.position, a.angle, a.linear_velocity, a.angular_velocity, a.linear_damping, a.angular_damping, a.gravity_scale, a.sleep_threshold,
       a.enable_sleep, a.awake, a.fixed_rotation, a.lock_x, a.lock_y, a.enabled, a.bullet, a.user_data);
 }
-template <class V> void members(V& v, ShapeDef& a) {
+template <class V> constexpr void members(V& v, ShapeDef& a) {
     v(a.friction, a.restitution, a.rolling_resistance, a.tangent_speed, a.density, a.filter, a.sensor, a.sensor_events, a.hit_events, a.pre_solve,
-      a.material, a.user_data);
+      a.one_way, a.material, a.user_data);
 }
-template <class V> void members(V& v, JointFrame& a) { v(a.position, a.angle); }
-template <class V> void members(V& v, JointSpring& a) { v(a.enable, a.hertz, a.damping_ratio, a.target); }
-template <class V> void members(V& v, JointLimit& a) { v(a.enable, a.lower, a.upper); }
-template <class V> void members(V& v, JointMotor& a) { v(a.enable, a.speed, a.max_force); }
-template <class V> void members(V& v, JointBase& a) {
+template <class V> constexpr void members(V& v, JointFrame& a) { v(a.position, a.angle); }
+template <class V> constexpr void members(V& v, JointSpring& a) { v(a.enable, a.hertz, a.damping_ratio, a.target); }
+template <class V> constexpr void members(V& v, JointLimit& a) { v(a.enable, a.lower, a.upper); }
+template <class V> constexpr void members(V& v, JointMotor& a) { v(a.enable, a.speed, a.max_force); }
+template <class V> constexpr void members(V& v, JointBase& a) {
     v(a.body_a, a.body_b, a.frame_a, a.frame_b, a.collide_connected, a.break_force, a.break_torque, a.user_data);
 }
-template <class V> void members(V& v, RevoluteJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction); }
-template <class V> void members(V& v, PrismaticJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction); }
-template <class V> void members(V& v, DistanceJointDef& a) { v(a.base, a.length, a.spring, a.limit, a.motor); }
-template <class V> void members(V& v, WeldJointDef& a) { v(a.base, a.linear_hertz, a.linear_damping_ratio, a.angular_hertz, a.angular_damping_ratio); }
-template <class V> void members(V& v, WheelJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction); }
-template <class V> void members(V& v, MotorJointDef& a) {
+template <class V> constexpr void members(V& v, RevoluteJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction); }
+template <class V> constexpr void members(V& v, PrismaticJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction); }
+template <class V> constexpr void members(V& v, DistanceJointDef& a) { v(a.base, a.length, a.spring, a.limit, a.motor); }
+template <class V> constexpr void members(V& v, WeldJointDef& a) { v(a.base, a.linear_hertz, a.linear_damping_ratio, a.angular_hertz, a.angular_damping_ratio); }
+template <class V> constexpr void members(V& v, WheelJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction); }
+template <class V> constexpr void members(V& v, MotorJointDef& a) {
     v(a.base, a.linear_velocity, a.angular_velocity, a.max_force, a.max_torque, a.linear_hertz, a.linear_damping_ratio, a.angular_hertz,
       a.angular_damping_ratio);
 }
-template <class V> void members(V& v, MouseJointDef& a) { v(a.body, a.target, a.hertz, a.damping_ratio, a.max_force, a.user_data); }
-template <class V> void members(V& v, PulleyJointDef& a) { v(a.base, a.ground_a, a.ground_b, a.ratio); }
-template <class V> void members(V& v, GearJointDef& a) { v(a.joint1, a.joint2, a.ratio, a.break_torque, a.user_data); }
+template <class V> constexpr void members(V& v, MouseJointDef& a) { v(a.body, a.target, a.hertz, a.damping_ratio, a.max_force, a.user_data); }
+template <class V> constexpr void members(V& v, PulleyJointDef& a) { v(a.base, a.ground_a, a.ground_b, a.ratio); }
+template <class V> constexpr void members(V& v, GearJointDef& a) { v(a.joint1, a.joint2, a.ratio, a.break_torque, a.user_data); }
 
 }  // namespace islet::detail

@@ -18,6 +18,16 @@ inline bool check(const Core& core, bool good, Error error) {
     if (!good) writable(core).fail(error);
     return good;
 }
+
+/// False, with the error recorded, if the world is in the middle of something. Every public function that changes the world or shows all of it asks:
+/// those that are given an id by the next three.
+ISLET_SHARED bool may_change(const Core& core) { return check(core, core.inside == 0, Error::in_step); }
+
+/// The slot of what is about to be changed: whoever reads has a const Core.
+ISLET_SHARED std::uint32_t find_body(Core& core, BodyId id) { return may_change(core) ? find_body(static_cast<const Core&>(core), id) : null_index; }
+ISLET_SHARED std::uint32_t find_shape(Core& core, ShapeId id) { return may_change(core) ? find_shape(static_cast<const Core&>(core), id) : null_index; }
+ISLET_SHARED std::uint32_t find_joint(Core& core, JointId id) { return may_change(core) ? find_joint(static_cast<const Core&>(core), id) : null_index; }
+
 /// Nothing times a number is 0, but for infinities and NaN.
 template <class... Floats>
 ISLET_SHARED bool all_finite(Floats... a) {
@@ -34,6 +44,8 @@ inline constexpr float no_limit = 3.402823466e38f;  // the largest float
 inline bool check_position(const Core& core, Vec2 p) {
     return check_range(core, p.x, -max_position, max_position) && check_range(core, p.y, -max_position, max_position);
 }
+
+inline bool is_time_step(float dt) { return dt >= min_time_step && dt <= 1; }
 
 bool check_not_negative(const Core& core, float a);
 bool check_frame(const Core& core, const JointFrame& frame);

@@ -17,6 +17,7 @@
 #include "memory/parallel.hpp"
 #include "world/continuous.hpp"
 #include "world/hooks.hpp"
+#include "world/one_way.hpp"
 #include "world/seams.hpp"
 #include "world/sleep.hpp"
 
@@ -91,8 +92,10 @@ Manifold manifold_at(const Core& core, const Contact& c, const ContactManifold& 
 // What two shapes will touch with in this step. Where they are about to meet the manifold is made as they will stand then: from there to where they are
 // now is but a slip. (A plane through what is nearest now would throw back what is about to pass.) Behind the point that meets first another comes
 // down up to twice as fast, as the body turns about it.
-Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifold& m, const Approach& approach, float dt, Stand& stand, Transform& b_in_a) {
-    const Manifold now = manifold_at(core, c, m, stand, speculative_distance + 2.0f * approach.most(), b_in_a);
+Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifold& m, const Approach& approach, float dt, Stand& stand, float& margin,
+                        Transform& b_in_a) {
+    margin = speculative_distance + 2.0f * approach.most();
+    const Manifold now = manifold_at(core, c, m, stand, margin, b_in_a);
     if (now.count == 0) return now;
     const float apart = least_separation(now);
     if (apart <= speculative_distance) return now;
@@ -102,7 +105,8 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
     const float t = time_to_touch(core, c.shape_a, a, c.shape_b, b);
     if (!(t > 0 && t < 1)) return {};
     stand = {center_at(b, t) - center_at(a, t), rotation_at(a, t), rotation_at(b, t)};
-    return manifold_at(core, c, m, stand, speculative_distance + 2.0f * (1.0f - t) * approach.most(), b_in_a);
+    margin = speculative_distance + 2.0f * (1.0f - t) * approach.most();
+    return manifold_at(core, c, m, stand, margin, b_in_a);
 }
 
 // A new manifold that keeps the impulses of points whose features it shares with the old one.
@@ -112,9 +116,10 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
     Stand stand = stand_now(core, m.body_a, m.body_b);
     const Vec2 center_a = core.bodies[m.body_a].local_center;
     Transform b_in_a;
-    Manifold fresh = has_continuous && comes_fast(approach) ? manifold_ahead(core, c, m, approach, dt, stand, b_in_a)
-                                                            : manifold_at(core, c, m, stand, speculative_distance, b_in_a);
-    if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) drop_inner_edges(core, c, b_in_a, fresh);
+    float margin = speculative_distance;
+    Manifold fresh = has_continuous && comes_fast(approach) ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a)
+                                                            : manifold_at(core, c, m, stand, margin, b_in_a);
+    if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) mend_inner_edges(core, c, b_in_a, margin, fresh);
 
     const ContactManifold old = m;
     m.normal = rotate(stand.a, fresh.normal);
@@ -164,6 +169,13 @@ Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32
     }
     if (has_sensors && (m.flags & contact_sensor) != 0)
         return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
+    const bool one_way = has_one_way && (m.flags & contact_one_way) != 0;
+    if (one_way && !decide_one_way(core, index, m.flags, dt)) {
+        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead);
+        m.rolling_impulse = 0;
+        for (std::uint32_t i = 0; i < 2; ++i) m.separation[i] = m.normal_impulse[i] = m.tangent_impulse[i] = 0;
+        return (m.flags & contact_touching) != 0 ? Change::changes : Change::none;
+    }
     // What touches already, and has slipped by little, does not come together fast.
     // Bodies that bounce off each other, or are taken for lighter (shock), do not look ahead for each other: more energy came of it than went in.
     const bool calm = (m.flags & contact_bouncy) == 0 && !has_shock(core.state->solver);
@@ -175,6 +187,7 @@ Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32
     } else {
         if (fast && m.count() != 0) approach = approach_of(a, b, core.motions[m.body_a], core.motions[m.body_b], dt, 0);
         remake(core, index, approach, dt);
+        if (one_way) mend_one_way(core, index);
     }
     const bool is = m.count() > 0;
     if (has_continuous && ((m.flags & contact_untold) != 0 || is_deep(core, m))) return Change::changes;

@@ -76,9 +76,23 @@ bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep
     return dot(right_perp(s.point2 - s.point1), from - s.point1) < 0;
 }
 
+// What the pre_solve hook or a one-way shape decides is what the contact of the two has come to in this step: of a fast body it is made ahead, and the hook,
+// which may not be called from here, was asked. A shape that asks the hook is passed if there is no such contact.
+bool is_held(const Core& core, std::uint32_t shape, std::uint32_t other, bool asks) {
+    bool held = false;
+    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t) {
+        const Contact& c = core.contacts[contact];
+        if (c.shape_a + c.shape_b != shape + other || (c.shape_a != shape && c.shape_b != shape)) return;
+        const ContactManifold& m = core.manifolds[contact];
+        held = (m.flags & contact_passes) == 0 && (!asks || m.count() > 0);
+    });
+    return held;
+}
+
 bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
-    constexpr std::uint32_t undecided = shape_sensor | shape_pre_solve;  // passes through, or may
-    if (((core.shapes[shape].flags | core.shapes[other].flags) & undecided) != 0) return false;
+    const std::uint32_t flags = core.shapes[shape].flags | core.shapes[other].flags;
+    if ((flags & shape_sensor) != 0) return false;
+    if ((flags & (shape_pre_solve | shape_one_way_bits)) != 0 && !is_held(core, shape, other, (flags & shape_pre_solve) != 0)) return false;
     return may_collide(core, shape, other) && (!has_hooks || core.hooks.filter == nullptr || stops_by_hook(core, shape, other));
 }
 

@@ -49,7 +49,7 @@ void World::set_target(BodyId id, const Transform& target, float dt) {
     const std::uint32_t i = find_body(c, id);
     if (i == null_index || !check_position(c, target.p) || !check(c, all_finite(target.q.c, target.q.s), Error::not_finite)) return;
     if (!check(c, abs(target.q.c * target.q.c + target.q.s * target.q.s - 1.0f) <= 1.0e-3f, Error::out_of_range)) return;
-    if (!check(c, dt > 0 && dt <= 1.0f, Error::bad_time_step) || c.bodies[i].type() != BodyType::kinematic) return;
+    if (!check(c, is_time_step(dt), Error::bad_time_step) || c.bodies[i].type() != BodyType::kinematic) return;
     const Pose& pose = c.poses[i];
     const Vec2 way = transform_point(target, c.bodies[i].local_center) - pose.center;
     const float turn = turn_to(inv_mul(pose.q, normalize(target.q)), max_turn_of(dt) * dt);

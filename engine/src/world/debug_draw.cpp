@@ -132,13 +132,15 @@ void World::draw_shape(const DebugDraw& d, ShapeId shape, const Transform& pose,
     const DefaultFloatMode mode;
     const std::uint32_t i = find_shape(c, shape);
     if (i == null_index || !check_finite(c, pose.p) || !check_finite(c, Vec2{pose.q.c, pose.q.s})) return;
+    const Closed closed(c);
     draw_geometry(d, c.geometries[c.shapes[i].geometry], pose, style);
 }
 
 void World::draw(const DebugDraw& d) const {
     const Core& c = core();
     const DefaultFloatMode mode;
-    if (!check_draw(c, d)) return;
+    if (!may_change(c) || !check_draw(c, d)) return;
+    const Closed closed(c);
     if (d.shapes) draw_shapes(c, d);
     if (d.boxes || d.fat_boxes) draw_boxes(c, d);
     if (d.tree) draw_tree(c, d);

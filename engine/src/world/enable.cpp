@@ -52,13 +52,13 @@ void disable(Core& core, std::uint32_t i) {
 void enable(Core& core, std::uint32_t i) {
     core.bodies[i].flags &= ~static_cast<std::uint32_t>(body_disabled);
     core.motions[i].sleep_time = 0;
+    update_boxes(core, i, true);
     if (core.bodies[i].type() == BodyType::static_body) {
         rest_shapes(core, i);
     } else {
         core.awake_bodies.set(i);
     }
     wake_neighbors(core, i, core.arena());
-    update_boxes(core, i, true);
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ const char* fault_in_numbers(const Body& b, const Pose& pose, const Motion& moti
     if (!not_negative(motion.sleep_time) || !is_finite(motion.slack)) return "a body's rest is not finite";
     if (!not_negative(b.linear_damping) || !not_negative(b.angular_damping) || !is_finite(b.gravity_scale) || !not_negative(b.sleep_threshold))
         return "a body's damping, gravity or sleep threshold is out of range";
-    if (!(b.mass >= 0) || !(b.inertia >= 0)) return "a body's mass or inertia is out of range";
-    // The solver bears any force and any stretch, so those are not looked at.
+    if (!not_negative(b.mass) || !not_negative(b.inertia)) return "a body's mass or inertia is out of range";
+    if (!is_finite(motion.force) || !all_finite(motion.torque, b.stretch)) return "what pulls at a body is not finite";
     constexpr float rounding = 1.001f;
     const bool dynamic = b.type() == BodyType::dynamic;
     if (dynamic && !within(pose.inv_mass, 1.0f / (rounding * max_mass), rounding / min_mass)) return "a dynamic body has no mass";
@@ -75,7 +75,7 @@ const char* fault_in_numbers(const Shape& s, const Aabb& box) {
     const bool sane = within(s.friction, 0, max_coefficient) && within(s.restitution, 0, 1) && within(s.rolling_resistance, 0, max_coefficient) &&
                       within(s.tangent_speed, -max_speed_limit, max_speed_limit) && not_negative(s.density) && within(s.margin, 0, max_box_margin);
     if (!sane) return "a shape's material is out of range";
-    if (s.flags > shape_all_flags) return "a shape's flags are none";
+    if ((s.flags & ~static_cast<std::uint32_t>(shape_all_flags | shape_one_way_bits)) != 0) return "a shape's flags are none";
     const bool ordered = box.lower.x <= box.upper.x && box.lower.y <= box.upper.y;
     return ordered && is_near(box.lower) && is_near(box.upper) ? nullptr : "a box is inside out or far away";
 }
@@ -87,7 +87,7 @@ const char* fault_in_numbers(const Geometry& g) {
 
 const char* fault_in_numbers(const ContactManifold& m) {
     constexpr std::uint32_t known = contact_touching | contact_posed | contact_special | contact_bouncy | 3u << contact_count_shift | contact_sensor | contact_overlap |
-                                    contact_hits | contact_asks | contact_ahead | contact_untold |
+                                    contact_hits | contact_asks | contact_one_way | contact_passes | contact_dropped | contact_ahead | contact_untold |
                                     0xffu << contact_color_shift;
     if ((m.flags & ~known) != 0 || m.count() > 2) return "a contact's flags are none";
     if (m.color() != no_color && m.color() >= color_count) return "a contact has a colour that is none";

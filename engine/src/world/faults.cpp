@@ -210,23 +210,51 @@ const char* fault_in_lists(const Core& c) {
 
 // -- what is kept because it follows from the rest: where bodies and boxes are, how far they reach -------------------------------------
 
+// What rounding does to them. A number is rounded by `epsilon` of itself at most, and none on the way from a body's centre to the edge of a fat box is
+// larger than the sum of them all: the centre, the origin's arm from there and back, a shape's end, and margins and what is smaller, below 1 m.
+constexpr float epsilon = 0x1p-24f;
+
+float span_of(const Core& c, std::uint32_t i) {
+    const Vec2 center = c.poses[i].center, arm = c.bodies[i].local_center;
+    return 1.0f + abs(center.x) + abs(center.y) + 2.0f * (abs(arm.x) + abs(arm.y)) + c.poses[i].max_extent;
+}
+
+// Of a tight box, at two times: an origin takes 5 roundings, a corner's place 4, its way to the edge of a box 3, a turn's length 4.
+float rounding_of(const Core& c, std::uint32_t i) { return 32.0f * epsilon * span_of(c, i); }
+
+// How much farther than it thinks may a body have come by steps, each of which is rounded? A turn takes 4 roundings, the centre's way 3. A world that
+// is older than 2^24 steps may have lost all count.
+float drift_of(const Core& c, std::uint32_t i) {
+    if (c.bodies[i].type() == BodyType::static_body) return 0;
+    constexpr std::uint32_t many = 1u << 24;
+    const auto steps = static_cast<float>(c.state->steps < many ? static_cast<std::uint32_t>(c.state->steps) : many);
+    return 8.0f * epsilon * steps * span_of(c, i);
+}
+
+// A fat box has this much room at most, since it holds its shape.
+float most_room(const Aabb& fat) { return 0.5f * min(fat.upper.x - fat.lower.x, fat.upper.y - fat.lower.y); }
+
 const char* fault_in_place(const Core& c, std::uint32_t i) {
     const Body& b = c.bodies[i];
     const Pose& pose = c.poses[i];
     const Vec2 gap = transform_point(body_transform(c, i), b.local_center) - pose.center;
-    const float rounding = 1.0e-6f * (1.0f + abs(pose.center.x) + abs(pose.center.y) + abs(b.local_center.x) + abs(b.local_center.y));
+    const float rounding = rounding_of(c, i);
     if (!(abs(gap.x) <= rounding && abs(gap.y) <= rounding)) return "a body's centre is not where its origin says";
     const Extent extent = body_extent(c, i);
     if (pose.max_extent != extent.max || b.min_extent != extent.min) return "a body's extent is not its shapes'";
-    // What is left of the slack was measured when a box was made, and the body has moved since; both are rounded.
-    const float reach = 1.0e-5f * pose.max_extent;
-    return c.motions[i].slack <= slack_of(c, i) + 10.0f * rounding + reach ? nullptr : "a body thinks it may leave its boxes";
+    // A step too short for the distance from one number to the next is rounded to nothing or to twice its length at most: so is the way since boxes were
+    // made, which is what is missing of the room they had then.
+    float room = 3.0e38f;
+    for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next) room = min(room, most_room(c.boxes[s]));
+    const float slack = slack_of(c, i);
+    const float most = min(slack + drift_of(c, i), 0.5f * (room + slack));
+    return c.motions[i].slack <= most + rounding ? nullptr : "a body thinks it may leave its boxes";
 }
 
 const char* fault_in_box(const Core& c, std::uint32_t s) {
-    const Vec2 center = c.poses[c.shapes[s].body].center;
-    const float rounding = 1.0e-4f + 1.0e-5f * (1.0f + abs(center.x) + abs(center.y));
-    return contains(expand(c.boxes[s], rounding), shape_aabb(c, s)) ? nullptr : "a shape has left its fat box";
+    const std::uint32_t body = c.shapes[s].body;
+    const float inexact = rounding_of(c, body) + min(drift_of(c, body), max(0.0f, most_room(c.boxes[s])));
+    return contains(expand(c.boxes[s], inexact), shape_aabb(c, s)) ? nullptr : "a shape has left its fat box";
 }
 
 // -- what ties two bodies ------------------------------------------------------------------------------------------------------------
@@ -243,6 +271,8 @@ const char* fault_in_told(const Core& c, const Contact& contact, const ContactMa
     if (!sensor && (m.flags & contact_overlap) != 0) return "a contact that is no sensor's has an overlap";
     if (!sensor && (m.flags & contact_hits) != 0 && (flags & shape_hit_events) == 0) return "a contact tells of hits unasked";
     if (!sensor && (m.flags & contact_asks) != 0 && (flags & shape_pre_solve) == 0) return "a contact asks the hook unasked";
+    if (((m.flags & contact_one_way) != 0) != (!sensor && has_one_way && (flags & shape_one_way_bits) != 0)) return "a contact of a one-way shape is not marked as one, or the reverse";
+    if ((m.flags & contact_one_way) == 0 && (m.flags & (contact_passes | contact_dropped)) != 0) return "a contact passes unasked";
     if (!contact.has_own_speed()) return nullptr;
     const float speed = contact.own_speed();
     return (m.flags & contact_asks) != 0 && abs(speed) <= max_speed_limit ? nullptr : "a contact's surface speed is out of range";
@@ -319,7 +349,7 @@ const char* fault_in_counts(const Core& c) {
         locked += c.bodies[i].has_locks() ? 1 : 0;
     }
     for (std::uint32_t i = 0; i < s.shape_pool.high_water; ++i)
-        if (live_shape(c, i) && (c.shapes[i].flags & ~s.asked) != 0) return "a shape has a flag that the world does not know of";
+        if (live_shape(c, i) && (c.shapes[i].flags & shape_all_flags & ~s.asked) != 0) return "a shape has a flag that the world does not know of";
     return bullets != s.bullet_count ? "the bullets are miscounted" : locked != s.locked_count ? "the bodies with locks are miscounted" : nullptr;
 }
 

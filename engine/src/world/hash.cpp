@@ -61,6 +61,7 @@ private:
 
 std::uint64_t World::hash() const {
     const Core& c = core();
+    if (!may_change(c)) return 0;
     const State& s = *c.state;
     Hasher h;
     h.pool(s.body_pool);
@@ -104,6 +105,14 @@ std::uint64_t World::hash() const {
     h.bits(c.awake_contacts, s.contact_pool.high_water);
     h.bits(c.awake_joints, s.joint_pool.high_water);
     h.bits(c.moved_shapes, s.shape_pool.high_water);
+
+    // What has ended since the last step, which the next one tells.
+    const std::uint32_t touches = c.end_count - c.end_reported, overlaps = c.sensor_ends.count - c.sensor_ends_reported;
+    if (touches + overlaps != 0) {
+        h.word(touches);
+        h.records(c.end_events + c.end_reported, touches);
+        h.records(c.sensor_ends.events + c.sensor_ends_reported, overlaps);
+    }
     return h.h;
 }
 

@@ -26,11 +26,13 @@ bool stops_by_hook(const Core& core, std::uint32_t shape, std::uint32_t other) {
 }
 
 float friction_by_hook(const Core& core, const Shape& a, const Shape& b) {
+    const Closed closed(core);
     const float mixed = core.hooks.mix_friction(a.friction, a.material, b.friction, b.material, core.hooks.context);
     return mixed >= 0 ? min(mixed, max_coefficient) : 0.0f;  // 0 for NaN too
 }
 
 float restitution_by_hook(const Core& core, const Shape& a, const Shape& b) {
+    const Closed closed(core);
     const float mixed = core.hooks.mix_restitution(a.restitution, a.material, b.restitution, b.material, core.hooks.context);
     return has_restitution && mixed >= 0 ? min(mixed, 1.0f) : 0.0f;
 }
@@ -48,9 +50,8 @@ void ask_pre_solve(Core& core, std::uint32_t index) {
     if (!asked.enabled) {
         // Made anew in the next step, so that the hook can be asked again.
         m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
-        m.rolling_impulse = 0;
-        for (std::uint32_t i = 0; i < 2; ++i) m.normal_impulse[i] = m.tangent_impulse[i] = 0;
-        return;
+        if ((m.flags & contact_one_way) != 0) m.flags |= contact_passes | contact_dropped;
+        return m.forget_impulses();
     }
     if (asked.friction != before.friction && check_range(core, asked.friction, 0, max_coefficient)) m.friction = asked.friction;
     if (asked.tangent_speed == before.tangent_speed || !check_range(core, asked.tangent_speed, -max_speed_limit, max_speed_limit)) return;
@@ -68,7 +69,7 @@ Hooks World::hooks() const {
 
 void World::set_hooks(const Hooks& hooks) {
     link_hooks();
-    if (check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
+    if (may_change(core()) && check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
 }
 
 }  // namespace islet

@@ -44,6 +44,10 @@ std::uint32_t find_joint(const Core& core, JointId id, std::uint32_t types) {
     return check(core, (types & bit(type_of(core.joints[i]))) != 0, Error::wrong_joint_type) ? i : null_index;
 }
 
+std::uint32_t find_joint(Core& core, JointId id, std::uint32_t types) {
+    return may_change(core) ? find_joint(static_cast<const Core&>(core), id, types) : null_index;
+}
+
 void wake_bodies(Core& core, const Joint& j) {
     if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
     wake_island(core, j.body_b, core.arena());

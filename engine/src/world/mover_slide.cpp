@@ -1,5 +1,8 @@
 #include "world/mover_slide.hpp"
 
+#include "collide/manifold.hpp"
+#include "world/one_way.hpp"
+
 namespace islet::detail {
 namespace {
 
@@ -18,6 +21,11 @@ ShapeProxy capsule_of(const Mover& m, float growth) {
 }
 
 bool stands_in_the_way(const Mover& m, const Surface& s) {
+    if (has_one_way) {
+        const Vec2 points[] = {m.def.capsule.point1, m.def.capsule.point2};
+        const Corners capsule = {points, 2, m.def.capsule.radius};
+        if (height_above(Core::of(m.world), s.shape.index1 - 1, capsule, {m.state.position, {}}) < -linear_slop) return false;
+    }
     const MoverFilter collides_hook = m.def.collides;
     return collides_hook == nullptr || collides_hook(s, m.def.context);
 }

@@ -136,6 +136,107 @@ BodyId differing_body(const Core& core, CallReader& reader, std::uint32_t record
     return differs;
 }
 
+// -- what a world needs to replay it --------------------------------------------------------------------------------------------------
+
+/// Counts the words of what it visits, as CallWriter writes them.
+struct WordCount {
+    std::uint32_t words = 0;
+
+    template <class... T>
+    constexpr void operator()(T&... values) {
+        (one(values), ...);
+    }
+    template <class T>
+    constexpr void one(T& a) {
+        if constexpr (requires { members(*this, a); }) {
+            members(*this, a);
+        } else {
+            words += sizeof(T) == 8 ? 2 : 1;
+        }
+    }
+    constexpr void one(std::span<const Vec2>&) { ++words; }  // their number; they follow
+};
+
+template <class... Args>
+constexpr std::uint8_t words_of() {
+    WordCount count;
+    const auto add = [&count](auto a) { count(a); };
+    (add(Args{}), ...);
+    return static_cast<std::uint8_t>(count.words);
+}
+
+// Of the arguments of each call, from the first in the table on.
+constexpr std::uint8_t argument_words[] = {
+#define ISLET_WORDS(name, function, ...) words_of<__VA_ARGS__>(),
+    ISLET_CALLS(ISLET_WORDS)
+#undef ISLET_WORDS
+};
+constexpr auto first_call = static_cast<std::uint32_t>(Call::image) + 1;
+
+bool is_between(Call call, Call first, Call last) { return call >= first && call <= last; }
+
+void raise_to(std::uint32_t& a, std::uint32_t b) { a = a > b ? a : b; }
+
+/// What the snapshots of a recording hold, and what its calls make. What is not sound ends the walk: so it will the replay.
+struct Contents {
+    Capacity held;
+    std::uint64_t bodies = 0, shapes = 0, joints = 0;  // made
+
+    void add(std::span<const std::byte> image) {
+        SnapshotInfo info;
+        if (read_snapshot(image, info) != Error::none) return;
+        raise_to(held.bodies, info.used.bodies);
+        raise_to(held.shapes, info.used.shapes);
+        raise_to(held.contacts, info.used.contacts);
+        raise_to(held.joints, info.used.joints);
+        raise_to(held.geometries, info.used.geometries);
+    }
+
+    // False at the end.
+    bool add_call(CallReader& reader) {
+        const std::uint32_t number = reader.word();
+        const auto call = static_cast<Call>(number);
+        if (reader.is_bad() || call == Call::ended) return false;
+        if (call == Call::image) {
+            add(reader.image());
+        } else if (call == Call::stepped) {
+            reader.bytes(16);
+            reader.bytes(std::uint64_t{4} * reader.word());
+        } else if (number - first_call < sizeof argument_words) {
+            if (call == Call::create_body) ++bodies;
+            if (is_between(call, Call::create_circle, Call::create_chain_segment)) ++shapes;
+            if (is_between(call, Call::create_revolute_joint, Call::create_gear_joint)) ++joints;
+            const std::uint32_t words = argument_words[number - first_call];
+            if (call == Call::create_chain) {
+                reader.bytes(8);  // the body
+                const std::uint64_t points = reader.word();
+                reader.bytes(8 * points + 4 * (words - 3));
+                shapes += points;
+            } else {
+                reader.bytes(std::uint64_t{4} * words);
+            }
+        } else {
+            return false;
+        }
+        return !reader.is_bad();
+    }
+
+    /// Of a world of this capacity, what it could ever fill.
+    Capacity bounded(const Capacity& c) const {
+        const auto least = [](std::uint32_t room, std::uint64_t wanted) { return static_cast<std::uint32_t>(room < wanted ? room : wanted); };
+        Capacity n;
+        n.bodies = least(c.bodies, held.bodies + bodies);
+        n.shapes = least(c.shapes, held.shapes + shapes);
+        // Each pair has one contact at most, and may end in one step and again before the next.
+        const std::uint64_t twice_pairs = std::uint64_t{n.shapes} * n.shapes;
+        n.contacts = least(c.contacts, twice_pairs > held.contacts ? twice_pairs : held.contacts);
+        n.joints = least(c.joints, held.joints + joints);
+        n.geometries = least(geometry_capacity(c), n.shapes > held.geometries ? n.shapes : held.geometries);
+        n.hits = least(hit_capacity(c), n.contacts);
+        return n;
+    }
+};
+
 ReplayResult refused(Error error, std::uint64_t steps) { return {ReplayEnd::refused, error, steps, 0, 0, {}}; }
 
 // Compares what came of a step. Goes on while result.end is complete.
@@ -164,7 +265,12 @@ Error read_recording(std::span<const std::byte> recording, RecordingInfo& out) {
     SnapshotInfo info;
     const Error wrong = read_snapshot(recording.subspan(sizeof head, static_cast<std::size_t>(head.image_bytes)), info);
     if (wrong != Error::none) return wrong;
-    out = {info.capacity, head.used, head.bodies != 0};
+    Contents contents;
+    contents.add(recording.subspan(sizeof head, static_cast<std::size_t>(head.image_bytes)));
+    CallReader reader(recording.data(), calls_at(head.image_bytes), static_cast<std::size_t>(head.used));
+    while (!reader.at_end() && contents.add_call(reader)) {
+    }
+    out = {info.capacity, contents.bounded(info.capacity), head.used, head.bodies != 0};
     return Error::none;
 }
 

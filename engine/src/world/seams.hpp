@@ -6,8 +6,8 @@
 
 namespace islet::detail {
 
-/// Empties the manifold of two shapes if one of them is a polygon that lies flush beside others which the other shape's body is near, and all its points are
-/// on an edge or a corner that those cover. `b_in_a` is as the manifold was made.
-void drop_inner_edges(const Core& core, const Contact& contact, const Transform& b_in_a, Manifold& manifold);
+/// Makes the manifold of two shapes anew if one of them is a polygon that lies flush beside others which the other shape's body is near, and all its points
+/// are on an edge or a corner that those cover: along the best face that is not covered, or without points. `b_in_a` and `margin` (m) are as the manifold was made.
+void mend_inner_edges(const Core& core, const Contact& contact, const Transform& b_in_a, float margin, Manifold& manifold);
 
 }  // namespace islet::detail

@@ -48,7 +48,7 @@ void set_flag(Core& core, ShapeId id, std::uint32_t flag, bool on) {
     if (i == null_index) return;
     Shape& s = core.shapes[i];
     s.flags = on ? s.flags | flag : s.flags & ~flag;
-    core.state->asked |= s.flags;
+    core.state->asked |= s.flags & shape_all_flags;
     for_each_contact(core, s.body, [&](std::uint32_t contact, std::uint32_t) { mix_materials(core, contact); });
 }
 
@@ -100,6 +100,7 @@ void World::set_density(ShapeId id, float density) {
     c.shapes[i].density = density;
     wake_island(c, c.shapes[i].body, c.arena());
     update_mass(c, c.shapes[i].body);
+    update_boxes(c, c.shapes[i].body, false);
 }
 
 SurfaceMaterial World::material(ShapeId id) const {
@@ -147,13 +148,26 @@ void World::enable_pre_solve(ShapeId id, bool enable) {
     if (check(core(), has_hooks || !enable, Error::feature_cut)) set_flag(core(), id, shape_pre_solve, enable);
 }
 
+Vec2 World::one_way(ShapeId id) const {
+    const std::uint32_t i = find_shape(core(), id);
+    return i != null_index ? direction_of_flags(core().shapes[i].flags) : Vec2{};
+}
+
+void World::set_one_way(ShapeId id, Vec2 direction) {
+    note_call<Call::set_one_way>(core(), id, direction);
+    const DefaultFloatMode mode;
+    if (!check_finite(core(), direction) || !check(core(), has_one_way || direction == Vec2{}, Error::feature_cut)) return;
+    set_flag(core(), id, shape_one_way_bits, false);
+    set_flag(core(), id, flags_of_direction(normalize(direction)), true);
+}
+
 void World::enable_sensor_events(ShapeId id, bool enable) {
     Core& c = core();
     note_call<Call::enable_sensor_events>(c, id, enable);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || ((c.shapes[i].flags & shape_unseen) == 0) == enable) return;
     c.shapes[i].flags ^= shape_unseen;
-    c.state->asked |= c.shapes[i].flags;
+    c.state->asked |= c.shapes[i].flags & shape_all_flags;
     end_unwanted_contacts(c, i);
     mark_moved(c, i);
 }

@@ -96,6 +96,7 @@ void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32
     s.flags = (def.sensor ? std::uint32_t{shape_sensor} : 0u) | (def.sensor_events ? 0u : std::uint32_t{shape_unseen}) |
               (def.hit_events ? std::uint32_t{shape_hit_events} : 0u) | (def.pre_solve ? std::uint32_t{shape_pre_solve} : 0u);
     core.state->asked |= s.flags;
+    s.flags |= flags_of_direction(normalize(def.one_way));
     s.material = def.material;
     s.filter = def.filter;
     s.user_data = def.user_data;
@@ -112,7 +113,7 @@ namespace detail {
 
 bool check_shape_def(const Core& core, const ShapeDef& d) {
     const bool finite = all_finite(d.friction, d.restitution, d.rolling_resistance, d.tangent_speed, d.density);
-    return check(core, finite, Error::not_finite) &&
+    return check(core, finite, Error::not_finite) && check_finite(core, d.one_way) && check(core, has_one_way || d.one_way == Vec2{}, Error::feature_cut) &&
            check_range(core, d.friction, 0, max_coefficient) && check_range(core, d.restitution, 0, 1) &&
            check_range(core, d.rolling_resistance, 0, max_coefficient) &&
            check_range(core, d.tangent_speed, -max_speed_limit, max_speed_limit) && check_range(core, d.density, 0, no_limit) &&

@@ -22,6 +22,16 @@ namespace islet {
 
 using namespace detail;
 
+namespace {
+
+// What the image uses must fit. Room for contacts is room for as many ended touches.
+bool fits(const Capacity& c, const ImageHeader& h) {
+    return h.bodies <= c.bodies && h.shapes <= c.shapes && h.contacts <= c.contacts && h.joints <= c.joints && h.geometries <= geometry_capacity(c) &&
+           h.tree_nodes <= std::uint64_t{2} * c.shapes && h.ended + h.ended_overlaps <= c.contacts;
+}
+
+}  // namespace
+
 namespace detail {
 
 ImageHeader header_of(const Core& core) {
@@ -58,7 +68,7 @@ Error read_header(std::span<const std::byte> image, ImageHeader& h) {
     std::memcpy(&h, image.data(), sizeof h);
     for (const std::uint32_t count : {h.bodies, h.shapes, h.contacts, h.joints, h.geometries, h.tree_nodes / 2, h.ended, h.ended_overlaps})
         if (count > max_capacity) return Error::corrupt_image;
-    return h.head.length == image_length(h) ? Error::none : Error::corrupt_image;
+    return h.head.length == image_length(h) && fits(h.capacity, h) ? Error::none : Error::corrupt_image;
 }
 
 std::uint64_t image_checksum(std::span<const std::byte> bytes) { return checksum_of(bytes.data() + sizeof(ImageHead), bytes.size() - sizeof(ImageHead)); }
@@ -98,12 +108,6 @@ private:
     Checksum checksum_;
 };
 
-// What the image uses must fit. Room for contacts is room for as many ended touches.
-bool fits(const Capacity& c, const ImageHeader& h) {
-    return h.bodies <= c.bodies && h.shapes <= c.shapes && h.contacts <= c.contacts && h.joints <= c.joints && h.geometries <= geometry_capacity(c) &&
-           h.tree_nodes <= 2 * c.shapes && h.ended + h.ended_overlaps <= c.contacts;
-}
-
 // The header's counts are those of the state, so that what is an index there is one in the image.
 bool counts_agree(const ImageHeader& h, const State& s) {
     return h.bodies == s.body_pool.high_water && h.shapes == s.shape_pool.high_water && h.contacts == s.contact_pool.high_water &&
@@ -117,13 +121,14 @@ bool needs_what_is_cut(const Core& c) {
         if (pool_live(s.joint_pool, c.joints, i) && !has_joint(static_cast<JointType>(c.joints[i].type))) return true;
     for (std::uint32_t i = 0; !has_all_shapes && i < s.geometry_pool.high_water; ++i)
         if (c.geometries[i].references != 0 && !has_shape(static_cast<ShapeType>(c.geometries[i].type))) return true;
-    for (std::uint32_t i = 0; !(has_restitution && has_surfaces && has_sensors && has_hits && has_hooks) && i < s.shape_pool.high_water; ++i) {
+    for (std::uint32_t i = 0; !(has_restitution && has_surfaces && has_sensors && has_hits && has_hooks && has_one_way) && i < s.shape_pool.high_water; ++i) {
         const Shape& shape = c.shapes[i];
         if (!has_restitution && shape.restitution != 0) return true;
         if (!has_surfaces && (shape.rolling_resistance != 0 || shape.tangent_speed != 0)) return true;
         if (!has_sensors && (shape.flags & shape_sensor) != 0) return true;
         if (!has_hits && (shape.flags & shape_hit_events) != 0) return true;
         if (!has_hooks && (shape.flags & shape_pre_solve) != 0) return true;
+        if (!has_one_way && (shape.flags & shape_one_way_bits) != 0) return true;
     }
     for (std::uint32_t i = 0; !has_sleep && i < s.body_pool.high_water; ++i)
         if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (c.bodies[i].flags & body_disabled) == 0) return true;
@@ -223,7 +228,7 @@ std::size_t World::snapshot_bytes() const { return static_cast<std::size_t>(head
 std::size_t World::save(std::span<std::byte> out) const {
     const Core& c = core();
     ImageHeader h = header_of(c);
-    if (!check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
+    if (!may_change(c) || !check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
     Writer writer(out.data());
     writer.write(reinterpret_cast<const std::byte*>(&h) + sizeof h.head, sizeof h - sizeof h.head);
     for_each_part(c, h, [&](const auto* from, std::uint64_t bytes) {
@@ -238,7 +243,7 @@ bool World::restore(std::span<const std::byte> image) {
     Core& c = core();
     ImageHeader h;
     const Error error = read_header(image, h);
-    if (!check(c, error == Error::none, error) || !check(c, fits(c.capacity, h), Error::image_too_large)) return false;
+    if (!may_change(c) || !check(c, error == Error::none, error) || !check(c, fits(c.capacity, h), Error::image_too_large)) return false;
     if (!check(c, h.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
     if (!check(c, can_tell(image.data()), Error::feature_cut)) return false;
     take_over(c, h, image.data());
@@ -250,7 +255,7 @@ bool World::load(std::span<const std::byte> image) {
     Core& c = core();
     ImageHeader h;
     const Error error = read_header(image, h);
-    if (!check(c, error == Error::none, error)) return false;
+    if (!may_change(c) || !check(c, error == Error::none, error)) return false;
     if (!check(c, reinterpret_cast<std::uintptr_t>(image.data()) % snapshot_alignment == 0, Error::image_misaligned)) return false;
     if (!check(c, image_checksum(image) == h.head.checksum, Error::corrupt_image)) return false;
     if (!check(c, fits(c.capacity, h), Error::image_too_large)) return false;

@@ -3,6 +3,7 @@
 #include "math/float_mode.hpp"
 #include "island/batches.hpp"
 #include "solver/solver.hpp"
+#include "world/checks.hpp"
 #include "world/contact_update.hpp"
 #include "world/finish.hpp"
 #include "world/joints.hpp"
@@ -55,9 +56,11 @@ void fill_report(Core& core, const Plan& plan) {
 
 void World::step(float dt) {
     Core& c = core();
+    if (!c.exact) return c.fail(Error::inexact_build);
     note_call<Call::step>(c, dt);
-    if (!(dt > 0) || !(dt <= 1.0f)) return c.fail(Error::bad_time_step);
+    if (!may_change(c) || !check(c, is_time_step(dt), Error::bad_time_step)) return;
     const DefaultFloatMode mode;
+    c.inside = inside_call;
     note(c, Stage::begin);
     clear_events(c);
 
@@ -77,6 +80,7 @@ void World::step(float dt) {
     if (c.state->joint_pool.count != 0) break_joints(c);
     fill_report(c, plan);
     note(c, Stage::finish);
+    c.inside = 0;
     if (has_recorder && c.recording != nullptr) write_stepped(*this);
 }
 

@@ -2,6 +2,8 @@
 #include "islet/world.hpp"
 
 #include "broadphase/sensors.hpp"
+#include "math/float_mode.hpp"
+#include "math/scalar.hpp"
 #include "memory/joint_graph.hpp"
 #include "solver/hits.hpp"
 #include "solver/ordered_sweep.hpp"
@@ -29,9 +31,21 @@ Error check_block(std::span<std::byte> block, std::size_t wanted) {
     return block.data() == nullptr || block.size() < wanted ? Error::block_too_small : Error::none;
 }
 
+// Whether a product is rounded before it is subtracted from, and small differences are kept. The source cannot bring every compiler to that (exact.hpp), nor
+// a run-time library that stands in for a floating-point unit.
+bool is_exact() {
+    const DefaultFloatMode mode;
+    volatile float known = 0x1.001p-62f;  // to us, not to the compiler
+    const float x = known;
+    // x^2 is 2^-124 (1 + 2^-11 + 2^-24), and the last term is lost to rounding. 2^-135 is denormal.
+    known = x * x - 0x1p-124f;
+    return bits_of(known) == 0x4000u;
+}
+
 bool is_usable(const TaskSystem& tasks) { return tasks.workers >= 1 && tasks.workers <= max_workers; }
 
 Error check_def(const WorldDef& def) {
+    if (!is_exact()) return Error::inexact_build;
     if (!all_finite(def.gravity.x, def.gravity.y, def.restitution_threshold, def.max_speed, def.hit_threshold)) return Error::not_finite;
     if (!are_there(def.hooks)) return Error::feature_cut;
     if (def.restitution_threshold < 0 || def.hit_threshold < 0 || def.max_speed <= 0 || def.max_speed > max_speed_limit) return Error::out_of_range;
@@ -129,6 +143,7 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
     core.error_hook = def.error_hook;
     core.error_context = def.error_context;
     core.last_error = problem;
+    core.exact = problem != Error::inexact_build;
     core.tasks = def.tasks;
     core.hooks = def.hooks;
     if (has_profile && ISLET_IS_LINKED(note_stage)) core.clock = def.clock;
@@ -170,7 +185,7 @@ Vec2 World::gravity() const { return core().state->gravity; }
 
 void World::set_gravity(Vec2 gravity) {
     note_call<Call::set_gravity>(core(), gravity);
-    if (check_finite(core(), gravity)) core().state->gravity = gravity;
+    if (may_change(core()) && check_finite(core(), gravity)) core().state->gravity = gravity;
 }
 
 SolverDef World::solver() const { return unpack(core().state->solver); }
@@ -184,14 +199,13 @@ float World::residual(BodyId body) const {
 TaskSystem World::tasks() const { return core().tasks; }
 
 void World::set_tasks(const TaskSystem& tasks) {
-    if (!is_usable(tasks)) return core().fail(Error::out_of_range);
-    core().tasks = tasks;
+    if (may_change(core()) && check(core(), is_usable(tasks), Error::out_of_range)) core().tasks = tasks;
 }
 
 void World::enable_sleep(bool enable) {
     Core& c = core();
     note_call<Call::enable_sleep>(c, enable);
-    if (!check(c, has_sleep || !enable, Error::feature_cut)) return;
+    if (!may_change(c) || !check(c, has_sleep || !enable, Error::feature_cut)) return;
     c.state->enable_sleep = enable ? 1 : 0;
     if (enable) return;
     for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)
@@ -202,7 +216,7 @@ bool World::continuous() const { return core().state->continuous != 0; }
 
 void World::enable_continuous(bool enable) {
     note_call<Call::enable_continuous>(core(), enable);
-    if (check(core(), has_continuous || !enable, Error::feature_cut)) core().state->continuous = enable ? 1 : 0;
+    if (may_change(core()) && check(core(), has_continuous || !enable, Error::feature_cut)) core().state->continuous = enable ? 1 : 0;
 }
 
 const Capacity& World::capacity() const { return core().capacity; }

@@ -1,42 +1,42 @@
 // Arguments of every kind out of a fuzzer's bytes: good ones mostly, and all that a user may get wrong.
-#include "fuzz/api/player.hpp"
+#include "fuzz/api/caller.hpp"
 
 namespace islet::fuzz {
 
 // Of ids mostly ones that live, if any does: the next from a slot that the byte names.
-BodyId Player::body() {
+BodyId Caller::body() {
     const std::uint32_t which = in.byte();
     if (which >= 248) return which % 2 == 0 ? dead_body : BodyId{which - 247, in.byte()};
-    for (std::uint32_t i = 0; i < capacity.bodies; ++i) {
-        const BodyId id = w.body_at((which + i) % capacity.bodies);
+    for (std::uint32_t i = 0; i < w.capacity().bodies; ++i) {
+        const BodyId id = w.body_at((which + i) % w.capacity().bodies);
         if (id) return id;
     }
     return {};
 }
 
-ShapeId Player::shape() {
+ShapeId Caller::shape() {
     const std::uint32_t owner = in.byte(), which = in.byte();
     if (which >= 248) return which % 2 == 0 ? dead_shape : ShapeId{which - 247, in.byte()};
-    for (std::uint32_t i = 0; i < capacity.bodies; ++i) {
-        const BodyId id = w.body_at((owner + i) % capacity.bodies);
-        ShapeId all[capacity.shapes];
-        const std::uint32_t n = id ? w.shapes(id, all) : 0;
-        if (n > 0) return all[which % n];
+    for (std::uint32_t i = 0; i < w.capacity().bodies; ++i) {
+        const BodyId id = w.body_at((owner + i) % w.capacity().bodies);
+        ShapeId shapes[max_shapes];
+        const std::uint32_t n = id ? w.shapes(id, shapes) : 0;
+        if (n > 0) return shapes[which % (n < max_shapes ? n : max_shapes)];
     }
     return {};
 }
 
-JointId Player::joint() {
+JointId Caller::joint() {
     const std::uint32_t which = in.byte();
     if (which >= 248) return which % 2 == 0 ? dead_joint : JointId{which - 247, in.byte()};
-    for (std::uint32_t i = 0; i < capacity.joints; ++i) {
-        const JointId id = w.joint_at((which + i) % capacity.joints);
+    for (std::uint32_t i = 0; i < w.capacity().joints; ++i) {
+        const JointId id = w.joint_at((which + i) % w.capacity().joints);
         if (id) return id;
     }
     return {};
 }
 
-WorldDef Player::world_def() {
+WorldDef Caller::world_def() {
     WorldDef d;
     const std::uint32_t more = in.byte();
     if ((more & 1) != 0) d.gravity = in.point();
@@ -51,7 +51,7 @@ WorldDef Player::world_def() {
 }
 
 /// One thing changed. Few sweeps: an input should not take seconds.
-SolverDef Player::solver_def(SolverDef d) {
+SolverDef Caller::solver_def(SolverDef d) {
     switch (in.below(18)) {
     case 0: d.schedule = static_cast<Schedule>(in.below(3)); break;
     case 1: d.substeps = in.below(7); break;
@@ -74,10 +74,10 @@ SolverDef Player::solver_def(SolverDef d) {
     return d;
 }
 
-BodyDef Player::body_def() {
+BodyDef Caller::body_def() {
     BodyDef d;
     d.type = static_cast<BodyType>(in.below(8) < 5 ? 2 : in.below(3));
-    d.position = in.point();
+    d.position = in.place();
     d.angle = in.number();
     const std::uint32_t more = in.byte();
     if ((more & 1) != 0) d.linear_velocity = in.point();
@@ -97,7 +97,7 @@ BodyDef Player::body_def() {
     return d;
 }
 
-ShapeDef Player::shape_def() {
+ShapeDef Caller::shape_def() {
     ShapeDef d;
     const std::uint32_t more = in.byte();
     if ((more & 1) != 0) d.friction = in.size();
@@ -112,38 +112,39 @@ ShapeDef Player::shape_def() {
         d.sensor_events = (what & 2) != 0;
         d.hit_events = (what & 4) != 0;
         d.pre_solve = (what & 8) != 0;
+        if ((what & 7) == 7) d.one_way = {0, 1};
         d.material = what;
     }
     return d;
 }
 
-Filter Player::filter() {
+Filter Caller::filter() {
     const std::uint32_t category = in.byte(), mask = in.byte();
     return {category, mask, static_cast<std::int32_t>(in.below(4)) - 2};
 }
 
-Circle Player::circle() {
+Circle Caller::circle() {
     const Vec2 center = in.point();
     return {center, in.size()};
 }
 
-Capsule Player::capsule() {
+Capsule Caller::capsule() {
     const Vec2 from = in.point(), to = in.point();
     return {from, to, in.size()};
 }
 
-Segment Player::segment() {
+Segment Caller::segment() {
     const Vec2 from = in.point();
     return {from, in.point()};
 }
 
-ChainSegment Player::chain_segment() {
+ChainSegment Caller::chain_segment() {
     const Vec2 before = in.point();
     const Segment s = segment();
     return {before, s, in.point()};
 }
 
-Polygon Player::polygon() {
+Polygon Caller::polygon() {
     switch (in.below(6)) {
     case 0: {
         const float hx = in.size();
@@ -181,7 +182,7 @@ Polygon Player::polygon() {
     }
 }
 
-ShapeProxy Player::proxy() {
+ShapeProxy Caller::proxy() {
     switch (in.below(8)) {
     case 0: return make_proxy(circle());
     case 1: return make_proxy(capsule());
@@ -206,25 +207,25 @@ ShapeProxy Player::proxy() {
     }
 }
 
-JointSpring Player::spring() {
+JointSpring Caller::spring() {
     const bool on = in.flag();
     const float hertz = in.size(), ratio = in.size();
     return {on, hertz, ratio, in.number()};
 }
 
-JointLimit Player::limit() {
+JointLimit Caller::limit() {
     const bool on = in.flag();
     const float a = in.number(), b = in.number();
     return in.below(8) == 0 || a <= b ? JointLimit{on, a, b} : JointLimit{on, b, a};
 }
 
-JointMotor Player::motor() {
+JointMotor Caller::motor() {
     const bool on = in.flag();
     const float speed = in.number();
     return {on, speed, in.size()};
 }
 
-JointFrame Player::frame() {
+JointFrame Caller::frame() {
     const Vec2 at = in.point();
     return {at, in.number()};
 }

@@ -1,31 +1,30 @@
 // Calls that make, change and destroy what is in the world.
-#include "fuzz/api/hosts.hpp"
-#include "fuzz/api/player.hpp"
+#include "fuzz/api/caller.hpp"
 
 namespace islet::fuzz {
 
-void Player::create_shape(BodyId owner) {
+void Caller::create_shape(BodyId owner) {
     const ShapeDef def = shape_def();
     switch (in.below(7)) {
-    case 0: w.create_shape(owner, circle(), def); break;
-    case 1: w.create_shape(owner, capsule(), def); break;
-    case 2: w.create_shape(owner, segment(), def); break;
-    case 3: w.create_shape(owner, chain_segment(), def); break;
+    case 0: all.create_shape(owner, circle(), def); break;
+    case 1: all.create_shape(owner, capsule(), def); break;
+    case 2: all.create_shape(owner, segment(), def); break;
+    case 3: all.create_shape(owner, chain_segment(), def); break;
     case 4: {
         Vec2 points[6];
         for (Vec2& p : points) p = in.point();
         const std::uint32_t count = in.below(7);
         const bool loop = in.flag();
         ShapeId made[2];
-        const std::uint32_t n = w.create_chain(owner, {points, count}, loop, def, made);
+        const std::uint32_t n = all.create_chain(owner, {points, count}, loop, def, made);
         for (std::uint32_t i = 0; i < n && i < 2; ++i) expect(w.is_valid(made[i]) && w.body(made[i]) == owner, "a chain names shapes that it did not make");
         break;
     }
-    default: w.create_shape(owner, polygon(), def);
+    default: all.create_shape(owner, polygon(), def);
     }
 }
 
-void Player::create_joint() {
+void Caller::create_joint() {
     JointBase base;
     base.body_a = body();
     base.body_b = body();
@@ -39,202 +38,208 @@ void Player::create_joint() {
     const JointLimit l = (more & 64) != 0 ? limit() : JointLimit{};
     const JointMotor m = (more & 128) != 0 ? motor() : JointMotor{};
     switch (in.below(joint_type_count)) {
-    case 0: w.create_joint(RevoluteJointDef{base, s, l, m, in.size()}); break;
-    case 1: w.create_joint(PrismaticJointDef{base, s, l, m, in.size()}); break;
-    case 2: w.create_joint(DistanceJointDef{base, in.size(), s, l, m}); break;
+    case 0: all.create_joint(RevoluteJointDef{base, s, l, m, in.size()}); break;
+    case 1: all.create_joint(PrismaticJointDef{base, s, l, m, in.size()}); break;
+    case 2: all.create_joint(DistanceJointDef{base, in.size(), s, l, m}); break;
     case 3: {
         WeldJointDef d{base};
         d.linear_hertz = in.size();
         d.angular_hertz = in.size();
-        w.create_joint(d);
+        all.create_joint(d);
         break;
     }
-    case 4: w.create_joint(WheelJointDef{base, s, l, m, in.size()}); break;
+    case 4: all.create_joint(WheelJointDef{base, s, l, m, in.size()}); break;
     case 5: {
         MotorJointDef d{base};
         d.linear_velocity = in.point();
         d.max_force = in.size();
         d.max_torque = in.size();
         d.linear_hertz = in.size();
-        w.create_joint(d);
+        all.create_joint(d);
         break;
     }
     case 6: {
         MouseJointDef d;
         d.body = base.body_a;
-        d.target = in.point();
+        d.target = in.place();
         d.hertz = in.size();
         d.max_force = 100 * in.size();
-        w.create_joint(d);
+        all.create_joint(d);
         break;
     }
     case 7: {
         PulleyJointDef d{base};
-        d.ground_a = in.point();
-        d.ground_b = in.point();
+        d.ground_a = in.place();
+        d.ground_b = in.place();
         d.ratio = in.size();
-        w.create_joint(d);
+        all.create_joint(d);
         break;
     }
     default: {
         const JointId first = joint(), second = joint();
-        w.create_joint(GearJointDef{first, second, in.number()});
+        all.create_joint(GearJointDef{first, second, in.number()});
     }
     }
 }
 
-void Player::change_body() {
+void Caller::change_body() {
     const BodyId b = body();
     switch (in.below(28)) {
     case 0: {
-        const Vec2 at = in.point();
-        w.set_transform(b, at, in.number());
+        const Vec2 at = in.place();
+        all.set_transform(b, at, in.number());
         break;
     }
-    case 1: w.set_linear_velocity(b, in.point()); break;
-    case 2: w.set_angular_velocity(b, in.number()); break;
+    case 1: all.set_linear_velocity(b, in.point()); break;
+    case 2: all.set_angular_velocity(b, in.number()); break;
     case 3: {
         const Vec2 force = in.point();
-        w.apply_force(b, force, in.point());
+        all.apply_force(b, force, in.place());
         break;
     }
-    case 4: w.apply_force_to_center(b, in.point()); break;
-    case 5: w.apply_torque(b, in.number()); break;
+    case 4: all.apply_force_to_center(b, in.point()); break;
+    case 5: all.apply_torque(b, in.number()); break;
     case 6: {
         const Vec2 impulse = in.point();
-        w.apply_linear_impulse(b, impulse, in.point());
+        all.apply_linear_impulse(b, impulse, in.place());
         break;
     }
-    case 7: w.apply_linear_impulse_to_center(b, in.point()); break;
-    case 8: w.apply_angular_impulse(b, in.number()); break;
-    case 9: w.set_type(b, static_cast<BodyType>(in.below(3))); break;
+    case 7: all.apply_linear_impulse_to_center(b, in.point()); break;
+    case 8: all.apply_angular_impulse(b, in.number()); break;
+    case 9: all.set_type(b, static_cast<BodyType>(in.below(3))); break;
     case 10: {
         const float mass = in.size();
         const Vec2 center = in.point();
-        w.set_mass(b, {mass, center, in.size()});
+        all.set_mass(b, MassData{mass, center, in.size()});
         break;
     }
-    case 11: w.reset_mass(b); break;
-    case 12: w.set_linear_damping(b, in.size()); break;
-    case 13: w.set_angular_damping(b, in.size()); break;
-    case 14: w.set_gravity_scale(b, in.number()); break;
-    case 15: w.set_fixed_rotation(b, in.flag()); break;
-    case 16: w.enable_sleep(b, in.flag()); break;
-    case 17: w.wake(b); break;
-    case 18: w.set_user_data(b, in.byte()); break;
-    case 19: w.lock_x(b, in.flag()); break;
-    case 20: w.lock_y(b, in.flag()); break;
+    case 11: all.reset_mass(b); break;
+    case 12: all.set_linear_damping(b, in.size()); break;
+    case 13: all.set_angular_damping(b, in.size()); break;
+    case 14: all.set_gravity_scale(b, in.number()); break;
+    case 15: all.set_fixed_rotation(b, in.flag()); break;
+    case 16: all.enable_sleep(b, in.flag()); break;
+    case 17: all.wake(b); break;
+    case 18: all.set_user_data(b, std::uint64_t{in.byte()}); break;
+    case 19: all.lock_x(b, in.flag()); break;
+    case 20: all.lock_y(b, in.flag()); break;
     case 21:
-    case 22: w.set_enabled(b, in.below(3) != 0); break;
-    case 23: w.set_bullet(b, in.flag()); break;
-    case 24: w.set_sleep_threshold(b, in.size()); break;
+    case 22: all.set_enabled(b, in.below(3) != 0); break;
+    case 23: all.set_bullet(b, in.flag()); break;
+    case 24: all.set_sleep_threshold(b, in.size()); break;
     case 25: {
-        const Vec2 at = in.point();
+        const Vec2 at = in.place();
         const float angle = in.number();
-        w.set_target(b, {at, make_rot(angle)}, in.flag() ? 1.0f / 60 : in.number());
+        all.set_target(b, Transform{at, make_rot(angle)}, in.flag() ? 1.0f / 60 : in.number());
         break;
     }
-    default: dead_body = b; w.destroy_body(b);
+    default: dead_body = b; all.destroy_body(b);
     }
 }
 
-void Player::change_shape() {
+void Caller::change_shape() {
     const ShapeId s = shape();
     switch (in.below(17)) {
-    case 0: w.set_friction(s, in.size()); break;
-    case 1: w.set_restitution(s, 0.25f * in.size()); break;
-    case 2: w.set_rolling_resistance(s, in.size()); break;
-    case 3: w.set_tangent_speed(s, in.number()); break;
-    case 4: w.set_filter(s, filter()); break;
-    case 5: w.set_user_data(s, in.byte()); break;
-    case 6: w.set_circle(s, circle()); break;
-    case 7: w.set_capsule(s, capsule()); break;
-    case 8: w.set_segment(s, segment()); break;
-    case 9: w.set_polygon(s, polygon()); break;
-    case 10: w.set_density(s, in.size()); break;
+    case 0: all.set_friction(s, in.size()); break;
+    case 1: all.set_restitution(s, 0.25f * in.size()); break;
+    case 2: all.set_rolling_resistance(s, in.size()); break;
+    case 3: all.set_tangent_speed(s, in.number()); break;
+    case 4: all.set_filter(s, filter()); break;
+    case 5: all.set_user_data(s, std::uint64_t{in.byte()}); break;
+    case 6: all.set_circle(s, circle()); break;
+    case 7: all.set_capsule(s, capsule()); break;
+    case 8: all.set_segment(s, segment()); break;
+    case 9: all.set_polygon(s, polygon()); break;
+    case 10: all.set_density(s, in.size()); break;
     case 11: {
         SurfaceMaterial m = w.material(s);
         m.friction = in.size();
         m.restitution = 0.25f * in.size();
         m.id = in.byte();
-        w.set_material(s, m);
+        if ((m.id & 1) != 0) m.rolling_resistance = in.size();
+        if ((m.id & 2) != 0) m.tangent_speed = in.number();
+        all.set_material(s, m);
         break;
     }
-    case 12: w.enable_sensor_events(s, in.flag()); break;
-    case 13: w.enable_hit_events(s, in.flag()); break;
-    case 14: w.enable_pre_solve(s, in.flag()); break;
+    case 12: all.enable_sensor_events(s, in.flag()); break;
+    case 13: all.enable_hit_events(s, in.flag()); break;
+    case 14:
+        if (in.flag()) {
+            all.enable_pre_solve(s, in.flag());
+        } else {
+            const float x = in.number();
+            all.set_one_way(s, Vec2{x, in.number()});
+        }
+        break;
     case 15: {
         WindDef wind;
         wind.velocity = in.point();
         wind.drag = in.size();
         wind.lift = in.number();
-        w.apply_wind(s, wind);
+        all.apply_wind(s, wind);
         break;
     }
-    default: dead_shape = s; w.destroy_shape(s);
+    default: dead_shape = s; all.destroy_shape(s);
     }
 }
 
-void Player::change_joint() {
+void Caller::change_joint() {
     const JointId j = joint();
     switch (in.below(13)) {
     case 0: {
         const JointFrame a = frame();
-        w.set_frames(j, a, frame());
+        all.set_frames(j, a, frame());
         break;
     }
-    case 1: w.set_collide_connected(j, in.flag()); break;
+    case 1: all.set_collide_connected(j, in.flag()); break;
     case 2: {
         const float force = in.size();
-        w.set_break(j, force, in.size());
+        all.set_break(j, force, in.size());
         break;
     }
-    case 3: w.set_user_data(j, in.byte()); break;
-    case 4: w.set_spring(j, spring()); break;
-    case 5: w.set_limit(j, limit()); break;
-    case 6: w.set_motor(j, motor()); break;
-    case 7: w.set_joint_friction(j, in.size()); break;
-    case 8: w.set_joint_length(j, in.size()); break;
+    case 3: all.set_user_data(j, std::uint64_t{in.byte()}); break;
+    case 4: all.set_spring(j, spring()); break;
+    case 5: all.set_limit(j, limit()); break;
+    case 6: all.set_motor(j, motor()); break;
+    case 7: all.set_joint_friction(j, in.size()); break;
+    case 8: all.set_joint_length(j, in.size()); break;
     case 9: {
         const Vec2 v = in.point();
-        w.set_joint_velocity(j, v, in.number());
+        all.set_joint_velocity(j, v, in.number());
         break;
     }
     case 10: {
         const float force = in.size();
-        w.set_joint_strength(j, force, in.size());
+        all.set_joint_strength(j, force, in.size());
         break;
     }
-    case 11: w.set_target(j, in.point()); break;
-    default: dead_joint = j; w.destroy_joint(j);
+    case 11: all.set_target(j, in.place()); break;
+    default: dead_joint = j; all.destroy_joint(j);
     }
 }
 
-void Player::change_world() {
+void Caller::change_world() {
     switch (in.below(12)) {
-    case 0: w.set_gravity(in.point()); break;
-    case 1: w.enable_sleep(in.flag()); break;
-    case 2: w.enable_continuous(in.flag()); break;
-    case 3: w.set_hit_threshold(in.size()); break;
+    case 0: all.set_gravity(in.point()); break;
+    case 1: all.enable_sleep(in.flag()); break;
+    case 2: all.enable_continuous(in.flag()); break;
+    case 3: all.set_hit_threshold(in.size()); break;
     case 4: {
         ExplosionDef e;
-        e.position = in.point();
+        e.position = in.place();
         e.radius = in.size();
         e.falloff = in.size();
         e.impulse_per_length = in.number();
-        w.explode(e);
+        all.explode(e);
         break;
     }
-    case 5: {
-        // No part of the state: nothing may depend on it.
-        const std::uint64_t hash = w.hash();
-        w.set_tasks(in.below(4) == 0 ? TaskSystem{nullptr, nullptr, in.byte()} : backwards_tasks(in.below(8)));
-        w.set_clock(in.flag() ? count_ticks : nullptr);
-        expect(w.hash() == hash, "the clock or the workers are part of the state");
+    case 5:
+    case 6: {
+        const std::uint32_t low = in.byte();
+        set_hooks(low | in.below(2) << 8);
         break;
     }
-    case 6: move_recording(); break;
-    default: w.set_solver(solver_def(w.solver()));
+    default: all.set_solver(solver_def(w.solver()));
     }
 }
 

@@ -12,16 +12,16 @@ void Player::round_trip() {
     expect(n != 0 && n == w.snapshot_bytes(), "the world does not fit the image it asks for");
     const std::span<std::byte> bytes(f.image.data(), n);
     if (f.trace) print(w);
-    if (const char* broken = w.validate()) fail(broken);
+    if (const char* broken = w.validate()) test::broken(broken);
     SnapshotInfo info;
     expect(read_snapshot(bytes, info) == Error::none && info.bytes == n && info.capacity == capacity, "an image does not say what it is");
-    if (!twin.load(bytes)) fail(describe(twin.last_error()));
+    if (!twin.load(bytes)) test::broken(describe(twin.last_error()));
     expect(twin.hash() == w.hash(), "a loaded world is another");
     pack(bytes);
     if (in.below(4) == 0) damage(bytes);
     twin.step(1.0f / 60);
     if (in.flag()) expect(w.restore(bytes), "a world does not take its own image back");
-    w.step(1.0f / 60);
+    all.step(1.0f / 60);
     expect(twin.hash() == w.hash(), "a loaded world has another future");
     check();
 }
@@ -32,10 +32,10 @@ void Player::pack(std::span<const std::byte> bytes) {
     if (earlier_bytes != 0) {
         Error error = Error::none;
         const std::size_t packed = delta(earlier, bytes, f.packed, &error);
-        if (packed == 0) fail(describe(error));
+        if (packed == 0) test::broken(describe(error));
         const std::span<std::byte> way(f.packed.data(), packed);
         const std::size_t n = apply(earlier, way, f.unpacked, &error);
-        if (n == 0) fail(describe(error));
+        if (n == 0) test::broken(describe(error));
         expect(n == bytes.size() && std::memcmp(f.unpacked.data(), bytes.data(), n) == 0, "a delta leads to another image");
         if (in.below(4) == 0) {
             const std::size_t room = in.byte() * 8;
@@ -96,11 +96,11 @@ void Player::replay_all() {
         else expect(w.last_error() == Error::recording_full, "a recording does not end");
     }
     RecordingInfo info;
-    if (const Error error = read_recording(bytes, info); error != Error::none) fail(describe(error));
+    if (const Error error = read_recording(bytes, info); error != Error::none) test::broken(describe(error));
     expect(info.capacity == capacity && info.bytes <= bytes.size(), "a recording does not say what it is");
 
     const ReplayResult result = replay(twin, bytes);
-    if (result.end != ReplayEnd::complete) fail(result.end == ReplayEnd::differs ? "a replay differs" : describe(result.error));
+    if (result.end != ReplayEnd::complete) test::broken(result.end == ReplayEnd::differs ? "a replay differs" : describe(result.error));
     expect(!whole || twin.hash() == hash, "a replay ends elsewhere");
 
     if (in.flag()) {  // as far as asked for
@@ -112,7 +112,7 @@ void Player::replay_all() {
     if (in.below(4) == 0) {  // and damaged
         bytes[(in.byte() | in.byte() << 8 | in.byte() << 16) % info.bytes] ^= static_cast<std::byte>(1 + in.below(255));
         replay(twin, bytes);
-        if (const char* broken = twin.validate()) fail(broken);
+        if (const char* broken = twin.validate()) test::broken(broken);
     }
 }
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "fuzz/api/reader.hpp"
+#include "fuzz/api/caller.hpp"
 #include "islet/islet.hpp"
 #include "islet/mover.hpp"
 
@@ -16,17 +16,10 @@ namespace islet::fuzz {
 /// So small that every pool fills up.
 inline constexpr Capacity capacity{.bodies = 12, .shapes = 20, .contacts = 24, .joints = 8, .geometries = 10};
 
-[[noreturn]] inline void fail(const char* what) {
-    std::fprintf(stderr, "islet_fuzz_api: %s\n", what);
-    std::abort();
-}
-inline void expect(bool holds, const char* what) {
-    if (!holds) fail(what);
-}
-
 /// What every input starts from anew.
 struct Fixture {
-    StaticWorld<capacity> storage, twin_storage;
+    StaticWorld<capacity> storage[3], twin_storage;
+    test::Chorus all;
     std::vector<std::byte> spare;  ///< a block for worlds that are made by the way
     std::vector<std::byte> image, earlier, packed, unpacked;
     std::vector<std::byte> recording, longer_recording;
@@ -38,47 +31,20 @@ struct Fixture {
     ~Fixture();
 };
 
-struct Player {
-    World& w;
+struct Player : Caller {
+    Player(World& other, Fixture& fixture, Reader reader) : Caller(fixture.all, reader), twin(other), f(fixture) {}
+
     World& twin;  ///< is to have the same future, on other lanes and workers
     Fixture& f;
-    Reader in;
-    BodyId dead_body = {};
-    ShapeId dead_shape = {};
-    JointId dead_joint = {};
     MoverState mover = {};
     std::size_t earlier_bytes = 0;      ///< of the image taken before, 0 if there is none
     std::span<std::byte> recorded = {};  ///< where the recording goes
 
     void play();
 
-    // arguments.cpp
-    BodyId body();
-    ShapeId shape();
-    JointId joint();
-    WorldDef world_def();
-    SolverDef solver_def(SolverDef from);
-    BodyDef body_def();
-    ShapeDef shape_def();
-    Filter filter();
-    Circle circle();
-    Capsule capsule();
-    Segment segment();
-    ChainSegment chain_segment();
-    Polygon polygon();
-    ShapeProxy proxy();
-    JointSpring spring();
-    JointLimit limit();
-    JointMotor motor();
-    JointFrame frame();
-
-    // changes.cpp
-    void create_shape(BodyId owner);
-    void create_joint();
-    void change_body();
-    void change_shape();
-    void change_joint();
-    void change_world();
+    // api_fuzz.cpp
+    void set_hooks(std::uint32_t number) override;
+    void change_host();
 
     // reads.cpp: none of these may change the world
     void read();

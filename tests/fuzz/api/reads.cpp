@@ -95,7 +95,7 @@ void Player::read_shape(ShapeId s) {
     expect(types == (w.is_valid(s) ? 1 : 0), "a shape is of no type, or of two");
     expect(types == 0 || one[static_cast<int>(w.shape_type(s))], "a shape is of another type");
     look(w.body(s), w.aabb(s), w.density(s), w.friction(s), w.restitution(s), w.rolling_resistance(s), w.tangent_speed(s), w.material(s));
-    look(w.is_sensor(s), w.sensor_events_enabled(s), w.hit_events_enabled(s), w.pre_solve_enabled(s), w.filter(s), w.user_data(s));
+    look(w.is_sensor(s), w.sensor_events_enabled(s), w.hit_events_enabled(s), w.pre_solve_enabled(s), w.one_way(s), w.filter(s), w.user_data(s));
     ShapeId seen[capacity.shapes];
     const std::uint32_t n = w.sensor_overlaps(s, {seen, in.below(capacity.shapes + 1)});
     expect(n <= capacity.shapes, "a sensor sees more shapes than there can be");

@@ -95,7 +95,7 @@ void Player::try_create() {
     if (made == nullptr) return;
     made->create_shape(made->create_body({}), Circle{});
     made->step(1.0f / 60);
-    if (const char* broken = made->validate()) fail(broken);
+    if (const char* broken = made->validate()) test::broken(broken);
 }
 
 }  // namespace islet::fuzz

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# snippets_test.sh COMPILER ISLET PAGE.md...: every C++ block of the pages compiles: a whole program by itself, a piece of one inside a function that knows
+# the names of snippet_names.hpp.
+set -euo pipefail
+
+compiler=$1 islet=$2
+shift 2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+here=$(cd "$(dirname "$0")" && pwd)
+failures=0 blocks=0
+
+for page in "$@"; do
+    rm -f "$scratch"/block-*
+    awk -v out="$scratch/block-" '/^```cpp$/ { ++n; inside = 1; start = FNR; next } /^```$/ { inside = 0 } inside { if (!(n in begun)) print start > (out n ".line"); begun[n]; print > (out n) }' "$page"
+    for block in "$scratch"/block-*[0-9]; do
+        [ -e "$block" ] || { printf '%s has no C++ block\n' "$page"; failures=1; continue; }
+        blocks=$((blocks + 1))
+        line=$(cat "$block.line")
+        {
+            if grep -q 'int main()' "$block"; then
+                printf '#line %d "%s"\n' "$((line + 1))" "$page"
+                cat "$block"
+            else
+                grep '^#include' "$block" || true
+                printf '#include "snippet_names.hpp"\nvoid snippet() {\n#line %d "%s"\n' "$((line + 1))" "$page"
+                sed 's/^#include.*//' "$block"
+                printf '}\n'
+            fi
+        } >"$scratch/snippet.cpp"
+        if ! "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused-variable -Wno-unused-but-set-variable -Wno-missing-field-initializers \
+            -I "$islet/engine/include" -I "$islet/samples" -I "$here" "$scratch/snippet.cpp"; then
+            printf '%s: the C++ block in line %d does not compile\n' "$page" "$line"
+            failures=1
+        fi
+    done
+done
+printf '%d blocks\n' "$blocks"
+exit "$failures"
