@@ -94,18 +94,23 @@ Manifold manifold_at(const Core& core, const Contact& c, const ContactManifold& 
 // down up to twice as fast, as the body turns about it.
 Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifold& m, const Approach& approach, float dt, Stand& stand, float& margin,
                         Transform& b_in_a) {
-    margin = speculative_distance + 2.0f * approach.most();
+    const float most = min(approach.most(), max_speed_limit);  // m: a step takes a second at most, and no body is faster, whatever it was set to
+    margin = speculative_distance + 2.0f * most;
     const Manifold now = manifold_at(core, c, m, stand, margin, b_in_a);
-    if (now.count == 0) return now;
-    const float apart = least_separation(now);
-    if (apart <= speculative_distance) return now;
-    if (apart + dot(rotate(stand.a, now.normal), approach.way) > approach.turn) return {};
+    // From where a body is now a link of a chain may leave it to the next one, and yet be what it comes to.
+    const bool is_link = core.geometries[core.shapes[c.shape_a].geometry].shape_type() == ShapeType::chain_segment;
+    if (now.count == 0 && !is_link) return now;
+    if (now.count != 0) {
+        const float apart = least_separation(now);
+        if (apart <= speculative_distance) return now;
+        if (!is_link && apart + dot(rotate(stand.a, now.normal), approach.way) > approach.turn) return {};
+    }
     const bool held = !has_floor(core.poses[m.body_a], core.poses[m.body_b]);
     const Sweep a = sweep_ahead(core, m.body_a, dt, held), b = sweep_ahead(core, m.body_b, dt, held);
     const float t = time_to_touch(core, c.shape_a, a, c.shape_b, b);
     if (!(t > 0 && t < 1)) return {};
     stand = {center_at(b, t) - center_at(a, t), rotation_at(a, t), rotation_at(b, t)};
-    margin = speculative_distance + 2.0f * (1.0f - t) * approach.most();
+    margin = speculative_distance + 2.0f * (1.0f - t) * most;
     return manifold_at(core, c, m, stand, margin, b_in_a);
 }
 

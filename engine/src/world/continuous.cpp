@@ -14,6 +14,7 @@
 #include "math/boxes.hpp"
 #include "math/scalar.hpp"
 #include "memory/features.hpp"
+#include "solver/free_motion.hpp"
 #include "world/bounds.hpp"
 #include "world/hooks.hpp"
 
@@ -102,7 +103,9 @@ Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_he
     const Motion& motion = core.motions[body];
     const Vec2 gain = dt * pull_on(core, body);
     const bool held = may_be_held && length_squared(motion.v) < length_squared(gain);
-    return {core.poses[body].center, core.poses[body].q, dt * (held ? motion.v : motion.v + gain), within_bounds(dt * motion.w, 0.5f * pi)};
+    Vec2 v = held ? motion.v : motion.v + gain;
+    if (const float most = core.state->max_speed; !(dot(v, v) <= most * most)) v = limit_speed(v, most);
+    return {core.poses[body].center, core.poses[body].q, dt * v, within_bounds(dt * motion.w, 0.5f * pi)};
 }
 
 float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {
