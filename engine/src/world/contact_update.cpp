@@ -160,8 +160,7 @@ Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled
     const bool one_way = has_one_way && (m.flags & contact_one_way) != 0;
     if (one_way && !decide_one_way(core, index, m.flags, dt)) {
         m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
-        m.rolling_impulse = 0;
-        for (std::uint32_t i = 0; i < 2; ++i) m.normal_impulse[i] = m.tangent_impulse[i] = 0;
+        m.forget_impulses();
     } else if (!ahead && can_recycle(m, a, b)) {
         ++recycled;
     } else {
