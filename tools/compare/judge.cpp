@@ -10,8 +10,8 @@ std::vector<Check> judge(const Run& run, const Tolerance& t) {
     const State& a = run.last().islet;
     const State& b = run.last().reference;
     std::vector<Check> checks;
-    const auto check = [&](const char* name, double value, double limit) {
-        if (limit >= 0) checks.push_back({name, value, limit});
+    const auto check = [&](const char* name, double value, double limit, double known = not_judged) {
+        if (limit >= 0) checks.push_back({name, value, limit, known});
     };
     check("rms_position", run.rms_position, t.rms_position);
     check("max_position", run.max_position, t.max_position);
@@ -23,12 +23,16 @@ std::vector<Check> judge(const Run& run, const Tolerance& t) {
     check("energy_drift", std::abs(energy_drift(run, islet) - energy_drift(run, reference)), t.energy_drift);
     check("energy_gain", energy_gain(run, islet), t.energy_gain);
     check("momentum_drift", momentum_drift(run, islet), t.momentum_drift);
-    check("penetration", deepest_penetration(run, islet) - deepest_penetration(run, reference), t.penetration);
+    check("penetration", deepest_penetration(run, islet) - deepest_penetration(run, reference), t.penetration, t.known_penetration);
     return checks;
 }
 
 bool Comparison::pass() const {
     return !lacks.empty() || std::all_of(checks.begin(), checks.end(), [](const Check& c) { return c.pass(); });
+}
+
+bool Comparison::is_short() const {
+    return std::any_of(checks.begin(), checks.end(), [](const Check& c) { return c.is_short(); });
 }
 
 const Tolerance* find_tolerance(const std::string& scene) {

@@ -82,7 +82,7 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
 void destroy_contact(Core& core, std::uint32_t index) {
     Contact& c = core.contacts[index];
     ContactManifold& m = core.manifolds[index];
-    if ((m.flags & contact_touching) != 0) record_end_event(core, index);
+    if (is_told(m)) record_end_event(core, index);
     if (has_sensors && (m.flags & contact_overlap) != 0) end_overlap(core, index);
     release_color(core, index);
     unlink(core, index, 0, m.body_a);

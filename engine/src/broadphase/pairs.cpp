@@ -103,21 +103,76 @@ void close_columns(Columns& c) {
     c.count = count;
 }
 
-/// The shapes in motion, and those among them whose boxes changed.
-struct Motioned {
-    Columns all;
-    Columns moved;
+// How far a body comes within dt as long as nothing touches it.
+Way way_of(const Core& core, std::uint32_t body, float dt) {
+    const Motion& motion = core.motions[body];
+    return {dt * motion.v + pull_share * dt * dt * pull_on(core, body), min(dt * abs(motion.w), 2.0f) * core.poses[body].max_extent};
+}
+
+// At least as far as any point of a body comes within dt, m.
+float way_length(const Core& core, std::uint32_t body, float dt) {
+    const Motion& motion = core.motions[body];
+    const Vec2 pull = pull_on(core, body);
+    return dt * (length_inline(motion.v) + abs(motion.w) * core.poses[body].max_extent + pull_share * dt * (abs(pull.x) + abs(pull.y)));
+}
+
+// A box grown by a way, or by `most` m of it along each axis.
+Aabb grow(const Aabb& box, const Way& way, float most) {
+    const Vec2 bound = {most, most}, part = max(min(way.move, bound), -bound);
+    return expand(both(box, {box.lower + part, box.upper + part}), way.turn);
+}
+
+/// A shape in motion.
+struct Mover {
+    Aabb box;   // its fat box
+    Way way;    // its body's
+    std::uint32_t body;
+    std::uint32_t shape;
+    bool leaves;  // the way may lead out of the box
 };
 
-Motioned sorted_columns(Core& core, Arena& arena) {
+// The box of a mover's way; but not farther than its surroundings: what is so fast for its size must be a bullet to stop at what moves.
+Aabb box_of(const Core& core, const Mover& m) { return m.leaves ? grow(m.box, m.way, surroundings(core.poses[m.body])) : m.box; }
+
+// Whether two shapes whose boxes are `a` and `b` may come together; `fall` (m) is what gravity adds to the way of one while the other is held.
+bool may_meet_on(const Aabb& a, const Way& way_a, const Aabb& b, const Way& way_b, float fall) {
+    return meet(a, grow(b, {way_b.move - way_a.move, way_a.turn + way_b.turn + fall}, 3.0e38f));
+}
+
+/// The shapes in motion, and those among them whose boxes changed.
+struct Moving {
+    Columns all;
+    Columns moved;
+    const Mover* movers;
+    const std::uint32_t* order;  // by place in `all`: which mover
+    bool along_x;
+    float fall;
+
+    Aabb box(std::uint32_t i) const {  // of one that moved
+        const Vec2 lower = {moved.lower[i], moved.lower2[i]}, upper = {moved.upper[i], moved.upper2[i]};
+        return along_x ? Aabb{lower, upper} : Aabb{{lower.y, lower.x}, {upper.y, upper.x}};
+    }
+
+    // Boxes of two ways that overlap mean little for bodies that move together.
+    bool may_meet(std::uint32_t place_1, std::uint32_t place_2) const {
+        const Mover& a = movers[order[place_1]];
+        const Mover& b = movers[order[place_2]];
+        if (a.body == b.body) return false;
+        return (!a.leaves && !b.leaves) || meet(a.box, b.box) || may_meet_on(a.box, a.way, b.box, b.way, fall);
+    }
+};
+
+Moving sorted_columns(Core& core, Arena& arena, float dt) {
     const std::uint32_t room = core.state->shape_pool.count;
-    std::uint32_t* list = arena.take<std::uint32_t>(room);
+    Mover* movers = arena.take<Mover>(room);
     std::uint32_t n = 0;
     Aabb bounds{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
     core.awake_bodies.for_each([&](std::uint32_t body) {
+        const Way way = way_of(core, body, dt);
+        const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            list[n++] = s;
-            bounds = both(bounds, core.boxes[s]);
+            movers[n] = {core.boxes[s], way, body, s, leaves};
+            bounds = both(bounds, movers[n++].box);
         }
     });
 
@@ -128,17 +183,20 @@ Motioned sorted_columns(Core& core, Arena& arena) {
     std::uint32_t* order = arena.take<std::uint32_t>(n);
     std::uint32_t* order2 = arena.take<std::uint32_t>(n);
     std::uint32_t* counts = arena.take<std::uint32_t>(sort_digits);
-    for (std::uint32_t i = 0; i < n; ++i) keys[i] = sort_key(along_x ? core.boxes[list[i]].lower.x : core.boxes[list[i]].lower.y);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Aabb box = box_of(core, movers[i]);
+        keys[i] = sort_key(along_x ? box.lower.x : box.lower.y);
+    }
     const std::uint32_t* sorted = sort_by_key(keys, order, keys2, order2, n, counts);
 
-    Motioned c{take_columns(arena, n), take_columns(arena, n)};
+    Moving c{take_columns(arena, n), take_columns(arena, n), movers, sorted, along_x, fall_in(core, dt)};
     for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t s = list[sorted[i]];
-        const Aabb box = core.boxes[s];
+        const Mover& mover = movers[sorted[i]];
+        const Aabb box = box_of(core, mover);
         const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
         const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
-        push_box(c.all, x.x, x.y, y.x, y.y, s, i);
-        if (core.moved_shapes.test(s)) push_box(c.moved, x.x, x.y, y.x, y.y, s, i);
+        push_box(c.all, x.x, x.y, y.x, y.y, mover.shape, i);
+        if (core.moved_shapes.test(mover.shape)) push_box(c.moved, x.x, x.y, y.x, y.y, mover.shape, i);
     }
     close_columns(c.all);
     close_columns(c.moved);
@@ -165,35 +223,45 @@ template <class Visit>
 }
 
 // A box that changed meets the boxes that begin after it; one that did not meets the changed ones that begin after it.
-void sweep(PairBuffer& out, const Scan& how, const Columns& all, const Columns& moved) {
+void sweep(PairBuffer& out, const Scan& how, const Moving& m) {
+    const Columns& all = m.all;
+    const Columns& moved = m.moved;
     for (std::uint32_t i = 0; i < moved.count && !is_over(out.core); ++i)
-        scan(how, all, moved.place[i] + 1, moved, i, [&](std::uint32_t j) { out.push(moved.shape[i], all.shape[j]); });
+        scan(how, all, moved.place[i] + 1, moved, i, [&](std::uint32_t j) {
+            if (m.may_meet(moved.place[i], j)) out.push(moved.shape[i], all.shape[j]);
+        });
     std::uint32_t first = 0;  // of the changed boxes behind box i
     for (std::uint32_t i = 0; i < all.count && !is_over(out.core); ++i) {
         while (first < moved.count && moved.place[first] < i) ++first;
         if (first == moved.count) break;
         if (moved.place[first] == i) continue;
-        scan(how, moved, first, all, i, [&](std::uint32_t j) { out.push(all.shape[i], moved.shape[j]); });
+        scan(how, moved, first, all, i, [&](std::uint32_t j) {
+            if (m.may_meet(i, moved.place[j])) out.push(all.shape[i], moved.shape[j]);
+        });
     }
 }
 
 inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are worth a task
-inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness: who may move more in a step looks ahead for contacts
+inline constexpr float leave_way = 0.5f * speculative_distance + 0.4f * linear_slop;  // m: so far ahead of the shapes the boxes' slack ends, and as fast_way
+inline constexpr float alone_fraction = 0.5f;  // of its smallest half-thickness: for who moves more in a step it pays to know whether it is alone
 
 Aabb surroundings_of(const Pose& pose) {
     const float reach = pose.max_extent + surroundings(pose);
     return expand({pose.center, pose.center}, reach);
 }
 
-// Notes whether the body is fast, and then whether it is alone: that spares it up to three looks at the tree. (A lean build does without, and
-// notes who is fast as it looks ahead.)
-bool note_fast(Core& core, std::uint32_t body, float dt) {
-    const Motion& motion = core.motions[body];
+// Notes whether the body is fast, and whether it is alone: that spares it up to three looks at the tree. (A lean build does without.)
+void note_fast(Core& core, std::uint32_t body, float dt) {
     Pose& pose = core.poses[body];
-    const bool fast = dt * (length_inline(motion.v) + abs(motion.w) * pose.max_extent) > fast_fraction * core.bodies[body].min_extent;
-    pose.flags = fast ? pose.flags | pose_fast : pose.flags & ~static_cast<std::uint32_t>(pose_fast);
-    if (!is_lean && fast && TreeWalk(Tree{&core.state->tree, core.tree}, surroundings_of(pose)).next() == null_index) pose.flags |= pose_alone;
-    return fast;
+    pose.flags &= ~static_cast<std::uint32_t>(pose_fast | pose_leaves | pose_far | pose_deep);
+    const float way = way_length(core, body, dt);
+    if (!(way > fast_way)) return;
+    pose.flags |= pose_fast;
+    if (way > core.motions[body].slack + leave_way) pose.flags |= pose_leaves;
+    if (way > surroundings(pose)) pose.flags |= pose_far;
+    if (!is_lean && way > alone_fraction * core.bodies[body].min_extent &&
+        TreeWalk(Tree{&core.state->tree, core.tree}, surroundings_of(pose)).next() == null_index)
+        pose.flags |= pose_alone;
 }
 
 // True if it is known that nothing at rest overlaps a box near the body.
@@ -203,35 +271,38 @@ bool is_clear(const Pose& pose, const Aabb& box) { return !is_lean && (pose.flag
 // wide, and begins within one extent of the centre, as the shape in it does. The last term is for rounding far from the origin.)
 bool stays_alone(const Core& core, std::uint32_t body, float dt) {
     const Pose& pose = core.poses[body];
-    const Motion& motion = core.motions[body];
-    const float way = dt * (length_inline(motion.v) + abs(motion.w) * pose.max_extent);
+    const float way = way_length(core, body, dt);
     const float inexact = 1e-6f * (abs(pose.center.x) + abs(pose.center.y));
     const float reach = way + 3.0f * pose.max_extent + 2.0f * (max_box_margin + speculative_distance) + inexact;
     return (pose.flags & pose_alone) != 0 && reach <= pose.max_extent + surroundings(pose);
 }
 
 // Every pair in which a fat box changed.
-void find_moved_pairs(Core& core) {
+void find_moved_pairs(Core& core, float dt) {
     Arena arena = core.arena();
-    const Motioned columns = sorted_columns(core, arena);
-    const Columns& all = columns.all;
-    const Columns& moved = columns.moved;
+    const Moving moving = sorted_columns(core, arena, dt);
+    const Columns& moved = moving.moved;
     PairBuffer out{core, {}, {}};
-    sweep(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(all.count) : nullptr}, all, moved);
+    sweep(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count) : nullptr}, moving);
 
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t i = 0; i < moved.count && !is_over(core); ++i) {
         const std::uint32_t shape = moved.shape[i];
-        if (is_clear(core.poses[core.shapes[shape].body], core.boxes[shape])) continue;
-        tree_query(tree, core.boxes[shape], [&](std::uint32_t other) { out.push(shape, other); });
+        const Mover& mover = moving.movers[moving.order[moved.place[i]]];
+        const Aabb box = moving.box(i);
+        if (is_clear(core.poses[mover.body], box)) continue;
+        tree_query(tree, box, [&](std::uint32_t other) {
+            if (!mover.leaves || meet(mover.box, core.boxes[other]) || may_meet_on(core.boxes[other], {}, mover.box, mover.way, moving.fall))
+                out.push(shape, other);
+        });
     }
 
     // Shapes at rest whose boxes changed: just created, teleported, or fallen asleep as they moved. Each pair is looked at once, so that each one
     // dropped counts once.
     core.moved_shapes.for_each([&](std::uint32_t shape) {
         if (core.is_awake(core.shapes[shape].body) || is_over(core)) return;
-        for (std::uint32_t i = 0; i < all.count; ++i) {
-            const std::uint32_t other = all.shape[i];
+        for (std::uint32_t i = 0; i < moving.all.count; ++i) {
+            const std::uint32_t other = moving.all.shape[i];
             if (meet(core.boxes[other], core.boxes[shape]) && !core.moved_shapes.test(other)) out.push(shape, other);
         }
         tree_query(tree, core.boxes[shape], [&](std::uint32_t other) {
@@ -244,13 +315,15 @@ void find_moved_pairs(Core& core) {
 // Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step.
 void look_ahead(Core& core, std::uint32_t body, float dt) {
     const Tree tree{&core.state->tree, core.tree};
+    const Way way = way_of(core, body, dt);
+    const float fall = fall_in(core, dt);
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-        const Aabb ahead = box_ahead(core, s, dt);
+        const Aabb ahead = grow(core.boxes[s], way, 3.0e38f);
         if (is_clear(core.poses[body], ahead)) continue;
         tree_query(tree, ahead, [&](std::uint32_t other) {
             // Where the fat boxes overlap the contact is there already, or was dropped and counted.
             const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
-            if (is_static && !meet(core.boxes[s], core.boxes[other])) add_pair(core, s, other);
+            if (is_static && !meet(core.boxes[s], core.boxes[other]) && may_meet_on(core.boxes[other], {}, core.boxes[s], way, fall)) add_pair(core, s, other);
         });
     }
 }
@@ -264,26 +337,32 @@ void mark_moved(Core& core, std::uint32_t shape) {
     ++core.state->moved_count;
 }
 
-Aabb box_ahead(const Core& core, std::uint32_t shape, float dt) {
-    const std::uint32_t body = core.shapes[shape].body;
-    const Vec2 way = dt * core.motions[body].v;
-    const float turn = dt * abs(core.motions[body].w) * core.poses[body].max_extent;
-    const Aabb box = core.boxes[shape];
-    return expand(both(box, {box.lower + way, box.upper + way}), turn);
+bool may_meet(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt) {
+    const std::uint32_t body_a = core.shapes[shape_a].body, body_b = core.shapes[shape_b].body;
+    if (((core.poses[body_a].flags | core.poses[body_b].flags) & pose_leaves) == 0) return false;
+    const Way still;
+    return may_meet_on(core.boxes[shape_a], core.is_awake(body_a) ? way_of(core, body_a, dt) : still, core.boxes[shape_b],
+                       core.is_awake(body_b) ? way_of(core, body_b, dt) : still, fall_in(core, dt));
 }
 
 void find_pairs(Core& core, float dt) {
     core.report.dropped_contacts = 0;
-    if (!is_lean) {
-        for_ranges(core, core.awake_bodies.word_count, note_grain, [&](std::uint32_t first, std::uint32_t end) {
-            core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { note_fast(core, body, dt); });
+    for_ranges(core, core.awake_bodies.word_count, note_grain, [&](std::uint32_t first, std::uint32_t end) {
+        core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { note_fast(core, body, dt); });
+    });
+    bool any_far = false;  // beyond what the boxes of their ways hold
+    core.awake_bodies.for_each([&](std::uint32_t body) {
+        if ((core.poses[body].flags & pose_leaves) == 0) return;
+        any_far |= (core.poses[body].flags & pose_far) != 0;
+        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s);
+    });
+    if (core.state->moved_count != 0) find_moved_pairs(core, dt);
+    if (any_far) {
+        core.awake_bodies.for_each([&](std::uint32_t body) {
+            constexpr std::uint32_t both_flags = pose_leaves | pose_far;
+            if ((core.poses[body].flags & both_flags) == both_flags && (is_lean || !stays_alone(core, body, dt))) look_ahead(core, body, dt);
         });
     }
-    if (core.state->moved_count != 0) find_moved_pairs(core);
-    core.awake_bodies.for_each([&](std::uint32_t body) {
-        const bool looks = is_lean ? note_fast(core, body, dt) : (core.poses[body].flags & pose_fast) != 0 && !stays_alone(core, body, dt);
-        if (looks) look_ahead(core, body, dt);
-    });
     if (core.report.dropped_contacts != 0) {
         core.fail(Error::contacts_full);  // what moved stays marked, so the same pairs are tried again in the next step
         return;

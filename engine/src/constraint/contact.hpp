@@ -10,6 +10,9 @@
 // Velocities of the two bodies are projected onto the contact's frame once and updated there row by row; the bodies get the summed impulse.
 #pragma once
 
+#include <cstddef>
+
+#include "../collide/manifold.hpp"
 #include "../math/lanes.hpp"
 #include "../math/scalar.hpp"
 #include "../constraint/contact_rows.hpp"
@@ -20,6 +23,7 @@ namespace islet::detail {
 inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
 inline constexpr std::uint32_t body_words = sizeof(SolverBody) / 4;
 inline constexpr std::uint32_t restitution_passes = 6;
+inline constexpr std::uint8_t landing_passes = 5;  // more than one, over what lands: a blow leaves no time to make good what one row does to the others
 inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
 
 /// Where prepare finds its inputs.
@@ -43,6 +47,8 @@ struct ContactKernel {
     static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
     /// One sweep.
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
+    /// Solves those lanes of a block again that land, one by one.
+    static void land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers);
     /// Gives bouncing contacts their rebound speed.
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
     /// Writes the impulses back for the next step.
@@ -91,6 +97,7 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             r.two_points |= second[i] != 0;
             r.special |= is_live && (m.flags & contact_special) != 0;
             r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
+            r.ahead[i] = is_live && (m.flags & contact_ahead) != 0 && (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0) ? landing_passes : 0;
         }
 
         F m1[8], m2[8], m3[4];  // normal, offset, rotations | anchors, impulses | rolling impulse, separations, friction
@@ -158,7 +165,9 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
                 const F now = dvn + b[2] * bt - a[2] * at;
                 const F gap = max(m3[1 + i] + moved + turned, zero);
                 const F time = select(now < zero, min(gap / max(zero - now, tiny), dt_step), zero);
-                const F meeting = now + time * gain;
+                // A point that comes down behind the first does so at another speed: it does not bounce.
+                const F late = m3[1 + i] - select(L::load(second) > zero, min(m3[1], m3[2]), m3[1]);
+                const F meeting = select(late > L::splat(2.0f * linear_slop), zero, now + time * gain);
                 L::store(r.approach[i], select(meeting < fastest, fastest, meeting));
                 L::store(r.peak[i], zero);
             }
@@ -195,7 +204,8 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
     const F slop = L::splat(numbers.slop);
     const bool biased = numbers.bias_rate > 0;
 
-    for (std::uint32_t block = 0; block < count; ++block) {
+    std::uint32_t more = 0;  // passes over this block
+    for (std::uint32_t block = 0; block < count;) {
         Rows& r = rows[block];
         F a[8], b[8];
         L::template gather8<body_words>(bodies, r.body_a, a);
@@ -278,6 +288,39 @@ void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t co
         const F out_a[4] = {a[0] - a[3] * px, a[1] - a[3] * py, wa, a[3]};
         const F out_b[4] = {b[0] + b[3] * px, b[1] + b[3] * py, wb, b[3]};
         scatter_pushed<L>(bodies, r.body_a, r.body_b, a[3], b[3], out_a, out_b);
+
+        // What lands is solved again at once, alone: its lane as a row of its own.
+        std::uint64_t ahead = 0;
+        std::memcpy(&ahead, r.ahead, W);
+        if (ahead != 0) {
+            float changed[W];  // a pass that changed nothing needs no other
+            L::store(changed, select(sum_n * sum_n + sum_t * sum_t > zero, one, zero));
+            if constexpr (W == 1) {
+                more = changed[0] == 0 ? 0 : more != 0 ? more - 1 : r.ahead[0];
+            } else {
+                land(bodies_in, r, changed, numbers);
+            }
+        }
+        if (W > 1 || more == 0) ++block;
+    }
+}
+
+template <class L>
+void ContactKernel<L>::land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers) {
+    // Rows are words of W lanes each up to the flags.
+    constexpr std::uint32_t words = offsetof(Rows, two_points) / (4 * W);
+    for (std::uint32_t i = 0; i < W; ++i) {
+        if (rows.ahead[i] == 0 || changed[i] == 0) continue;
+        ContactRows<1> row;
+        std::byte* const lane = reinterpret_cast<std::byte*>(&rows) + 4 * i;
+        std::byte* const copy = reinterpret_cast<std::byte*>(&row);
+        for (std::uint32_t w = 0; w < words; ++w) std::memcpy(copy + 4 * w, lane + 4 * W * w, 4);
+        row.two_points = rows.two_points;
+        row.special = rows.special;
+        row.bouncy = rows.bouncy;
+        row.ahead[0] = static_cast<std::uint8_t>(rows.ahead[i] - 1);
+        ContactKernel<Lane1>::solve(bodies, &row, 1, numbers);
+        for (std::uint32_t w = 0; w < words; ++w) std::memcpy(lane + 4 * W * w, copy + 4 * w, 4);
     }
 }
 

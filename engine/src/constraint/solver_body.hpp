@@ -42,6 +42,7 @@ struct StepNumbers {
     float warm = 1;         // share of the last step's impulses to start from; 0: none
     float restitution_threshold = 0;
     float max_speed = 0, max_turn = 0;
+    bool lightens = false;  // bodies are taken for lighter (shock): a harder blow to one would make energy
 };
 
 }  // namespace islet::detail

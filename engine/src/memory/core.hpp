@@ -67,6 +67,7 @@ struct Core {
     float* residuals = nullptr;       // m/s, by body: of its island in the last step, if measured
     std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0, break_count = 0;
     std::uint32_t sensor_ends_reported = 0, hit_count = 0;
+    std::uint32_t untold = 0;         // contacts that may begin to touch in this step (contact_untold)
 
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;

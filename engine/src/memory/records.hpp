@@ -16,6 +16,9 @@ namespace islet::detail {
 
 enum PoseFlags : std::uint32_t {
     pose_fast = 1u,   // may move so far in this step that its contacts look further ahead
+    pose_leaves = 8u, // within a step: may leave its fat boxes
+    pose_far = 32u,   // within a step: may come farther than its surroundings
+    pose_deep = 16u,  // within a step: has sunk so deep into what does not give way that it might be pressed through, however slowly
     pose_moved = 2u,  // a fat box of it changed since contacts were last updated
     pose_alone = 4u,  // within a step: nothing at rest is in its surroundings (broadphase/pairs.hpp)
 };
@@ -145,6 +148,8 @@ enum ContactFlags : std::uint32_t {
     contact_one_way = 1u << 18,  // one of the shapes is a one-way shape
     contact_passes = 1u << 19,   // it lets the other shape pass
     contact_dropped = 1u << 20,  // it lets the other shape pass because the hook said so
+    contact_ahead = 1u << 21,    // the shapes come together fast: solved harder
+    contact_untold = 1u << 22,   // made so far ahead that it is not said to touch before it does
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
@@ -184,6 +189,9 @@ struct ContactManifold {
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
     void forget_impulses() { normal_impulse[0] = normal_impulse[1] = tangent_impulse[0] = tangent_impulse[1] = rolling_impulse = 0; }
 };
+
+/// The user knows that the two shapes touch.
+inline bool is_told(const ContactManifold& m) { return (m.flags & (contact_touching | contact_untold)) == contact_touching; }
 
 enum JointFlags : std::uint32_t {
     joint_spring = 1u,

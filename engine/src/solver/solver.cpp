@@ -82,6 +82,7 @@ void choose_numbers(Solve& s, float dt) {
     n.restitution_threshold = state.restitution_threshold;
     n.max_speed = state.max_speed;
     n.max_turn = max_turn_of(dt);
+    n.lightens = has_shock(def);
 
     s.relaxed.inv_h = n.inv_h;
     if (is_soft(def)) {

@@ -40,7 +40,7 @@ void read_contact(const Core& c, std::uint32_t slot, ContactInfo& out) {
 
 bool World::contact_at(std::uint32_t slot, ContactInfo& out) const {
     const Core& c = core();
-    if (!pool_live(c.state->contact_pool, c.contacts, slot) || (c.manifolds[slot].flags & contact_touching) == 0) return false;
+    if (!pool_live(c.state->contact_pool, c.contacts, slot) || !is_told(c.manifolds[slot])) return false;
     read_contact(c, slot, out);
     return true;
 }
@@ -51,7 +51,7 @@ std::uint32_t World::contacts(BodyId id, std::span<ContactInfo> out) const {
     if (i == null_index) return 0;
     std::uint32_t n = 0;
     for_each_contact(c, i, [&](std::uint32_t contact, std::uint32_t) {
-        if ((c.manifolds[contact].flags & contact_touching) == 0) return;
+        if (!is_told(c.manifolds[contact])) return;
         if (n < out.size()) read_contact(c, contact, out[n]);
         ++n;
     });

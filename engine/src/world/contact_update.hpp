@@ -7,6 +7,9 @@ namespace islet::detail {
 
 void update_contacts(Core& core, float dt);
 
+/// After the solve: of contacts made ahead of their time, tells of those that began to touch.
+void tell_touches(Core& core);
+
 /// How far B's material has moved from A's at a contact point since the manifold was made, m. Their velocity apart is its rate of change.
 inline Vec2 slip_of(const ContactManifold& m, std::uint32_t point, const Pose& a, const Pose& b) {
     const Vec2 ra = m.anchors[point];

@@ -9,12 +9,14 @@
 #include "../world/continuous.hpp"
 
 #include "../broadphase/contacts.hpp"
+#include "../broadphase/pairs.hpp"
 #include "../broadphase/tree.hpp"
 #include "../collide/clear_way.hpp"
 #include "../collide/time_of_impact.hpp"
 #include "../math/boxes.hpp"
 #include "../math/scalar.hpp"
 #include "../memory/features.hpp"
+#include "../solver/free_motion.hpp"
 #include "../world/bounds.hpp"
 #include "../world/hooks.hpp"
 
@@ -99,9 +101,13 @@ bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
 
 }  // namespace
 
-Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt) {
+Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_held) {
     const Motion& motion = core.motions[body];
-    return {core.poses[body].center, core.poses[body].q, dt * motion.v, within_bounds(dt * motion.w, 0.5f * pi)};
+    const Vec2 gain = dt * pull_on(core, body);
+    const bool held = may_be_held && length_squared(motion.v) < length_squared(gain);
+    Vec2 v = held ? motion.v : motion.v + gain;
+    if (const float most = core.state->max_speed; !(dot(v, v) <= most * most)) v = limit_speed(v, most);
+    return {core.poses[body].center, core.poses[body].q, dt * v, within_bounds(dt * motion.w, 0.5f * pi)};
 }
 
 float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {

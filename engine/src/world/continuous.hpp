@@ -10,8 +10,8 @@ namespace islet::detail {
 /// True if the body may have passed through something: it made a way longer than this share of its smallest half-thickness.
 inline constexpr float swept_fraction = 0.5f;
 
-/// The way a body will make in dt seconds if nothing stops it.
-Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt);
+/// The way a body will make in dt seconds if nothing stops it. If it may be held, one slower than what pulls at it makes it in dt is taken to lie on something.
+Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_held);
 
 /// The fraction of their ways at which two shapes touch: time_of_impact of the whole shapes.
 float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b);

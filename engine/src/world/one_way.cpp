@@ -97,7 +97,8 @@ void mend_one_way(Core& core, std::uint32_t contact) {
         const Vec2 up = rotate(core.poses[is_a ? m.body_a : m.body_b].q, pair.up);
         const float rise = is_a ? dot(up, m.normal) : -dot(up, m.normal);
         if (rise >= least_rise) continue;
-        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
+        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead);
+        m.separation[0] = m.separation[1] = 0;
         if (rise > -least_rise) continue;
         const Lowest low = pair.lowest();
         const Transform pose = body_transform(core, core.shapes[other].body);
@@ -106,6 +107,9 @@ void mend_one_way(Core& core, std::uint32_t contact) {
         m.separation[0] = pair.height();
         m.anchors[0] = corner - 0.5f * m.separation[0] * up - core.poses[m.body_a].center;
         m.ids = low.corner;
+        m.offset = core.poses[m.body_b].center - core.poses[m.body_a].center;  // what was ahead stands otherwise
+        m.rotation_a = core.poses[m.body_a].q;
+        m.rotation_b = core.poses[m.body_b].q;
         m.flags |= 1u << contact_count_shift;
     }
     // Not above, and no point of contact: the other has left past an end.

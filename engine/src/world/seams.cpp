@@ -132,7 +132,7 @@ struct Floor {
     }
 
     // The manifold along that uncovered face in which the other shape is least deep, with the piece as A.
-    Manifold along_bare_face() const {
+    Manifold along_bare_face(float margin) const {
         std::uint32_t best = null_index, deepest = 0;
         float gap = 0;
         for (std::uint32_t i = 0; i < piece.count; ++i) {
@@ -148,7 +148,7 @@ struct Floor {
             deepest = lowest;
             gap = height;
         }
-        if (best == null_index || gap > speculative_distance + piece.radius + radius) return {};
+        if (best == null_index || gap > margin + piece.radius + radius) return {};
         const Face bare = {piece.vertices[best], piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best, next(best, piece.count)};
         // The incident face: of the two faces at the deepest corner the one that rises less from the piece's face and runs the other way.
         const std::uint32_t after = next(deepest, count), before = (deepest == 0 ? count : deepest) - 1;
@@ -157,7 +157,7 @@ struct Floor {
         const float run_after = dot(corners[deepest] - corners[after], along), run_before = dot(corners[before] - corners[deepest], along);
         const bool forward = run_after > 0 && !(rise(before) * run_after < rise(after) * run_before);
         const std::uint32_t i1 = forward ? deepest : before, i2 = forward ? after : deepest;
-        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, radius, i1, i2}, false, {0, 0}, speculative_distance);
+        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, radius, i1, i2}, false, {0, 0}, margin);
         if (count == 1 && m.count == 2) m.count = 1;
         return m;
     }
@@ -165,7 +165,7 @@ struct Floor {
 
 }  // namespace
 
-void mend_inner_edges(const Core& core, const Contact& contact, const Transform& b_in_a, Manifold& manifold) {
+void mend_inner_edges(const Core& core, const Contact& contact, const Transform& b_in_a, float margin, Manifold& manifold) {
     for (const bool piece_is_a : {true, false}) {
         const std::uint32_t shape = piece_is_a ? contact.shape_a : contact.shape_b;
         const std::uint32_t other_shape = piece_is_a ? contact.shape_b : contact.shape_a;
@@ -184,7 +184,7 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
             inner = floor.is_inner(middle - 0.5f * manifold.points[i].separation * normal, normal);
         }
         if (!inner) continue;
-        manifold = floor.along_bare_face();
+        manifold = floor.along_bare_face(margin);
         if (piece_is_a) continue;
         manifold.normal = -rotate(b_in_a.q, manifold.normal);
         for (ManifoldPoint& p : manifold.points) {

@@ -76,6 +76,7 @@ void World::step(float dt) {
     const Plan plan = make_plan(c, arena);
     note(c, Stage::islands);
     SolverBody* bodies = detail::solve(c, plan, arena, dt);
+    tell_touches(c);
     note(c, Stage::solve);
     finish_bodies(c, plan, bodies, arena, dt);
     if (c.state->joint_pool.count != 0) break_joints(c);
