@@ -1,7 +1,7 @@
 // Finding pairs: every two shapes whose fat boxes began to overlap get a contact.
 #pragma once
 
-#include "../memory/core.hpp"
+#include "../data/core.hpp"
 
 namespace islet::detail {
 

@@ -1,18 +1,18 @@
 // The public functions on bodies.
 #include "../exact.hpp"
 
-#include "../broadphase/contacts.hpp"
+#include "../bodies/bounds.hpp"
+#include "../bodies/impulses.hpp"
+#include "../bodies/joint_changes.hpp"
+#include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
-#include "../memory/joint_graph.hpp"
-#include "../world/bounds.hpp"
-#include "../world/checks.hpp"
-#include "../world/continuous.hpp"
-#include "../world/joints.hpp"
-#include "../world/push.hpp"
-#include "../world/recorder.hpp"
+#include "../step/continuous.hpp"
 #include "../world/shapes.hpp"
-#include "../world/sleep.hpp"
 
 namespace islet {
 

@@ -1,17 +1,17 @@
 // The public functions on joints, making apart (joint_make.cpp).
 #include "../exact.hpp"
 
-#include "../world/joints.hpp"
+#include "../bodies/joint_changes.hpp"
 
-#include "../constraint/gear.hpp"
-#include "../constraint/distance.hpp"
-#include "../math/float_mode.hpp"
-#include "../memory/joint_graph.hpp"
+#include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
 #include "../collide/manifold.hpp"
-#include "../world/checks.hpp"
-#include "../world/recorder.hpp"
-#include "../world/sleep.hpp"
+#include "../constraint/distance_joint.hpp"
+#include "../constraint/gear_joint.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../math/float_mode.hpp"
 
 namespace islet {
 

@@ -1,20 +1,20 @@
 // The public functions on shapes.
 #include "../exact.hpp"
 
-#include "../world/one_way.hpp"
-#include "../world/recorder.hpp"
+#include "../calls/recorder.hpp"
+#include "../step/one_way.hpp"
 #include "../world/shapes.hpp"
 
-#include "../broadphase/contacts.hpp"
+#include "../bodies/bounds.hpp"
+#include "../bodies/geometry_pool.hpp"
+#include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
-#include "../broadphase/sensors.hpp"
 #include "../broadphase/tree.hpp"
+#include "../calls/checks.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/sensors.hpp"
 #include "../math/float_mode.hpp"
 #include "../solver/hits.hpp"
-#include "../world/bounds.hpp"
-#include "../world/checks.hpp"
-#include "../world/geometry_pool.hpp"
-#include "../world/sleep.hpp"
 
 namespace islet {
 

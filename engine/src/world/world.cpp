@@ -3,21 +3,21 @@
 
 #include "islet/world.hpp"
 
-#include "../broadphase/sensors.hpp"
+#include "../bodies/geometry_pool.hpp"
+#include "../bodies/sleep.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../graph/sensors.hpp"
+#include "../math/cpu.hpp"
 #include "../math/float_mode.hpp"
 #include "../math/scalar.hpp"
-#include "../memory/joint_graph.hpp"
 #include "../solver/hits.hpp"
 #include "../solver/ordered_sweep.hpp"
-#include "../world/checks.hpp"
-#include "../world/continuous.hpp"
-#include "../world/cpu.hpp"
-#include "../world/geometry_pool.hpp"
-#include "../world/hooks.hpp"
-#include "../world/profile.hpp"
-#include "../world/one_way.hpp"
-#include "../world/recorder.hpp"
-#include "../world/sleep.hpp"
+#include "../step/continuous.hpp"
+#include "../step/hooks.hpp"
+#include "../step/one_way.hpp"
+#include "../step/profile.hpp"
 
 // A placement new without <new>: the engine needs no C++ runtime.
 struct IsletPlace {};
