@@ -1,4 +1,4 @@
-// Joints as the user meets them: making, destroying and breaking them.
+// Taking joints out of the world, breaking them, and what follows for joints when a body changes.
 #pragma once
 
 #include "../data/core.hpp"
@@ -29,18 +29,5 @@ ISLET_OPTIONAL void assign_joint_colors(Core& core, std::uint32_t body);
 
 /// Destroys the joints whose force or torque exceeded what they bear, and reports them.
 ISLET_OPTIONAL void break_joints(Core& core);
-
-// From here on ordinary functions again.
-
-/// Each takes a checked definition over into the record.
-void set_spring_of(Joint& j, const JointSpring& spring);
-void set_limit_of(Joint& j, const JointLimit& limit);
-void set_motor_of(Joint& j, const JointMotor& motor);
-
-/// Destroys the contacts that the joint forbids.
-void end_forbidden_contacts(Core& core, const Joint& j);
-
-/// The coordinate of a joint that has one, now.
-float joint_coordinate(const Core& core, const Joint& j);
 
 }  // namespace islet::detail

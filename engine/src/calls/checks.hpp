@@ -47,12 +47,4 @@ inline bool check_position(const Core& core, Vec2 p) {
 
 inline bool is_time_step(float dt) { return dt >= min_time_step && dt <= 1; }
 
-bool check_not_negative(const Core& core, float a);
-bool check_frame(const Core& core, const JointFrame& frame);
-bool check_spring(const Core& core, const JointSpring& spring);
-bool check_limit(const Core& core, const JointLimit& limit);
-bool check_motor(const Core& core, const JointMotor& motor);
-
-bool check_solver(const SolverDef& def, Error& error);
-
 }  // namespace islet::detail

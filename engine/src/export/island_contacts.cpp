@@ -5,8 +5,8 @@
 #include "../exact.hpp"
 
 #include "../export/island_problem.hpp"
+#include "../graph/contacts.hpp"
 #include "../graph/surface.hpp"
-#include "../step/contact_update.hpp"
 
 namespace islet::detail {
 

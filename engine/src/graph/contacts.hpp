@@ -4,6 +4,7 @@
 
 #include "../data/core.hpp"
 #include "../graph/edge_list.hpp"
+#include "../graph/hooks.hpp"
 
 namespace islet::detail {
 
@@ -22,8 +23,7 @@ inline std::uint32_t other_body(const Core& core, std::uint32_t contact, std::ui
 /// it. Of a sensor: one that is not static, a visitor that consents and is no sensor, filters that agree.
 bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 
-/// What the filter hook says, which is not null. Weakly referenced, as step/hooks.hpp.
-ISLET_OPTIONAL bool is_allowed_by_hook(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+/// What the filter hook says, if there is one.
 inline bool is_allowed(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     return !has_hooks || core.hooks.filter == nullptr || is_allowed_by_hook(core, shape_1, shape_2);
 }
@@ -61,6 +61,13 @@ inline Stand stand_now(const Core& core, std::uint32_t body_a, std::uint32_t bod
     const Pose& a = core.poses[body_a];
     const Pose& b = core.poses[body_b];
     return {b.center - a.center, a.q, b.q};
+}
+
+/// How far B's material has moved from A's at a contact point since the manifold was made, m. Their velocity apart is its rate of change.
+inline Vec2 slip_of(const ContactManifold& m, std::uint32_t point, const Pose& a, const Pose& b) {
+    const Vec2 ra = m.anchors[point];
+    const Vec2 rb = ra - m.offset;
+    return (b.center - a.center) + rotate(b.q * inverse(m.rotation_b), rb) - rotate(a.q * inverse(m.rotation_a), ra);
 }
 
 }  // namespace islet::detail

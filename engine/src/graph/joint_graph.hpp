@@ -30,8 +30,10 @@ inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t 
     return false;
 }
 
-/// True if a body that the joint acts on is disabled: then it acts on none. Only programs that call World::set_enabled link it, and have such bodies.
+/// True if a body that the joint acts on is disabled: then it acts on none. Weakly referenced: only programs that call World::set_enabled link it, and have
+/// such bodies.
 ISLET_OPTIONAL bool has_disabled_body(const Core& core, const Joint& j);
+/// Does nothing, but whoever refers to it links the function above.
 void link_disabling();
 inline bool disabling_is_linked() {
     return ISLET_IS_LINKED(has_disabled_body);
@@ -42,6 +44,10 @@ inline bool is_joint_idle(const Core& core, const Joint& j) { return disabling_i
 inline bool is_joint_awake(const Core& core, const Joint& j) {
     return ((j.body_a != null_index && core.is_awake(j.body_a)) || core.is_awake(j.body_b)) && !is_joint_idle(core, j);
 }
+
+/// After a body was enabled or disabled: decides of each joint whether it is awake. (A gear may use joints of bodies that it does not hang on, so all joints
+/// are looked at.) Links has_disabled_body.
+void refresh_awake_joints(Core& core);
 
 /// A mouse joint's side A is in no list.
 inline void link_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {

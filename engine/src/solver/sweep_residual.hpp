@@ -8,6 +8,8 @@
 // The change an impulse made since the sweep before would be no such measure: it is small too where a method only creeps.
 #pragma once
 
+#include <cstring>
+
 #include "../constraint/solver_body.hpp"
 #include "../math/scalar.hpp"
 

@@ -6,6 +6,7 @@
 #include "../broadphase/pairs.hpp"
 #include "../calls/checks.hpp"
 #include "../collide/manifold.hpp"
+#include "../solver/solver_def.hpp"
 #include "../state/faults.hpp"
 
 namespace islet::detail {

@@ -18,7 +18,7 @@
 #include "../state/faults.hpp"
 #include "../state/image.hpp"
 #include "../step/continuous.hpp"
-#include "../step/hooks.hpp"
+#include "../graph/hooks.hpp"
 #include "../step/one_way.hpp"
 
 namespace islet {

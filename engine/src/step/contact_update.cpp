@@ -19,7 +19,7 @@
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 #include "../step/continuous.hpp"
-#include "../step/hooks.hpp"
+#include "../graph/hooks.hpp"
 #include "../step/inner_edges.hpp"
 #include "../step/one_way.hpp"
 

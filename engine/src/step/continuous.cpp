@@ -16,7 +16,7 @@
 #include "../graph/contacts.hpp"
 #include "../math/boxes.hpp"
 #include "../math/scalar.hpp"
-#include "../step/hooks.hpp"
+#include "../graph/hooks.hpp"
 
 namespace islet::detail {
 

@@ -7,38 +7,13 @@
 #include "../bodies/sleep.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
 
 namespace islet {
 
 using namespace detail;
 
-namespace detail {
-
-void link_disabling() {}
-
-bool has_disabled_body(const Core& core, const Joint& j) {
-    const auto off = [&](std::uint32_t body) { return body != null_index && !is_enabled(core, body); };
-    if (off(j.body_a) || off(j.body_b)) return true;
-    if (j.joint_type() != JointType::gear) return false;
-    const Joint& j1 = core.joints[j.joint1];
-    const Joint& j2 = core.joints[j.joint2];
-    return off(j1.body_a) || off(j1.body_b) || off(j2.body_a) || off(j2.body_b);
-}
-
-}  // namespace detail
-
 namespace {
-
-// A gear may use joints of bodies that it does not hang on, so all joints are looked at.
-void set_joints_awake(Core& core) {
-    if constexpr (has_joints) {
-        for (std::uint32_t i = 0; i < core.state->joint_pool.high_water; ++i)
-            if (pool_live(core.state->joint_pool, core.joints, i)) core.awake_joints.assign(i, is_joint_awake(core, core.joints[i]));
-        core.state->trees_stale = 1;
-    }
-}
 
 void disable(Core& core, std::uint32_t i) {
     wake_island(core, i, core.arena());
@@ -80,7 +55,7 @@ void World::set_enabled(BodyId id, bool enabled) {
     } else {
         disable(c, i);
     }
-    if (c.state->joint_pool.count != 0) set_joints_awake(c);
+    if (c.state->joint_pool.count != 0) refresh_awake_joints(c);
 }
 
 }  // namespace islet

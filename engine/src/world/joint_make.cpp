@@ -15,6 +15,7 @@
 #include "../math/float_mode.hpp"
 #include "../math/inlining.hpp"
 #include "../solver/joint_solve.hpp"
+#include "../world/joint_parts.hpp"
 
 namespace islet {
 

@@ -32,13 +32,6 @@ void end_contact(Core& core, std::uint32_t contact, std::uint32_t side) {
 
 namespace detail {
 
-std::uint32_t find_shape(const Core& core, ShapeId id) {
-    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
-    const std::uint32_t i = id.index1 - 1;
-    const bool live = pool_live(core.state->shape_pool, core.shapes, i) && core.shapes[i].generation == id.generation;
-    return check(core, live, Error::stale_id) ? i : null_index;
-}
-
 void remove_shape(Core& core, std::uint32_t index) {
     Shape& s = core.shapes[index];
     const std::uint32_t body = s.body;

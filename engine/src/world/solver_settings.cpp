@@ -4,6 +4,7 @@
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../solver/ordered_sweep.hpp"
+#include "../solver/solver_def.hpp"
 
 namespace islet {
 

@@ -1,12 +1,11 @@
 // Contacts as the user sees them.
 #include "../exact.hpp"
 
-#include "../step/contact_info.hpp"
+#include "../graph/contact_info.hpp"
 
 #include "../calls/checks.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/mixing.hpp"
-#include "../step/contact_update.hpp"
 
 namespace islet {
 

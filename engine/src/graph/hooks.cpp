@@ -1,13 +1,13 @@
 #include "../exact.hpp"
 
-#include "../step/hooks.hpp"
+#include "../graph/hooks.hpp"
 
 #include "../calls/checks.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/mixing.hpp"
 #include "../graph/surface.hpp"
 #include "../math/scalar.hpp"
-#include "../step/contact_info.hpp"
+#include "../graph/contact_info.hpp"
 
 namespace islet {
 

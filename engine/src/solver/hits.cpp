@@ -5,7 +5,7 @@
 
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../step/contact_info.hpp"
+#include "../graph/contact_info.hpp"
 
 namespace islet {
 
