@@ -17,7 +17,7 @@
 #include "islet/recording.hpp"
 #include "support/image.hpp"
 #include "support/test_world.hpp"
-#include "world/calls.hpp"
+#include "calls/calls.hpp"
 
 namespace islet::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "memory/core.hpp"
+#include "data/core.hpp"
 #include "support/bits.hpp"
 #include "support/image.hpp"
 #include "support/test_world.hpp"

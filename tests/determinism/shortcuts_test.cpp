@@ -7,8 +7,8 @@
 #include "collide/manifold.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
-#include "world/bounds.hpp"
-#include "world/continuous.hpp"
+#include "bodies/bounds.hpp"
+#include "step/continuous.hpp"
 
 namespace islet::test {
 namespace {

@@ -13,7 +13,7 @@
 #include "support/busy_world.hpp"
 #include "support/chorus.hpp"
 #include "support/forge.hpp"
-#include "world/image.hpp"
+#include "state/image.hpp"
 
 namespace {
 

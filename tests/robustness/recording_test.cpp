@@ -8,7 +8,7 @@
 #include "support/forge.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
-#include "world/recorder.hpp"
+#include "calls/recorder.hpp"
 
 namespace islet::test {
 namespace {

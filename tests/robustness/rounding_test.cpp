@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "memory/core.hpp"
+#include "data/core.hpp"
 #include "support/image.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"

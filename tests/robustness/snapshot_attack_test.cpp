@@ -2,13 +2,13 @@
 // which every invariant holds and goes on holding. (tests/fuzz does the same with millions of images.)
 #include <gtest/gtest.h>
 
-#include "memory/edge_list.hpp"
+#include "graph/edge_list.hpp"
 #include "physics/measure.hpp"
 #include "support/busy_world.hpp"
 #include "support/forge.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
-#include "world/sleep.hpp"
+#include "bodies/sleep.hpp"
 
 namespace islet::test {
 namespace {

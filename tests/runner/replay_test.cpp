@@ -9,7 +9,7 @@
 
 #include "support/forge.hpp"
 #include "support/test_world.hpp"
-#include "world/recorder.hpp"
+#include "calls/recorder.hpp"
 #include "world_recording.hpp"
 
 namespace islet::test {

@@ -15,7 +15,7 @@
 #include "islet/islet.hpp"
 #include "support/cpp_text.hpp"
 #include "support/hook_menu.hpp"
-#include "world/image.hpp"
+#include "state/image.hpp"
 
 namespace islet::test {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "islet/islet.hpp"
-#include "world/calls.hpp"
+#include "calls/calls.hpp"
 
 namespace islet::test {
 

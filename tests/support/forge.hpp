@@ -2,7 +2,7 @@
 #pragma once
 
 #include "support/image.hpp"
-#include "world/image.hpp"
+#include "state/image.hpp"
 
 namespace islet::test {
 

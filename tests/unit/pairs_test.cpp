@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "broadphase/columns.hpp"
-#include "broadphase/contacts.hpp"
+#include "graph/contacts.hpp"
 #include "collide/manifold.hpp"
 #include "support/effort.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
-#include "world/cpu.hpp"
+#include "math/cpu.hpp"
 
 namespace {
 

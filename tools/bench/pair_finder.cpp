@@ -14,7 +14,7 @@
 #include "broadphase/pairs.hpp"
 #include "broadphase/tree.hpp"
 #include "random.hpp"
-#include "world/bounds.hpp"
+#include "bodies/bounds.hpp"
 
 using namespace islet;
 using namespace islet::detail;

@@ -44,7 +44,7 @@ inline constexpr std::uint32_t layout_lanes = 1;
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
 static_assert(max_lanes <= layout_lanes, "this processor has no such ISLET_MAX_LANES");
 
-// Sizes of the records, checked against the structs by static_assert in memory/records.hpp and core.hpp.
+// Sizes of the records, checked against the structs by static_assert in data/records.hpp and core.hpp.
 inline constexpr std::size_t state_bytes = 256;
 inline constexpr std::size_t pose_bytes = 32;
 inline constexpr std::size_t motion_bytes = 32;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../collide/manifold.hpp"
+#include "../data/core.hpp"
 #include "../math/scalar.hpp"
-#include "../memory/core.hpp"
 
 namespace islet::detail {
 

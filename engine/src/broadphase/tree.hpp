@@ -5,10 +5,10 @@
 // are found by sorting (pairs.hpp). So nothing in the tree changes while bodies sleep.
 #pragma once
 
+#include "../data/records.hpp"
 #include "../math/boxes.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 #include "../math/lanes.hpp"
-#include "../memory/records.hpp"
 
 namespace islet::detail {
 

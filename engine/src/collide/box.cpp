@@ -11,7 +11,7 @@
 #include "../exact.hpp"
 
 #include "../collide/outline.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 namespace {

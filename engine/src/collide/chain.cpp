@@ -14,7 +14,7 @@
 
 #include "../collide/distance.hpp"
 #include "../collide/outline.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../collide/time_of_impact.hpp"
-#include "../memory/records.hpp"
+#include "../data/records.hpp"
 
 namespace islet::detail {
 
@@ -18,7 +18,7 @@ struct ClearWay {
 /// `gap` (m) is the largest that time_of_impact is asked for.
 ClearWay clear_way_of(const Sweep& sweep, float reach, float min_extent, float gap);
 
-/// True only if time_of_impact, for the gap given, of the shape's core, which is half as thick as the shape (world/continuous.cpp), and the wall, which is at
+/// True only if time_of_impact, for the gap given, of the shape's core, which is half as thick as the shape (step/continuous.cpp), and the wall, which is at
 /// rest, would find no impact. False says nothing. `center` is the centre of mass, in the frame of the shape.
 bool keeps_clear(const ClearWay& way, const Geometry& shape, Vec2 center, const Geometry& wall, const Transform& wall_pose);
 

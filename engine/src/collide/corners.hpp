@@ -1,8 +1,8 @@
 // Any geometry as the points whose hull, grown by a radius, it is.
 #pragma once
 
-#include "../math/copies.hpp"
-#include "../memory/records.hpp"
+#include "../data/records.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

@@ -13,7 +13,7 @@
 
 #include "../collide/distance.hpp"
 
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {

@@ -8,7 +8,7 @@
 
 #include "../geometry/convex.hpp"
 #include "islet/geometry.hpp"
-#include "../memory/features.hpp"
+#include "../data/features.hpp"
 
 namespace islet::detail {
 

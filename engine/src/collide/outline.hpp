@@ -7,7 +7,7 @@
 #pragma once
 
 #include "../collide/manifold.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {

@@ -5,8 +5,8 @@
 
 #include "../collide/time_of_impact.hpp"
 
+#include "../data/features.hpp"
 #include "../math/scalar.hpp"
-#include "../memory/features.hpp"
 
 namespace islet::detail {
 

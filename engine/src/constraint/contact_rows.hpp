@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "../constraint/solver_body.hpp"
-#include "../memory/records.hpp"
+#include "../data/records.hpp"
 
 namespace islet::detail {
 

@@ -124,7 +124,7 @@ inline Vec2 gap_of(const JointPose& p) { return p.d + p.rb - p.ra; }
 inline float angle_of(const JointPose& p) { return islet::angle_of(inv_mul(p.qa, p.qb)); }
 
 /// The angle that differs from `angle` by whole turns and is nearest to `near`.
-inline float unwrap(float angle, float near) {
+ISLET_SHARED float unwrap(float angle, float near) {
     const float turns = (near - angle) * (0.5f / pi);
     if (!(abs(turns) < 1.0e6f)) return angle;
     const auto whole = static_cast<std::int32_t>(turns + (turns < 0 ? -0.5f : 0.5f));

@@ -1,14 +1,14 @@
 // Runs: blocks of joints of one kernel, side by side. Here a run is handed to the kernel of its joints.
 #pragma once
 
-#include "../constraint/distance.hpp"
-#include "../constraint/gear.hpp"
-#include "../constraint/motor.hpp"
-#include "../constraint/prismatic.hpp"
-#include "../constraint/pulley.hpp"
-#include "../constraint/revolute.hpp"
-#include "../constraint/weld.hpp"
-#include "../constraint/wheel.hpp"
+#include "../constraint/distance_joint.hpp"
+#include "../constraint/gear_joint.hpp"
+#include "../constraint/motor_joint.hpp"
+#include "../constraint/prismatic_joint.hpp"
+#include "../constraint/pulley_joint.hpp"
+#include "../constraint/revolute_joint.hpp"
+#include "../constraint/weld_joint.hpp"
+#include "../constraint/wheel_joint.hpp"
 
 namespace islet::detail {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "../memory/records.hpp"
+#include "../data/records.hpp"
 
 namespace islet::detail {
 

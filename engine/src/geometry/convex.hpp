@@ -5,7 +5,7 @@
 #include <span>
 
 #include "islet/geometry.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

@@ -2,7 +2,7 @@
 #include "../exact.hpp"
 
 #include "../geometry/convex.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet {
 namespace {

@@ -3,10 +3,10 @@
 #include "../island/batches.hpp"
 
 #include "../constraint/joint_runs.hpp"
-#include "../island/heights.hpp"
+#include "../data/parallel.hpp"
+#include "../island/height_order.hpp"
 #include "../island/joint_trees.hpp"
 #include "../island/union_find.hpp"
-#include "../memory/parallel.hpp"
 
 namespace islet::detail {
 

@@ -11,8 +11,8 @@
 #pragma once
 
 #include "../constraint/joint_rows.hpp"
+#include "../data/core.hpp"
 #include "../island/joint_trees.hpp"
-#include "../memory/core.hpp"
 
 namespace islet::detail {
 

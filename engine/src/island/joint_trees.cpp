@@ -3,7 +3,7 @@
 #include "../island/joint_trees.hpp"
 
 #include "../island/batches.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {

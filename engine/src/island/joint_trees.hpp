@@ -12,10 +12,10 @@
 // Which hinges are marked follows from the joints, the masses and the setting alone, and is worked out anew when one of these has changed.
 #pragma once
 
+#include "../data/core.hpp"
+#include "../graph/joint_graph.hpp"
 #include "../island/union_find.hpp"
-#include "../math/copies.hpp"
-#include "../memory/core.hpp"
-#include "../memory/joint_graph.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

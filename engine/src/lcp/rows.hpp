@@ -2,7 +2,7 @@
 #pragma once
 
 #include "islet/lcp.hpp"
-#include "../lcp/scalar.hpp"
+#include "../lcp/arithmetic.hpp"
 
 namespace islet::lcp {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "islet/math.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

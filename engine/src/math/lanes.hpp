@@ -8,7 +8,7 @@
 
 #include "islet/config.hpp"
 #include "islet/math.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 #if defined(__SSE2__)

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "islet/layout.hpp"
-#include "../math/copies.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "../constraint/solver_body.hpp"
-#include "../math/copies.hpp"
+#include "../data/core.hpp"
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
-#include "../memory/core.hpp"
 
 namespace islet::detail {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../constraint/contact_rows.hpp"
-#include "../memory/core.hpp"
+#include "../data/core.hpp"
 
 namespace islet::detail {
 

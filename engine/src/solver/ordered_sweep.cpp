@@ -3,8 +3,8 @@
 #include "../solver/ordered_sweep.hpp"
 
 #include "../constraint/contact.hpp"
-#include "../island/heights.hpp"
-#include "../math/copies.hpp"
+#include "../island/height_order.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

@@ -1,18 +1,18 @@
 // Contacts solved one by one, in an order chosen: for what sweeps by colours converge too slowly on.
 //
 // A sweep hands an impulse on from contact to contact only in the direction it goes. Upward, the ground's support
-// reaches the top of a tower in one sweep (island/heights.hpp puts the contacts in order); by colours it gets one layer or two farther.
+// reaches the top of a tower in one sweep (island/height_order.hpp puts the contacts in order); by colours it gets one layer or two farther.
 //
 // A block solve finds the two normal impulses of a contact together: the complementarity problem of two rows has four cases, and they are tried.
 #pragma once
 
 #include "../constraint/contact_rows.hpp"
 #include "../constraint/solver_body.hpp"
-#include "../memory/features.hpp"
+#include "../data/features.hpp"
 
 namespace islet::detail {
 
-/// Takes all of this, and heights.hpp: linked only by programs that ask for it.
+/// Takes all of this, and height_order.hpp: linked only by programs that ask for it.
 void link_ordering();
 
 /// One sweep over the rows in their order. `ground`: for contacts of bodies that cannot be pushed.

@@ -2,18 +2,18 @@
 
 #include "../solver/solver.hpp"
 
-#include "../math/copies.hpp"
+#include "../constraint/contact.hpp"
+#include "../data/parallel.hpp"
+#include "../graph/colors.hpp"
+#include "../graph/surface.hpp"
+#include "../math/inlining.hpp"
 #include "../math/lanes.hpp"
 #include "../math/scalar.hpp"
-#include "../memory/colors.hpp"
-#include "../memory/parallel.hpp"
-#include "../constraint/contact.hpp"
 #include "../solver/free_motion.hpp"
 #include "../solver/hits.hpp"
 #include "../solver/joint_solve.hpp"
 #include "../solver/ordered_sweep.hpp"
-#include "../solver/residual.hpp"
-#include "../solver/surface.hpp"
+#include "../solver/sweep_residual.hpp"
 #include "../solver/tree_solve.hpp"
 
 namespace islet::detail {

@@ -2,8 +2,8 @@
 
 #include "../solver/tree_solve.hpp"
 
-#include "../constraint/revolute.hpp"
-#include "../math/copies.hpp"
+#include "../constraint/revolute_joint.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

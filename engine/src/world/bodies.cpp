@@ -1,33 +1,22 @@
 // The public functions on bodies.
 #include "../exact.hpp"
 
-#include "../broadphase/contacts.hpp"
+#include "../bodies/bounds.hpp"
+#include "../bodies/impulses.hpp"
+#include "../bodies/joint_changes.hpp"
+#include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
-#include "../memory/joint_graph.hpp"
-#include "../world/bounds.hpp"
-#include "../world/checks.hpp"
-#include "../world/continuous.hpp"
-#include "../world/joints.hpp"
-#include "../world/push.hpp"
-#include "../world/recorder.hpp"
+#include "../step/continuous.hpp"
 #include "../world/shapes.hpp"
-#include "../world/sleep.hpp"
 
 namespace islet {
 
 using namespace detail;
-
-namespace detail {
-
-std::uint32_t find_body(const Core& core, BodyId id) {
-    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
-    const std::uint32_t i = id.index1 - 1;
-    const bool live = pool_live(core.state->body_pool, core.bodies, i) && core.bodies[i].generation == id.generation;
-    return check(core, live, Error::stale_id) ? i : null_index;
-}
-
-}  // namespace detail
 
 namespace {
 
@@ -329,17 +318,6 @@ void World::set_gravity_scale(BodyId id, float scale) {
     wake_island(c, i, c.arena());
 }
 
-void World::set_fixed_rotation(BodyId id, bool fixed) {
-    Core& c = core();
-    note_call<Call::set_fixed_rotation>(c, id, fixed);
-    const std::uint32_t i = find_body(c, id);
-    if (i == null_index) return;
-    Body& b = c.bodies[i];
-    b.flags = fixed ? b.flags | body_fixed_rotation : b.flags & ~static_cast<std::uint32_t>(body_fixed_rotation);
-    if (fixed) c.motions[i].w = 0;
-    apply_mass(c, i, {b.mass, b.local_center, b.inertia});
-}
-
 void World::enable_sleep(BodyId id, bool enable) {
     Core& c = core();
     note_call<Call::enable_body_sleep>(c, id, enable);
@@ -348,6 +326,18 @@ void World::enable_sleep(BodyId id, bool enable) {
     Body& b = c.bodies[i];
     b.flags = enable ? b.flags | body_may_sleep : b.flags & ~static_cast<std::uint32_t>(body_may_sleep);
     if (!enable) wake_island(c, i, c.arena());
+}
+
+float World::sleep_threshold(BodyId id) const {
+    const std::uint32_t i = find_body(core(), id);
+    return i != null_index ? core().bodies[i].sleep_threshold : 0;
+}
+
+void World::set_sleep_threshold(BodyId id, float threshold) {
+    Core& c = core();
+    note_call<Call::set_sleep_threshold>(c, id, threshold);
+    const std::uint32_t i = find_body(c, id);
+    if (i != null_index && check_range(c, threshold, 0, no_limit)) c.bodies[i].sleep_threshold = threshold;
 }
 
 void World::wake(BodyId id) {

@@ -1,10 +1,10 @@
 // Making chains, in a file of its own: a program that makes none does not link what they collide by (see link_chains).
 #include "../exact.hpp"
 
+#include "../bodies/geometry_pool.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
 #include "../collide/manifold.hpp"
-#include "../world/checks.hpp"
-#include "../world/geometry_pool.hpp"
-#include "../world/recorder.hpp"
 #include "../world/shapes.hpp"
 
 namespace islet {

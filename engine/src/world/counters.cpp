@@ -2,7 +2,7 @@
 #include "../exact.hpp"
 
 #include "islet/layout.hpp"
-#include "../memory/core.hpp"
+#include "../data/core.hpp"
 
 namespace islet {
 

@@ -1,14 +1,14 @@
 // Explosions: impulses away from a point, in proportion to how much of a shape's outline faces it.
 #include "../exact.hpp"
 
+#include "../bodies/bounds.hpp"
+#include "../bodies/impulses.hpp"
+#include "../bodies/sleep.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
 #include "../collide/corners.hpp"
 #include "../collide/distance.hpp"
 #include "../math/float_mode.hpp"
-#include "../world/bounds.hpp"
-#include "../world/checks.hpp"
-#include "../world/push.hpp"
-#include "../world/recorder.hpp"
-#include "../world/sleep.hpp"
 
 namespace islet {
 

@@ -1,20 +1,21 @@
 // Making joints: what each definition must keep, and how it fills the record.
 #include "../exact.hpp"
 
-#include "../broadphase/contacts.hpp"
+#include "../bodies/joint_changes.hpp"
+#include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
-#include "../constraint/gear.hpp"
-#include "../constraint/mouse.hpp"
-#include "../math/copies.hpp"
-#include "../math/float_mode.hpp"
-#include "../memory/colors.hpp"
-#include "../memory/joint_graph.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
 #include "../collide/manifold.hpp"
-#include "../world/checks.hpp"
-#include "../world/joints.hpp"
-#include "../world/recorder.hpp"
-#include "../world/sleep.hpp"
+#include "../constraint/gear_joint.hpp"
+#include "../constraint/mouse_joint.hpp"
+#include "../graph/colors.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../math/float_mode.hpp"
+#include "../math/inlining.hpp"
 #include "../solver/joint_solve.hpp"
+#include "../world/joint_parts.hpp"
 
 namespace islet {
 

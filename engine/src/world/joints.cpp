@@ -1,30 +1,23 @@
 // The public functions on joints, making apart (joint_make.cpp).
 #include "../exact.hpp"
 
-#include "../world/joints.hpp"
-
-#include "../constraint/gear.hpp"
-#include "../constraint/distance.hpp"
-#include "../math/float_mode.hpp"
-#include "../memory/joint_graph.hpp"
+#include "../bodies/joint_changes.hpp"
+#include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
 #include "../collide/manifold.hpp"
-#include "../world/checks.hpp"
-#include "../world/recorder.hpp"
-#include "../world/sleep.hpp"
+#include "../constraint/distance_joint.hpp"
+#include "../constraint/gear_joint.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../math/float_mode.hpp"
+#include "../world/joint_parts.hpp"
 
 namespace islet {
 
 using namespace detail;
 
 namespace detail {
-
-std::uint32_t find_joint(const Core& core, JointId id) {
-    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
-    const std::uint32_t i = id.index1 - 1;
-    const bool live = pool_live(core.state->joint_pool, core.joints, i) && core.joints[i].generation == id.generation;
-    return check(core, live, Error::stale_id) ? i : null_index;
-}
 
 float joint_coordinate(const Core& core, const Joint& j) { return coordinate_of(j, pose_of(j, core.poses, core.bodies)); }
 

@@ -1,10 +1,10 @@
-// What sensors saw. Whoever asks links what sensors need (broadphase/sensors.hpp).
+// What sensors saw. Whoever asks links what sensors need (graph/sensors.hpp).
 #include "../exact.hpp"
 
-#include "../broadphase/sensors.hpp"
+#include "../graph/sensors.hpp"
 
-#include "../broadphase/contacts.hpp"
-#include "../world/checks.hpp"
+#include "../calls/checks.hpp"
+#include "../graph/contacts.hpp"
 
 namespace islet {
 

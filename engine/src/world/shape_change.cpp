@@ -1,17 +1,17 @@
 // Changing what a shape is made of: its geometry, density, surface, and who is told of it.
 #include "../exact.hpp"
 
-#include "../broadphase/contacts.hpp"
+#include "../bodies/bounds.hpp"
+#include "../bodies/geometry_pool.hpp"
+#include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../broadphase/tree.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../graph/contacts.hpp"
 #include "../math/float_mode.hpp"
-#include "../world/bounds.hpp"
-#include "../world/checks.hpp"
-#include "../world/geometry_pool.hpp"
-#include "../world/one_way.hpp"
-#include "../world/recorder.hpp"
+#include "../step/one_way.hpp"
 #include "../world/shapes.hpp"
-#include "../world/sleep.hpp"
 
 namespace islet {
 

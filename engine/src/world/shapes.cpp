@@ -1,20 +1,20 @@
 // The public functions on shapes.
 #include "../exact.hpp"
 
-#include "../world/one_way.hpp"
-#include "../world/recorder.hpp"
+#include "../calls/recorder.hpp"
+#include "../step/one_way.hpp"
 #include "../world/shapes.hpp"
 
-#include "../broadphase/contacts.hpp"
+#include "../bodies/bounds.hpp"
+#include "../bodies/geometry_pool.hpp"
+#include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
-#include "../broadphase/sensors.hpp"
 #include "../broadphase/tree.hpp"
+#include "../calls/checks.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/sensors.hpp"
 #include "../math/float_mode.hpp"
 #include "../solver/hits.hpp"
-#include "../world/bounds.hpp"
-#include "../world/checks.hpp"
-#include "../world/geometry_pool.hpp"
-#include "../world/sleep.hpp"
 
 namespace islet {
 
@@ -31,13 +31,6 @@ void end_contact(Core& core, std::uint32_t contact, std::uint32_t side) {
 }  // namespace
 
 namespace detail {
-
-std::uint32_t find_shape(const Core& core, ShapeId id) {
-    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
-    const std::uint32_t i = id.index1 - 1;
-    const bool live = pool_live(core.state->shape_pool, core.shapes, i) && core.shapes[i].generation == id.generation;
-    return check(core, live, Error::stale_id) ? i : null_index;
-}
 
 void remove_shape(Core& core, std::uint32_t index) {
     Shape& s = core.shapes[index];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../memory/core.hpp"
+#include "../data/core.hpp"
 
 namespace islet::detail {
 

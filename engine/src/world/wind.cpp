@@ -5,13 +5,13 @@
 // vector along u: the lift of a flat plate, which grows with the sine of twice its angle. What is round has no lift and width 2 r.
 #include "../exact.hpp"
 
+#include "../bodies/bounds.hpp"
+#include "../bodies/impulses.hpp"
+#include "../bodies/sleep.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
 #include "../collide/corners.hpp"
 #include "../math/float_mode.hpp"
-#include "../world/bounds.hpp"
-#include "../world/checks.hpp"
-#include "../world/push.hpp"
-#include "../world/recorder.hpp"
-#include "../world/sleep.hpp"
 
 namespace islet {
 

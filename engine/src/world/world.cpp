@@ -3,21 +3,22 @@
 
 #include "islet/world.hpp"
 
-#include "../broadphase/sensors.hpp"
+#include "../bodies/geometry_pool.hpp"
+#include "../bodies/sleep.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../graph/hooks.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../graph/sensors.hpp"
+#include "../math/cpu.hpp"
 #include "../math/float_mode.hpp"
 #include "../math/scalar.hpp"
-#include "../memory/joint_graph.hpp"
 #include "../solver/hits.hpp"
 #include "../solver/ordered_sweep.hpp"
-#include "../world/checks.hpp"
-#include "../world/continuous.hpp"
-#include "../world/cpu.hpp"
-#include "../world/geometry_pool.hpp"
-#include "../world/hooks.hpp"
-#include "../world/profile.hpp"
-#include "../world/one_way.hpp"
-#include "../world/recorder.hpp"
-#include "../world/sleep.hpp"
+#include "../solver/solver_def.hpp"
+#include "../step/continuous.hpp"
+#include "../step/one_way.hpp"
+#include "../step/profile.hpp"
 
 // A placement new without <new>: the engine needs no C++ runtime.
 struct IsletPlace {};
@@ -167,20 +168,6 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
     state.enable_sleep = has_sleep && def.enable_sleep ? 1 : 0;
     state.continuous = has_continuous && def.continuous ? 1 : 0;
     return world;
-}
-
-bool check_solver(const SolverDef& d, Error& error) {
-    const bool finite = all_finite(d.contact_hertz, d.contact_damping_ratio, d.contact_push_speed, d.joint_hertz, d.joint_damping_ratio,
-                                   d.baumgarte, d.omega, d.joint_tree_load, d.shock, d.tolerance);
-    const bool sane = (d.schedule == Schedule::soft || d.schedule == Schedule::classic) && d.substeps >= 1 && d.substeps <= 64 &&
-                      d.iterations >= 1 && d.iterations <= 256 && d.relax_iterations <= 256 && d.contact_hertz > 0 &&
-                      d.contact_damping_ratio >= 0 && d.contact_push_speed >= 0 && d.joint_hertz > 0 &&
-                      d.joint_damping_ratio >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 &&
-                      d.omega < 2 && d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1 && d.sweep_order <= SweepOrder::downward &&
-                      d.shock >= 0 && d.shock <= 0.7f && d.tolerance >= 0;
-    const bool cut = (!has_tuning && needs_tuning(d)) || (!ISLET_IS_LINKED(solve_in_order) && needs_ordering(d));
-    error = !finite ? Error::not_finite : !sane ? Error::out_of_range : cut ? Error::feature_cut : Error::none;
-    return error == Error::none;
 }
 
 }  // namespace detail

@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "fuzz/api/player.hpp"
-#include "memory/core.hpp"
+#include "data/core.hpp"
 
 namespace islet::fuzz {
 

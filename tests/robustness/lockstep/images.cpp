@@ -2,7 +2,7 @@
 
 #include "support/busy_world.hpp"
 #include "support/forge.hpp"
-#include "world/recorder.hpp"
+#include "calls/recorder.hpp"
 
 namespace islet::lockstep {
 

@@ -1,0 +1,205 @@
+#include "../exact.hpp"
+
+#include "../bodies/bounds.hpp"
+
+#include "../bodies/impulses.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../collide/corners.hpp"
+#include "../graph/contacts.hpp"
+#include "../math/inlining.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: small things get small margins
+
+ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
+    if (g.shape_type() == ShapeType::polygon) {
+        const Polygon& p = g.polygon;
+        Extent e{0, 3.0e38f};
+        for (std::uint32_t i = 0; i < p.count; ++i) {
+            e.max = max(e.max, distance(p.vertices[i], center));
+            e.min = min(e.min, dot(p.normals[i], p.vertices[i] - p.centroid));
+        }
+        return {e.max + p.radius, e.min + p.radius};
+    }
+    const Corners corners = corners_of(g);
+    const float farthest = max(distance(corners.points[0], center), distance(corners.points[corners.count - 1], center));
+    return {farthest + corners.radius, corners.radius};
+}
+
+}  // namespace
+
+Vec2 middle_of(const Geometry& g) {
+    if (g.shape_type() == ShapeType::polygon) return g.polygon.centroid;
+    const Corners corners = corners_of(g);
+    return lerp(corners.points[0], corners.points[corners.count - 1], 0.5f);
+}
+
+namespace {
+
+// Rounding keeps the order of numbers, so the place of the body may be added last.
+Aabb aabb_of(const Geometry& g, const Transform& t) {
+    const Corners corners = corners_of(g);
+    const Vec2 first = rotate(t.q, corners.points[0]);
+    Aabb box{first, first};
+    for (std::uint32_t i = 1; i < corners.count; ++i) {
+        const Vec2 v = rotate(t.q, corners.points[i]);
+        box = {min(box.lower, v), max(box.upper, v)};
+    }
+    return expand({box.lower + t.p, box.upper + t.p}, corners.radius);
+}
+
+MassData mass_of(const Core& core, const Shape& shape) {
+    const Geometry& g = core.geometries[shape.geometry];
+    const float density = shape.density;
+    switch (g.shape_type()) {
+        case ShapeType::circle: return compute_mass(g.circle, density);
+        case ShapeType::capsule:
+            if constexpr (has_shape(ShapeType::capsule)) return compute_mass(g.capsule, density);
+            break;
+        case ShapeType::polygon: return compute_mass(g.polygon, density);
+        default: break;
+    }
+    return {};
+}
+
+}  // namespace
+
+Transform body_transform(const Core& core, std::uint32_t body) { return {core.bodies[body].origin, core.poses[body].q}; }
+
+Aabb shape_aabb(const Core& core, std::uint32_t shape) {
+    const Shape& s = core.shapes[shape];
+    return aabb_of(core.geometries[s.geometry], body_transform(core, s.body));
+}
+
+namespace {
+
+// Contacts are made a little before surfaces meet; each of the two boxes makes room for half of that.
+Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g, t), 0.5f * speculative_distance); }
+
+// How far the inner box may move before it leaves the outer one.
+ISLET_SHARED float room_in(const Aabb& outer, const Aabb& inner) {
+    return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
+}
+
+}  // namespace
+
+float slack_of(const Core& core, std::uint32_t body) {
+    const Transform t = body_transform(core, body);
+    float slack = 3.0e38f;
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
+        slack = min(slack, room_in(core.boxes[s], tight_box(core.geometries[core.shapes[s].geometry], t)));
+    return slack;
+}
+
+void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
+    const bool is_static = core.bodies[body].type() == BodyType::static_body;
+    const Transform t = body_transform(core, body);
+    float slack = 3.0e38f;
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+        Shape& shape = core.shapes[s];
+        const Geometry& g = core.geometries[shape.geometry];
+        const Aabb tight = tight_box(g, t);
+        Aabb& fat = core.boxes[s];
+        const bool leaves = force || !contains(fat, tight);
+        if (leaves) {
+            const bool is_new = force || fat.lower.x > fat.upper.x;  // else the margin is what it was
+            if (is_new) shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
+            fat = expand(tight, shape.margin);
+        }
+        if (changed != nullptr) {
+            changed[s] = leaves;
+        } else if (leaves) {
+            mark_moved(core, s);
+        }
+        slack = min(slack, room_in(fat, tight));
+    }
+    // Beyond max_position the next step puts the body back, and does not count that as a way it went.
+    const Vec2 center = core.poses[body].center;
+    core.motions[body].slack = max(abs(center.x), abs(center.y)) > max_position ? -1.0f : slack;
+}
+
+void update_boxes(Core& core, std::uint32_t body, bool force) { fit_boxes(core, body, force, nullptr); }
+
+void mark_changed(Core& core, std::uint32_t body, const bool* changed) {
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
+        if (changed[s]) mark_moved(core, s);
+}
+
+Extent body_extent(const Core& core, std::uint32_t body) {
+    const Body& b = core.bodies[body];
+    Extent all{0, 3.0e38f};
+    for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
+        const Extent e = extent_of(core.geometries[core.shapes[s].geometry], b.local_center);
+        const bool solid = !has_sensors || (core.shapes[s].flags & shape_sensor) == 0;
+        all = {max(all.max, e.max), solid ? min(all.min, e.min) : all.min};
+    }
+    return all;
+}
+
+namespace {
+
+// Of a mass or an inertia.
+ISLET_SHARED float inverse_of(float a, float least) { return 1.0f / clamp(a, least, max_mass); }
+
+}  // namespace
+
+void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
+    Body& b = core.bodies[body];
+    Pose& pose = core.poses[body];
+    Motion& motion = core.motions[body];
+    const bool dynamic = b.type() == BodyType::dynamic;
+    const bool turns = dynamic && (b.flags & body_fixed_rotation) == 0 && mass.inertia > 0;
+    b.mass = dynamic ? mass.mass : 0;
+    b.inertia = dynamic ? mass.inertia : 0;
+    if (b.joint_count != 0) core.state->trees_stale = 1;
+    pose.inv_mass = dynamic ? inverse_of(mass.mass, min_mass) : 0;
+    pose.inv_inertia = turns ? inverse_of(mass.inertia, min_inertia) : 0;
+
+    if (b.local_center != mass.center) {
+        // Manifolds keep lever arms from the centre of mass, so they must be made anew.
+        for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) {
+            core.manifolds[contact].flags &= ~static_cast<std::uint32_t>(contact_posed);
+        });
+    }
+    const Vec2 old_center = pose.center;
+    b.local_center = mass.center;
+    pose.center = transform_point(body_transform(core, body), mass.center);
+    motion.v = capped(motion.v + cross(motion.w, pose.center - old_center));
+    const Extent extent = body_extent(core, body);
+    pose.max_extent = extent.max;
+    b.min_extent = extent.min;
+}
+
+void update_mass(Core& core, std::uint32_t body) {
+    Body& b = core.bodies[body];
+    if (b.type() != BodyType::dynamic) {
+        apply_mass(core, body, {});
+        return;
+    }
+    MassData total;
+    float inertia = 0;  // about the body's origin
+    for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
+        const MassData m = mass_of(core, core.shapes[s]);
+        total.mass += m.mass;
+        total.center += m.mass * m.center;
+    }
+    total.center *= 1.0f / total.mass;
+    const float known = total.mass + 0.0f * (total.center.x + total.center.y);  // the mass; NaN if the centre is not finite
+    if (!(known >= min_mass && known <= no_limit)) {
+        // A dynamic body without mass would not move: it weighs a kilogram. So does one whose shapes' masses overflow. One lighter than the lightest is a
+        // point of that mass.
+        apply_mass(core, body, {total.mass > 0 && total.mass < min_mass ? min_mass : 1.0f, {0, 0}, 0});
+        return;
+    }
+    for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
+        const MassData m = mass_of(core, core.shapes[s]);
+        inertia += m.inertia + m.mass * distance_squared(m.center, total.center);
+    }
+    total.inertia = min(inertia, no_limit);
+    apply_mass(core, body, total);
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,128 @@
+// Destroying and breaking joints, and what a body's change of type does to them.
+#include "../exact.hpp"
+
+#include "../bodies/joint_changes.hpp"
+#include "../bodies/sleep.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../graph/colors.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+void untie(Core& core, std::uint32_t i) {
+    Joint& j = core.joints[i];
+    if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
+    wake_island(core, j.body_b, core.arena());
+    give_color(core, j.color(), j.body_a, j.body_b);
+    unlink_joint(core, i, 0, j.body_a);
+    unlink_joint(core, i, 1, j.body_b);
+    core.awake_joints.clear(i);
+    if ((j.flags & joint_collide) == 0 && j.body_a != null_index) {
+        // Shapes that overlap already have not moved: without this nobody would look for their contacts.
+        for (std::uint32_t s = core.bodies[j.body_b].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s);
+    }
+    const std::uint32_t generation = j.generation;
+    j = Joint{};
+    j.generation = generation;
+    pool_give(core.state->joint_pool, core.joints, i);
+}
+
+void remove_gear(Core& core, std::uint32_t i) {
+    --core.joints[core.joints[i].joint1].gear_count;
+    --core.joints[core.joints[i].joint2].gear_count;
+    untie(core, i);
+}
+
+// A gear hangs on a body of each of its joints.
+void remove_gears(Core& core, std::uint32_t joint) {
+    for (const std::uint32_t body : {core.joints[joint].body_a, core.joints[joint].body_b}) {
+        if (body == null_index || core.joints[joint].gear_count == 0) continue;
+        for (std::uint32_t key = core.bodies[body].joint_head; key != 0;) {
+            const std::uint32_t i = edge_of_key(key);
+            const Joint& gear = core.joints[i];
+            key = gear.next[side_of_key(key)];
+            if (gear.joint_type() == JointType::gear && (gear.joint1 == joint || gear.joint2 == joint)) remove_gear(core, i);
+        }
+    }
+}
+
+}  // namespace
+
+void link_joint_changes() {}
+
+void remove_joint(Core& core, std::uint32_t i) {
+    if (core.joints[i].joint_type() == JointType::gear) return remove_gear(core, i);
+    if (core.joints[i].gear_count != 0) remove_gears(core, i);
+    untie(core, i);
+}
+
+void remove_joints(Core& core, std::uint32_t body) {
+    // Removing one may take a gear on the same body with it, so the list is read anew each time.
+    while (core.bodies[body].joint_head != 0) remove_joint(core, edge_of_key(core.bodies[body].joint_head));
+}
+
+std::uint32_t moving_body(const Core& core, const Joint& j) {
+    return core.bodies[j.body_b].type() >= core.bodies[j.body_a].type() ? j.body_b : j.body_a;
+}
+
+// So that islands join and bodies share their sleep, a gear hangs on a moving body of each of its joints; where one body moves for both, on the other
+// body of joint 2 too, which the gear's row may act on as well.
+void hang_gears(Core& core, std::uint32_t body) {
+    bool geared = false;
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { geared = geared || core.joints[joint].gear_count != 0; });
+    if (!geared) return;
+    for (std::uint32_t i = 0; i < core.state->joint_pool.high_water; ++i) {
+        Joint& gear = core.joints[i];
+        if (!pool_live(core.state->joint_pool, core.joints, i) || gear.joint_type() != JointType::gear) continue;
+        const Joint& j1 = core.joints[gear.joint1];
+        const Joint& j2 = core.joints[gear.joint2];
+        if (j1.body_a != body && j1.body_b != body && j2.body_a != body && j2.body_b != body) continue;
+        unlink_joint(core, i, 0, gear.body_a);
+        unlink_joint(core, i, 1, gear.body_b);
+        gear.body_a = moving_body(core, j1);
+        gear.body_b = moving_body(core, j2);
+        if (gear.body_a == gear.body_b) gear.body_b = gear.body_b == j2.body_b ? j2.body_a : j2.body_b;
+        link_joint(core, i, 0, gear.body_a);
+        link_joint(core, i, 1, gear.body_b);
+        wake_island(core, gear.body_a, core.arena());
+        wake_island(core, gear.body_b, core.arena());
+        core.awake_joints.assign(i, is_joint_awake(core, gear));
+    }
+}
+
+void release_joint_colors(Core& core, std::uint32_t body) {
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) {
+        Joint& j = core.joints[joint];
+        give_color(core, j.color(), j.body_a, j.body_b);
+        j.set_color(no_color);
+    });
+}
+
+void assign_joint_colors(Core& core, std::uint32_t body) {
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) {
+        Joint& j = core.joints[joint];
+        if (j.joint_type() != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
+        core.awake_joints.assign(joint, is_joint_awake(core, j));
+    });
+}
+
+void break_joints(Core& core) {
+    const float inv_h = core.state->last_substep > 0 ? 1.0f / core.state->last_substep : 0;
+    core.awake_joints.for_each([&](std::uint32_t i) {
+        const Joint& j = core.joints[i];
+        if ((j.generation & 1u) == 0 || (j.break_force == 0 && j.break_torque == 0)) return;
+        const Vec2 force = inv_h * j.force_impulse;
+        const float torque = inv_h * j.torque_impulse;
+        const bool broken = (j.break_force > 0 && length(force) > j.break_force) || (j.break_torque > 0 && abs(torque) > j.break_torque);
+        if (!broken) return;
+        core.break_events[core.break_count++] = {
+            core.joint_id(i), j.body_a != null_index ? core.body_id(j.body_a) : BodyId{}, core.body_id(j.body_b), force, torque, j.user_data};
+        remove_joint(core, i);
+    });
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,108 @@
+#include "../exact.hpp"
+
+#include "../bodies/sleep.hpp"
+
+#include "../bodies/bounds.hpp"
+#include "../broadphase/tree.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+void wake_one(Core& core, std::uint32_t body) {
+    core.awake_bodies.set(body);
+    core.motions[body].sleep_time = 0;
+    unrest_shapes(core, body);
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) { core.awake_contacts.set(contact); });
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) {
+        if (!is_joint_idle(core, core.joints[joint])) core.awake_joints.set(joint);
+    });
+}
+
+}  // namespace
+
+void rest_shapes(Core& core, std::uint32_t body) {
+    if ((core.bodies[body].flags & body_disabled) != 0) return;
+    const Tree tree{&core.state->tree, core.tree};
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+        std::uint32_t& leaf = core.shapes[s].tree_node;
+        if (leaf != null_index && tree.nodes[leaf].box != core.boxes[s]) {  // far out, where rounding is larger than the margin
+            tree_remove(tree, leaf);
+            leaf = null_index;
+        }
+        if (leaf == null_index) leaf = tree_insert(tree, core.boxes[s], s);
+    }
+}
+
+void refit_boxes(Core& core, std::uint32_t body) {
+    update_boxes(core, body, false);
+    if (!core.is_awake(body)) rest_shapes(core, body);
+}
+
+void unrest_shapes(Core& core, std::uint32_t body) {
+    const Tree tree{&core.state->tree, core.tree};
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+        if (core.shapes[s].tree_node == null_index) continue;
+        tree_remove(tree, core.shapes[s].tree_node);
+        core.shapes[s].tree_node = null_index;
+    }
+}
+
+void wake_island(Core& core, std::uint32_t body, Arena arena) {
+    if (core.bodies[body].type() == BodyType::static_body || (core.bodies[body].flags & body_disabled) != 0) return;
+    if (!has_sleep || core.is_awake(body)) {
+        core.motions[body].sleep_time = 0;
+        return;
+    }
+    // Each body enters the queue once, when it wakes.
+    std::uint32_t* queue = arena.take<std::uint32_t>(core.capacity.bodies);
+    std::uint32_t end = 0;
+    const auto reach = [&](std::uint32_t other) {
+        if (other == null_index || !core.is_dynamic(other) || core.is_awake(other) || (core.bodies[other].flags & body_disabled) != 0) return;
+        wake_one(core, other);
+        queue[end++] = other;
+    };
+    wake_one(core, body);
+    queue[end++] = body;
+    for (std::uint32_t at = 0; at < end; ++at) {
+        for_each_contact(core, queue[at], [&](std::uint32_t contact, std::uint32_t side) {
+            if ((core.manifolds[contact].flags & contact_touching) != 0) reach(other_body(core, contact, side));
+        });
+        for_each_joint(core, queue[at], [&](std::uint32_t joint, std::uint32_t side) { reach(other_joined(core, joint, side)); });
+    }
+}
+
+void wake_neighbors(Core& core, std::uint32_t body, Arena arena) {
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
+        if ((core.manifolds[contact].flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), arena);
+    });
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t side) {
+        const std::uint32_t other = other_joined(core, joint, side);
+        if (other != null_index) wake_island(core, other, arena);
+    });
+}
+
+void end_contacts(Core& core, std::uint32_t body) {
+    wake_neighbors(core, body, core.arena());
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) { destroy_contact(core, contact); });
+}
+
+void put_to_sleep(Core& core, std::uint32_t body) {
+    core.awake_bodies.clear(body);
+    core.motions[body].v = {0, 0};
+    core.motions[body].w = 0;
+    core.motions[body].sleep_time = 0;
+    core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_fast);
+    rest_shapes(core, body);
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
+        if (!core.is_awake(other_body(core, contact, side))) core.awake_contacts.clear(contact);
+    });
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t side) {
+        const std::uint32_t other = other_joined(core, joint, side);
+        if (other == null_index || !core.is_awake(other)) core.awake_joints.clear(joint);
+    });
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,27 @@
+// Falling asleep and waking up. A body at rest leaves the awake set, its shapes move into the tree of resting shapes, and its contacts leave the
+// awake set too unless the other body is awake.
+#pragma once
+
+#include "../data/core.hpp"
+
+namespace islet::detail {
+
+inline constexpr float time_to_sleep = 0.5f;  // s at rest before an island may fall asleep
+
+/// Wakes a body and, along touching contacts and joints, every dynamic body of its island. No effect on static bodies.
+void wake_island(Core& core, std::uint32_t body, Arena arena);
+/// Wakes what touches the body or is joined to it; the body itself stays as it is.
+void wake_neighbors(Core& core, std::uint32_t body, Arena arena);
+/// The same, and destroys the body's contacts.
+void end_contacts(Core& core, std::uint32_t body);
+/// Puts one body to sleep with zero velocity.
+void put_to_sleep(Core& core, std::uint32_t body);
+
+/// Makes the body's fat boxes anew after its mass or its shapes changed, those in the tree too if it is not awake.
+void refit_boxes(Core& core, std::uint32_t body);
+
+/// Moves the body's shapes into the tree of resting shapes, or out of it.
+void rest_shapes(Core& core, std::uint32_t body);
+void unrest_shapes(Core& core, std::uint32_t body);
+
+}  // namespace islet::detail

@@ -1,0 +1,50 @@
+// Argument checks shared by the public functions: each records the error and says whether the call may go on.
+#pragma once
+
+#include "../data/core.hpp"
+#include "../math/inlining.hpp"
+
+namespace islet::detail {
+
+// The error state is not part of the world's value, so const functions may record errors too.
+inline Core& writable(const Core& core) { return const_cast<Core&>(core); }
+
+/// Slot of a live body, or null_index with the error recorded.
+std::uint32_t find_body(const Core& core, BodyId id);
+std::uint32_t find_shape(const Core& core, ShapeId id);
+std::uint32_t find_joint(const Core& core, JointId id);
+
+inline bool check(const Core& core, bool good, Error error) {
+    if (!good) writable(core).fail(error);
+    return good;
+}
+
+/// False, with the error recorded, if the world is calling a function of the user's (Inside). Every public function that changes the world or shows all of it
+/// asks; those that are given an id ask through the next three functions.
+ISLET_SHARED bool may_change(const Core& core) { return check(core, core.inside == 0, Error::in_step); }
+
+/// The slot of what is about to be changed. (Functions that only read have a const Core, and so call the three above.)
+ISLET_SHARED std::uint32_t find_body(Core& core, BodyId id) { return may_change(core) ? find_body(static_cast<const Core&>(core), id) : null_index; }
+ISLET_SHARED std::uint32_t find_shape(Core& core, ShapeId id) { return may_change(core) ? find_shape(static_cast<const Core&>(core), id) : null_index; }
+ISLET_SHARED std::uint32_t find_joint(Core& core, JointId id) { return may_change(core) ? find_joint(static_cast<const Core&>(core), id) : null_index; }
+
+/// Nothing times a number is 0, but for infinities and NaN.
+template <class... Floats>
+ISLET_SHARED bool all_finite(Floats... a) {
+    return ((0.0f * a) + ...) == 0.0f;
+}
+inline bool check_finite(const Core& core, float a) { return check(core, is_finite(a), Error::not_finite); }
+inline bool check_finite(const Core& core, Vec2 a) { return check(core, is_finite(a), Error::not_finite); }
+/// Finite and lo <= a <= hi.
+inline bool check_range(const Core& core, float a, float lo, float hi) {
+    return check_finite(core, a) && check(core, a >= lo && a <= hi, Error::out_of_range);
+}
+inline constexpr float no_limit = 3.402823466e38f;  // the largest float
+
+inline bool check_position(const Core& core, Vec2 p) {
+    return check_range(core, p.x, -max_position, max_position) && check_range(core, p.y, -max_position, max_position);
+}
+
+inline bool is_time_step(float dt) { return dt >= min_time_step && dt <= 1; }
+
+}  // namespace islet::detail

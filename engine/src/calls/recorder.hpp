@@ -1,0 +1,50 @@
+// Writing calls down as they are made.
+#pragma once
+
+#include "../calls/calls.hpp"
+#include "../math/checksum.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet::detail {
+
+inline constexpr std::uint32_t recording_magic = 0x52746c49u;  // "IltR"
+inline constexpr std::uint32_t recording_version = 2;
+
+/// Where the calls begin.
+constexpr std::size_t calls_at(std::uint64_t image_bytes) { return sizeof(RecordingHead) + (static_cast<std::size_t>(image_bytes) + 7) / 8 * 8; }
+
+/// A hash of how a body stands and moves.
+std::uint32_t body_digest(const Core& core, std::uint32_t body);
+
+/// Writes down a call whose arguments are pointed to, as many and of such types as the table of calls says.
+/// Linked only by programs that record: World::start_recording refers to it, and core.recording is null in the others.
+ISLET_OPTIONAL void write_call(Core& core, Call call, const void* const* arguments);
+/// The same for the snapshot a world was taken back to.
+ISLET_OPTIONAL void write_image(Core& core, std::span<const std::byte> image);
+/// What came of a step.
+ISLET_OPTIONAL void write_stepped(World& world);
+
+template <class... Args>
+struct Signature {};
+template <Call call>
+struct SignatureOf;
+#define ISLET_SIGNATURE(name, function, ...) \
+    template <> \
+    struct SignatureOf<Call::name> { \
+        using Type = Signature<__VA_ARGS__>; \
+    };
+ISLET_CALLS(ISLET_SIGNATURE)
+#undef ISLET_SIGNATURE
+
+/// For the beginning of each public function that changes a world: writes the call down if the world is being recorded.
+template <Call call, class... Args>
+[[gnu::always_inline]] inline void note_call(Core& core, const Args&... args) {
+    static_assert(__is_same(typename SignatureOf<call>::Type, Signature<Args...>));
+    if constexpr (has_recorder) {
+        if (core.recording == nullptr) [[likely]] return;
+        const void* const arguments[] = {&args...};
+        write_call(core, call, arguments);
+    }
+}
+
+}  // namespace islet::detail

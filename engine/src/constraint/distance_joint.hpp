@@ -1,0 +1,80 @@
+// Distance joint: a rod, a rope, a telescope or a spring between a point of A and a point of B.
+//
+// With d = xb + rb - xa - ra and u = d / |d|:
+//     x = |d|     J = (-u, -ra x u, u, rb x u)     m
+//     K = ma + mb + ia (ra x u)^2 + ib (rb x u)^2
+//     q = u . (wa^2 ra - wb^2 rb) + (|ddot|^2 - xdot^2) / |d|      second derivative from velocities alone
+// A rod keeps C = x - length; otherwise x is free within spring, limits and motor. Points that coincide have no direction and are left alone.
+// Source: as revolute_joint.hpp.
+#pragma once
+
+#include "../constraint/coordinate.hpp"
+
+namespace islet::detail {
+
+template <std::uint32_t W>
+struct alignas(W * 4) DistanceRows {
+    JointEnds<W> ends;
+    Applied<W> applied;
+    float length[W];  // m
+    float rigid[W];   // 1: a rod
+    float rod[W];     // N s
+    CoordinateRows<W> free;
+};
+
+inline constexpr float least_distance = 1.0e-6f;  // m; below, a distance has no direction
+
+inline bool is_rod(const Joint& j) { return (coordinate_parts(j) & (part_spring | part_limit | part_motor)) == 0; }
+
+template <std::uint32_t W>
+WarmStart prepare(DistanceRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+    const Vec2 d = gap_of(p);
+    const float x = length(d);
+    const Vec2 u = x > least_distance ? Vec2{d.x / x, d.y / x} : Vec2{};
+    const bool rigid = is_rod(j);
+    r.length[lane] = j.length;
+    r.rigid[lane] = rigid ? 1.0f : 0.0f;
+    const float along = set_coordinate(r.free, lane, j, in.numbers);
+    r.free.target[lane] = j.length;
+    r.rod[lane] = rigid ? in.numbers.warm * j.impulse.x : 0;
+    return {(along + r.rod[lane]) * u, 0};
+}
+
+template <class L>
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, DistanceRows<L::width>& r, const JointSweep& n) {
+    using F = typename L::F;
+    const LaneVec<F>&ra = arms.ra, &rb = arms.rb, &d = arms.d;
+    const F zero = L::splat(0.0f);
+    const F x = L::sqrt(dot(d, d));
+    const F inv_x = select(x > L::splat(least_distance), L::splat(1.0f) / x, zero);
+    const LaneVec<F> u = inv_x * d;
+    const F sa = cross(ra, u), sb = cross(rb, u);
+    const F k = select(inv_x > zero, s.ma + s.mb + s.ia * sa * sa + s.ib * sb * sb, zero);
+    const auto speed = [&] { return dot(u, s.vb - s.va) + sb * s.wb - sa * s.wa; };
+    const auto push = [&](F impulse) { s.push(impulse * u, sa * impulse, sb * impulse); };
+    const F rod = L::load(r.rod);
+    const LaneVec<F> total = (rod + coordinate_impulse<L>(r.free)) * u;
+    aim<L>(s, n, total, cross(ra, total), cross(rb, total));
+
+    const LaneVec<F> d_dot = s.point_velocity(ra, rb);
+    const F x_dot = dot(u, d_dot);
+    const F bend = dot(u, s.point_curvature(ra, rb)) + inv_x * (dot(d_dot, d_dot) - x_dot * x_dot);
+    push(solve_motor_and_friction<L>(r.free, k, speed(), n));
+    push(solve_spring_and_limits<L>(r.free, x, k, speed(), bend, n));
+
+    const F rigid = L::load(r.rigid);
+    const F residual = speed() + curve<L>(bend, n) + L::splat(n.soft.rate) * (x - L::load(r.length));
+    const F delta =
+        -(rigid * L::splat(n.omega * n.soft.mass_scale) * inverse_or_zero<L>(k) * residual) - L::splat(n.omega * n.soft.impulse_scale) * rod;
+    L::store(r.rod, rod + delta);
+    push(delta);
+}
+
+template <std::uint32_t W>
+void store(const DistanceRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
+    get_coordinate(r.free, lane, j);
+    j.impulse = {r.rod[lane], 0};
+    j.torque_impulse = 0;
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,116 @@
+// Gear joint: couples the coordinates of two hinges or sliders.
+//
+//     C = (c1 + ratio c2) - constant        rad or m, as c1
+// where for a hinge c = qb - qa with J = (0, -1, 0, 1), and for a slider c = u . d with J = (-u, -(d + ra) x u, u, rb x u) (prismatic_joint.hpp). So up to
+// four bodies share the row, and one body may be in it twice, as the frame that carries both gears:
+//     K = sum over the bodies of m |sum of u|^2 + i (sum of s)^2
+// The Jacobian is taken at the start of the step. Gears are few and hold more than two bodies, so they are solved one by one, without a colour.
+#pragma once
+
+#include "../constraint/joint_rows.hpp"
+#include "../math/inlining.hpp"
+
+namespace islet::detail {
+
+template <std::uint32_t W>
+struct GearRows {
+    static_assert(W == 1, "gears are solved one by one");
+    JointEnds<W> ends;         // only the joint is used
+    std::uint32_t slots[4];  // A and B of joint 1, A and B of joint 2; 0 where a body came before
+    float ux[4], uy[4], s[4];  // the row's entries for each
+    float c;                 // m or rad, when the step began
+    float mass;              // 1 / K
+    float impulse;
+};
+
+/// A joint's coordinate when a step begins, and its row.
+struct GearSide {
+    float c;
+    Vec2 u;        // 0 for a hinge
+    float sa, sb;
+};
+
+ISLET_SHARED float coordinate_of(const Joint& j, const JointPose& p) {
+    const auto type = j.joint_type();
+    if (type == JointType::revolute) return unwrap(angle_of(p), j.coordinate);
+    const Vec2 d = gap_of(p);
+    if (type == JointType::distance) return length(d);
+    return dot({p.qa.c, p.qa.s}, d);
+}
+
+inline GearSide gear_side(const Joint& j, const JointPose& p) {
+    const float c = coordinate_of(j, p);
+    if (j.joint_type() == JointType::revolute) return {c, {0, 0}, 1, 1};
+    const Vec2 u = {p.qa.c, p.qa.s};
+    return {c, u, cross(gap_of(p) + p.ra, u), cross(p.rb, u)};
+}
+
+inline WarmStart prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const JointPose&, const JointInput& in) {
+    const Joint& j1 = in.joints[j.joint1];
+    const Joint& j2 = in.joints[j.joint2];
+    const GearSide side1 = gear_side(j1, pose_of(j1, in.poses, in.bodies_in));
+    const GearSide side2 = gear_side(j2, pose_of(j2, in.poses, in.bodies_in));
+    const std::uint32_t slots[4] = {in.slot_of[j1.body_a], in.slot_of[j1.body_b], in.slot_of[j2.body_a], in.slot_of[j2.body_b]};
+    const Vec2 u[4] = {-side1.u, side1.u, -j.ratio * side2.u, j.ratio * side2.u};
+    const float s[4] = {-side1.sa, side1.sb, -j.ratio * side2.sa, j.ratio * side2.sb};
+    r.c = side1.c + j.ratio * side2.c - j.length;
+    r.impulse = in.numbers.warm * j.impulse.x;
+    float k = 0;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        r.slots[i] = slots[i];
+        Vec2 sum = u[i];
+        r.s[i] = s[i];
+        for (std::uint32_t before = 0; before < i; ++before) {
+            if (r.slots[before] != slots[i] || slots[i] == 0) continue;
+            // The same body again: its first entry takes all.
+            r.ux[before] += sum.x;
+            r.uy[before] += sum.y;
+            r.s[before] += r.s[i];
+            r.slots[i] = 0;
+            sum = {0, 0};
+            r.s[i] = 0;
+        }
+        r.ux[i] = sum.x;
+        r.uy[i] = sum.y;
+    }
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const SolverBody& b = in.bodies[r.slots[i]];
+        k += b.inv_mass * (r.ux[i] * r.ux[i] + r.uy[i] * r.uy[i]) + b.inv_inertia * r.s[i] * r.s[i];
+    }
+    r.mass = inverse_or_zero<Lane1>(k);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        SolverBody& b = in.bodies[r.slots[i]];
+        if (!(b.inv_mass > 0)) continue;  // only read: see scatter_pushed
+        b.dp += (b.inv_mass * r.impulse) * Vec2{r.ux[i], r.uy[i]};
+        b.dq += b.inv_inertia * r.impulse * r.s[i];
+    }
+    return {};
+}
+
+template <class L>
+void solve(SolverBody* bodies, GearRows<1>& r, const JointSweep& n) {
+    float speed = 0;
+    float c = r.c;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const SolverBody& b = bodies[r.slots[i]];
+        const Vec2 u = {r.ux[i], r.uy[i]};
+        speed += dot(u, b.v) + r.s[i] * b.w;
+        c += dot(u, b.dp) + r.s[i] * b.dq;
+    }
+    const float delta = -(n.omega * n.soft.mass_scale * r.mass * (speed + n.soft.rate * c)) - n.omega * n.soft.impulse_scale * r.impulse;
+    r.impulse += delta;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        SolverBody& b = bodies[r.slots[i]];
+        if (!(b.inv_mass > 0)) continue;
+        b.v += effect<Lane1>(b.inv_mass, delta) * Vec2{r.ux[i], r.uy[i]};
+        b.w += effect<Lane1>(b.inv_inertia, delta) * r.s[i];
+    }
+}
+
+inline void store(const GearRows<1>& r, std::uint32_t, Joint& j, const JointOutput&) {
+    j.impulse = {r.impulse, 0};
+    j.force_impulse = {0, 0};
+    j.torque_impulse = r.impulse;
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,95 @@
+// Prismatic joint, a slider: B's point stays on a line fixed in A, and B does not turn in A.
+//
+// With d = xb + rb - xa - ra from A's point to B's, u the line's direction and n = left_perp(u), both turning with A:
+//     C1 = n . d         J = (-n, -(d + ra) x n, n, rb x n)      m
+//     C2 = qb - qa       J = (0, -1, 0, 1)                       rad
+// are solved as a block, K = [m + ia sa^2 + ib sb^2, ia sa + ib sb; ., ia + ib] with m = ma + mb, sa = (d + ra) x n, sb = rb x n. The coordinate
+// left free is
+//     x  = u . d         J = (-u, -(d + ra) x u, u, rb x u)      m
+// Second derivatives from velocities alone: for a direction e fixed in A, q = e . (wa^2 ra - wb^2 rb) + 2 wa left_perp(e) . ddot - wa^2 e . d.
+// Source: as revolute_joint.hpp.
+#pragma once
+
+#include "../constraint/coordinate.hpp"
+
+namespace islet::detail {
+
+template <std::uint32_t W>
+struct alignas(W * 4) SliderRows {
+    JointEnds<W> ends;
+    Applied<W> applied;
+    float ux[W], uy[W];           // the line's direction when the step began
+    float angle[W];               // rad, when the step began
+    float across[W], turning[W];  // N s, N m s
+    CoordinateRows<W> free;
+};
+
+/// A direction fixed in A at this moment: its Jacobian and its second derivative.
+template <class L>
+struct DirectionRow {
+    using F = typename L::F;
+    LaneVec<F> e;
+    F sa, sb;  // angular entries
+    F k;       // 1/kg
+
+    ISLET_LANE DirectionRow(const JointBodies<L>& s, LaneVec<F> direction, LaneVec<F> arm_a, LaneVec<F> rb)
+        : e(direction), sa(cross(arm_a, direction)), sb(cross(rb, direction)), k(s.ma + s.mb + s.ia * sa * sa + s.ib * sb * sb) {}
+
+    ISLET_LANE F speed(const JointBodies<L>& s) const { return dot(e, s.vb - s.va) + sb * s.wb - sa * s.wa; }
+    ISLET_LANE F bend(const JointBodies<L>& s, const JointArms<L>& arms) const {
+        const LaneVec<F> d_dot = s.point_velocity(arms.ra, arms.rb);
+        return dot(e, s.point_curvature(arms.ra, arms.rb)) + (s.wa + s.wa) * dot(left_perp(e), d_dot) - s.wa * s.wa * dot(e, arms.d);
+    }
+    ISLET_LANE void push(JointBodies<L>& s, F impulse) const { s.push(impulse * e, sa * impulse, sb * impulse); }
+};
+
+template <std::uint32_t W>
+WarmStart prepare(SliderRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+    const Vec2 u = {p.qa.c, p.qa.s};
+    const Vec2 n = left_perp(u);
+    r.ux[lane] = u.x;
+    r.uy[lane] = u.y;
+    r.angle[lane] = angle_of(p);
+    const float along = set_coordinate(r.free, lane, j, in.numbers);
+    r.across[lane] = in.numbers.warm * j.impulse.x;
+    r.turning[lane] = in.numbers.warm * j.angular_impulse;
+    return {along * u + r.across[lane] * n, r.turning[lane]};
+}
+
+template <class L>
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, SliderRows<L::width>& r, const JointSweep& n) {
+    using F = typename L::F;
+    const LaneVec<F> arm = arms.d + arms.ra;
+    const LaneVec<F> u = turn<L>(s.dqa, load<L>(r.ux, r.uy));
+    const DirectionRow<L> along(s, u, arm, arms.rb);
+    const DirectionRow<L> across(s, left_perp(u), arm, arms.rb);
+    F p1 = L::load(r.across), p2 = L::load(r.turning);
+    const LaneVec<F> total = coordinate_impulse<L>(r.free) * along.e + p1 * across.e;
+    aim<L>(s, n, total, cross(arm, total) + p2, cross(arms.rb, total) + p2);
+
+    along.push(s, solve_motor_and_friction<L>(r.free, along.k, along.speed(s), n));
+    along.push(s, solve_spring_and_limits<L>(r.free, dot(u, arms.d), along.k, along.speed(s), along.bend(s, arms), n));
+
+    const F zero = L::splat(0.0f), rate = L::splat(n.soft.rate);
+    const F k12 = s.ia * across.sa + s.ib * across.sb;
+    const F k22 = select(s.ia + s.ib > zero, s.ia + s.ib, L::splat(1.0f));  // both bodies may be unable to turn
+    const LaneVec<F> residual = {across.speed(s) + curve<L>(across.bend(s, arms), n) + rate * dot(across.e, arms.d),
+                                 s.wb - s.wa + rate * (L::load(r.angle) + s.dqb - s.dqa)};
+    const LaneVec<F> wanted = solve_2x2<L>(across.k, k12, k22, residual);
+    const F mass_scale = L::splat(n.omega * n.soft.mass_scale), impulse_scale = L::splat(n.omega * n.soft.impulse_scale);
+    const F delta1 = -(mass_scale * wanted.x) - impulse_scale * p1;
+    const F delta2 = -(mass_scale * wanted.y) - impulse_scale * p2;
+    L::store(r.across, p1 + delta1);
+    L::store(r.turning, p2 + delta2);
+    across.push(s, delta1);
+    s.push_angular(delta2);
+}
+
+template <std::uint32_t W>
+void store(const SliderRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
+    get_coordinate(r.free, lane, j);
+    j.impulse = {r.across[lane], 0};
+    j.angular_impulse = j.torque_impulse = r.turning[lane];
+}
+
+}  // namespace islet::detail

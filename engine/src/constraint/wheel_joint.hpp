@@ -1,0 +1,64 @@
+// Wheel joint: B's point stays on a line fixed in A, sprung along it; B turns freely, or by a motor.
+//
+// With d, u and n as in prismatic_joint.hpp:
+//     C = n . d     J = (-n, -(d + ra) x n, n, rb x n)      m, one row
+//     x = u . d     the strut: spring and limits            m
+//     y = qb - qa   J = (0, -1, 0, 1): motor and friction   rad
+// Source: Box2D's wheel joint for what it offers; the rows are those of revolute_joint.hpp and prismatic_joint.hpp.
+#pragma once
+
+#include "../constraint/prismatic_joint.hpp"
+
+namespace islet::detail {
+
+template <std::uint32_t W>
+struct alignas(W * 4) WheelRows {
+    JointEnds<W> ends;
+    Applied<W> applied;
+    float ux[W], uy[W];      // the line's direction when the step began
+    float across[W];         // N s
+    CoordinateRows<W> free;  // spring and limits of the strut, motor and friction of the wheel
+};
+
+template <std::uint32_t W>
+WarmStart prepare(WheelRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
+    const Vec2 u = {p.qa.c, p.qa.s};
+    r.ux[lane] = u.x;
+    r.uy[lane] = u.y;
+    set_coordinate(r.free, lane, j, in.numbers);
+    r.across[lane] = in.numbers.warm * j.impulse.x;
+    const float along = r.free.spring[lane] + r.free.low[lane] - r.free.high[lane];
+    const float turning = r.free.motor[lane] + r.free.friction[lane];
+    return {along * u + r.across[lane] * left_perp(u), turning};
+}
+
+template <class L>
+ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, WheelRows<L::width>& r, const JointSweep& n) {
+    using F = typename L::F;
+    const LaneVec<F> arm = arms.d + arms.ra;
+    const LaneVec<F> u = turn<L>(s.dqa, load<L>(r.ux, r.uy));
+    const DirectionRow<L> along(s, u, arm, arms.rb);
+    const DirectionRow<L> across(s, left_perp(u), arm, arms.rb);
+    const F p = L::load(r.across);
+    const F strut = L::load(r.free.spring) + L::load(r.free.low) - L::load(r.free.high);
+    const F turning = L::load(r.free.motor) + L::load(r.free.friction);
+    const LaneVec<F> total = strut * along.e + p * across.e;
+    aim<L>(s, n, total, cross(arm, total) + turning, cross(arms.rb, total) + turning);
+
+    s.push_angular(solve_motor_and_friction<L>(r.free, s.ia + s.ib, s.wb - s.wa, n));
+    along.push(s, solve_spring_and_limits<L>(r.free, dot(u, arms.d), along.k, along.speed(s), along.bend(s, arms), n));
+
+    const F residual = across.speed(s) + curve<L>(across.bend(s, arms), n) + L::splat(n.soft.rate) * dot(across.e, arms.d);
+    const F delta = rigid_delta<L>(n, across.k, residual, p);
+    L::store(r.across, p + delta);
+    across.push(s, delta);
+}
+
+template <std::uint32_t W>
+void store(const WheelRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
+    get_coordinate(r.free, lane, j);
+    j.impulse = {r.across[lane], 0};
+    j.torque_impulse = r.free.motor[lane] + r.free.friction[lane];
+}
+
+}  // namespace islet::detail

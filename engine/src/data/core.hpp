@@ -1,0 +1,140 @@
+// Core: the host's view of a world's block. Pointers to the arrays, the error hook, and the report of the last step; none of it persists.
+#pragma once
+
+#include <cstdint>
+
+#include "islet/world.hpp"
+#include "../data/records.hpp"
+#include "../memory/arena.hpp"
+#include "../memory/bit_set.hpp"
+#include "../memory/pair_set.hpp"
+
+namespace islet::detail {
+
+/// What sensors told, in the room that touches leave in an array of events (graph/sensors.cpp).
+struct SensorEvents {
+    SensorEvent* events = nullptr;
+    std::uint32_t count = 0;
+};
+
+struct RecordingHead;  // calls/calls.hpp
+
+/// Why nothing may change the world now: the world is calling a function of the user's.
+enum Inside : std::uint32_t {
+    inside_call = 1u,   // a hook, the task system, the clock, a drawing function
+    inside_error = 2u,  // the error hook, which is told no errors of its own
+};
+
+struct Core {
+    Capacity capacity;
+    std::uint32_t lanes = 1;
+    Error last_error = Error::none;
+    std::uint32_t inside = 0;            // Inside
+    bool exact = true;  // false: no step is taken (Error::inexact_build)
+    ErrorHook error_hook = nullptr;
+    void* error_context = nullptr;
+    TaskSystem tasks;
+    RecordingHead* recording = nullptr;  // what calls are written down in, or null
+    Hooks hooks;
+    Clock clock = nullptr;
+    void* clock_context = nullptr;
+
+    State* state = nullptr;
+    Pose* poses = nullptr;
+    Motion* motions = nullptr;
+    Body* bodies = nullptr;
+    Shape* shapes = nullptr;
+    Aabb* boxes = nullptr;            // fat boxes, by shape
+    Geometry* geometries = nullptr;
+    std::uint32_t* geometry_buckets = nullptr;
+    TreeNode* tree = nullptr;
+    Contact* contacts = nullptr;
+    ContactManifold* manifolds = nullptr;
+    PairSet pairs;
+    Joint* joints = nullptr;
+    BitSet awake_bodies;              // dynamic and kinematic bodies that move or may move
+    BitSet awake_contacts;            // contacts of an awake body
+    BitSet awake_joints;              // joints of an awake body
+    BitSet moved_shapes;              // shapes whose fat box changed since pairs were last found
+
+    TouchEvent* begin_events = nullptr;
+    TouchEvent* end_events = nullptr;
+    SensorEvents sensor_begins, sensor_ends;
+    HitEvent* hit_events = nullptr;
+    BodyId* moved_events = nullptr;
+    BodyId* slept_events = nullptr;
+    JointBreakEvent* break_events = nullptr;
+    float* residuals = nullptr;       // m/s, by body: of its island in the last step, if measured
+    std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0, break_count = 0;
+    std::uint32_t sensor_ends_reported = 0, hit_count = 0;
+    std::uint32_t untold = 0;         // contacts that may begin to touch in this step (contact_untold)
+
+    std::byte* scratch = nullptr;
+    std::byte* scratch_end = nullptr;
+    StepReport report;
+    StepProfile profile;
+    std::uint64_t last_tick = 0;
+
+    Arena arena() const { return {scratch, scratch_end}; }
+
+    ISLET_SHARED void fail(Error error) {
+        last_error = error;
+        if (error_hook == nullptr || (inside & inside_error) != 0) return;
+        inside |= inside_error;
+        error_hook(error, error_context);
+        inside &= ~std::uint32_t{inside_error};
+    }
+
+    BodyId body_id(std::uint32_t i) const { return {i + 1, bodies[i].generation}; }
+    ShapeId shape_id(std::uint32_t i) const { return {i + 1, shapes[i].generation}; }
+    JointId joint_id(std::uint32_t i) const { return {i + 1, joints[i].generation}; }
+    bool is_awake(std::uint32_t body) const { return awake_bodies.test(body); }
+    bool is_dynamic(std::uint32_t body) const { return bodies[body].type() == BodyType::dynamic; }
+
+    static Core& of(World& world);
+    static const Core& of(const World& world);
+};
+
+/// While it lives, nothing may change the world. Within a step, which has closed the world already, it writes nothing: so workers may make one.
+struct Closed {
+    Core* core;
+    explicit Closed(const Core& open) : core(open.inside == 0 ? const_cast<Core*>(&open) : nullptr) {
+        if (core != nullptr) core->inside = inside_call;
+    }
+    ~Closed() {
+        if (core != nullptr) core->inside = 0;
+    }
+    Closed(const Closed&) = delete;
+    Closed& operator=(const Closed&) = delete;
+};
+
+static_assert(sizeof(Core) <= core_bytes);
+static_assert(sizeof(State) == state_bytes);
+static_assert(constraint_color_count == color_count);
+
+/// None is known from now on.
+inline void forget_residuals(Core& core) {
+    core.report.residual = 0;
+    if (has_tuning) std::memset(core.residuals, 0, std::size_t{core.capacity.bodies} * 4);
+}
+
+/// Against gravity, unit; zero if there is none.
+inline Vec2 up_of(const Core& core) {
+    const Vec2 g = core.state->gravity;
+    const float strength = length(g);
+    return strength > 0 && strength < 1.0e18f ? (-1 / strength) * g : Vec2{0, 0};
+}
+
+}  // namespace islet::detail
+
+namespace islet {
+
+[[gnu::always_inline]] inline detail::Core& World::core() { return *reinterpret_cast<detail::Core*>(core_); }
+[[gnu::always_inline]] inline const detail::Core& World::core() const { return *reinterpret_cast<const detail::Core*>(core_); }
+
+namespace detail {
+inline Core& Core::of(World& world) { return world.core(); }
+inline const Core& Core::of(const World& world) { return world.core(); }
+}  // namespace detail
+
+}  // namespace islet

@@ -1,0 +1,59 @@
+// Cutting a stage of the step into ranges for the user's task system.
+//
+// Nothing may depend on who runs which range, nor on their order: a range writes to what is its own alone (its bodies, its contacts, its words of a bit
+// set, its slot of an array), and what changes shared state is committed afterwards, in index order, by the thread that steps the world.
+#pragma once
+
+#include "../data/core.hpp"
+#include "../math/float_mode.hpp"
+
+// 0 compiles the parallel paths out: for_ranges is then one plain call.
+#if !defined(ISLET_THREADS)
+#define ISLET_THREADS 1
+#endif
+
+namespace islet::detail {
+
+inline constexpr bool has_threads = ISLET_THREADS != 0;
+
+inline bool has_workers(const Core& core) {
+#if ISLET_THREADS
+    return core.tasks.parallel_for != nullptr && core.tasks.workers > 1;
+#else
+    static_cast<void>(core);
+    return false;
+#endif
+}
+
+inline std::uint32_t worker_count(const Core& core) { return has_workers(core) ? core.tasks.workers : 1; }
+
+/// Ranges that for_ranges cuts `count` items into.
+inline std::uint32_t range_count(std::uint32_t count, std::uint32_t grain) { return (count + grain - 1) / grain; }
+
+/// Calls work(first, end) for ranges that together cover 0 <= i < count: all in one on this thread if there are no workers or no more than `grain`
+/// items, else `grain` items each, by the task system. A range begins at a multiple of the grain. A grain should be worth a few microseconds.
+template <class Work>
+[[gnu::always_inline]] inline void for_ranges(const Core& core, std::uint32_t count, std::uint32_t grain, Work&& work) {
+#if ISLET_THREADS
+    if (count > grain && has_workers(core)) {
+        struct Call {
+            Work& work;
+            std::uint32_t count, grain;
+            static void run(void* data, std::uint32_t index) {
+                const DefaultFloatMode mode;  // each thread has its own
+                const Call& call = *static_cast<const Call*>(data);
+                const std::uint32_t first = index * call.grain;
+                call.work(first, call.count - first < call.grain ? call.count : first + call.grain);
+            }
+        } call{work, count, grain};
+        core.tasks.parallel_for(core.tasks.context, range_count(count, grain), Call::run, &call);
+        return;
+    }
+#else
+    static_cast<void>(core);
+    static_cast<void>(grain);
+#endif
+    if (count > 0) work(0u, count);
+}
+
+}  // namespace islet::detail

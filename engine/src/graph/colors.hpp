@@ -1,0 +1,50 @@
+// Constraint colours: no two constraints of one colour share a dynamic body, so all of a colour can be solved at once.
+//
+// A body keeps a bit mask of the colours its constraints use, so giving a colour is O(1): the lowest bit that is free in both masks. A
+// constraint against a static or kinematic body takes colours from the other end; they are solved last, so the ground has the last word. What
+// finds no colour overflows and is solved on its own. (Graph colouring for Gauss-Seidel; the split between the two ends follows Box2D 3.)
+#pragma once
+
+#include "../data/core.hpp"
+#include "../math/inlining.hpp"
+
+namespace islet::detail {
+
+inline constexpr std::uint32_t dynamic_color_limit = 24;  // colours that two dynamic bodies may share
+
+/// Takes a colour that neither body has yet, or no_color. null_index stands for a body that cannot move.
+inline std::uint32_t take_color(Core& core, std::uint32_t body_a, std::uint32_t body_b) {
+    const bool dynamic_a = body_a != null_index && core.is_dynamic(body_a);
+    const bool dynamic_b = body_b != null_index && core.is_dynamic(body_b);
+    const std::uint32_t used = (dynamic_a ? core.bodies[body_a].colors : 0u) | (dynamic_b ? core.bodies[body_b].colors : 0u);
+    std::uint32_t color = no_color;
+    if (dynamic_a && dynamic_b) {
+        const std::uint32_t free = ~used & ((1u << dynamic_color_limit) - 1u);
+        if (free != 0) color = static_cast<std::uint32_t>(__builtin_ctz(free));
+    } else if (~used != 0) {
+        color = 31u - static_cast<std::uint32_t>(__builtin_clz(~used));
+    }
+    if (color == no_color) return color;
+    if (dynamic_a) core.bodies[body_a].colors |= 1u << color;
+    if (dynamic_b) core.bodies[body_b].colors |= 1u << color;
+    return color;
+}
+
+ISLET_SHARED void give_color(Core& core, std::uint32_t color, std::uint32_t body_a, std::uint32_t body_b) {
+    if (color == no_color) return;
+    if (body_a != null_index && core.is_dynamic(body_a)) core.bodies[body_a].colors &= ~(1u << color);
+    if (body_b != null_index && core.is_dynamic(body_b)) core.bodies[body_b].colors &= ~(1u << color);
+}
+
+inline void assign_color(Core& core, std::uint32_t contact) {
+    ContactManifold& m = core.manifolds[contact];
+    m.set_color(take_color(core, m.body_a, m.body_b));
+}
+
+inline void release_color(Core& core, std::uint32_t contact) {
+    ContactManifold& m = core.manifolds[contact];
+    give_color(core, m.color(), m.body_a, m.body_b);
+    m.set_color(no_color);
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,132 @@
+#include "../exact.hpp"
+
+#include "../graph/contacts.hpp"
+
+#include "../graph/colors.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../graph/mixing.hpp"
+#include "../graph/sensors.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+// The narrow phase has one function for each unordered pair of types; the shape of the higher rank is A.
+std::uint32_t rank(const Core& core, std::uint32_t shape) {
+    switch (core.geometries[core.shapes[shape].geometry].shape_type()) {
+        case ShapeType::circle: return 0;
+        case ShapeType::capsule: return 1;
+        case ShapeType::polygon: return 2;
+        case ShapeType::segment: return 3;
+        case ShapeType::chain_segment: return 4;
+    }
+    return 0;
+}
+
+bool filters_agree(const Filter& a, const Filter& b) {
+    if (a.group == b.group && a.group != 0) return a.group > 0;
+    return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
+}
+
+void link(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
+    link_edge(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
+}
+
+void unlink(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
+    unlink_edge(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
+}
+
+}  // namespace
+
+bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    const Shape& s1 = core.shapes[shape_1];
+    const Shape& s2 = core.shapes[shape_2];
+    if (s1.body == s2.body || ((core.bodies[s1.body].flags | core.bodies[s2.body].flags) & body_disabled) != 0) return false;
+    if (has_sensors && ((s1.flags | s2.flags) & shape_sensor) != 0) return may_sense(core, s1, s2) && filters_agree(s1.filter, s2.filter);
+    if (!core.is_dynamic(s1.body) && !core.is_dynamic(s2.body)) return false;
+    if (!filters_agree(s1.filter, s2.filter)) return false;
+    if (rank(core, shape_1) >= 3 && rank(core, shape_2) >= 3) return false;
+    return !joint_forbids(core, s1.body, s2.body);
+}
+
+bool in_contact_order(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    const std::uint32_t rank_1 = rank(core, shape_1);
+    const std::uint32_t rank_2 = rank(core, shape_2);
+    return rank_1 != rank_2 ? rank_1 > rank_2 : shape_1 < shape_2;
+}
+
+bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    const std::uint32_t index = pool_take(core.state->contact_pool, core.contacts, core.capacity.contacts);
+    if (index == null_index) return false;
+
+    const bool in_order = in_contact_order(core, shape_1, shape_2);
+    Contact& c = core.contacts[index];
+    c.shape_a = in_order ? shape_1 : shape_2;
+    c.shape_b = in_order ? shape_2 : shape_1;
+    ContactManifold& m = core.manifolds[index];
+    m = ContactManifold{};
+    m.body_a = core.shapes[c.shape_a].body;
+    m.body_b = core.shapes[c.shape_b].body;
+    m.set_color(no_color);
+    if (is_sensor(core, shape_1) || is_sensor(core, shape_2)) m.flags |= contact_sensor;
+    mix_materials(core, index);
+
+    link(core, index, 0, m.body_a);
+    link(core, index, 1, m.body_b);
+    core.pairs.insert(PairSet::key(shape_1, shape_2));
+    core.awake_contacts.assign(index, core.is_awake(m.body_a) || core.is_awake(m.body_b));
+    return true;
+}
+
+void destroy_contact(Core& core, std::uint32_t index) {
+    Contact& c = core.contacts[index];
+    ContactManifold& m = core.manifolds[index];
+    if (is_told(m)) record_end_event(core, index);
+    if (has_sensors && (m.flags & contact_overlap) != 0) end_overlap(core, index);
+    release_color(core, index);
+    unlink(core, index, 0, m.body_a);
+    unlink(core, index, 1, m.body_b);
+    core.pairs.erase(PairSet::key(c.shape_a, c.shape_b));
+    core.awake_contacts.clear(index);
+    const std::uint32_t generation = c.generation;
+    c = Contact{};
+    c.generation = generation;
+    m = ContactManifold{};
+    pool_give(core.state->contact_pool, core.contacts, index);
+}
+
+void mix_materials(Core& core, std::uint32_t contact) {
+    Contact& c = core.contacts[contact];
+    const Shape& a = core.shapes[c.shape_a];
+    const Shape& b = core.shapes[c.shape_b];
+    ContactManifold& m = core.manifolds[contact];
+    c.next_free = null_index;
+    if (has_sensors && (m.flags & contact_sensor) != 0) return;
+    m.friction = mixed_friction(core, a, b);
+    const bool bouncy = has_restitution && mixed_restitution(core, a, b) > 0;
+    const bool special = has_surfaces && a.rolling_resistance + b.rolling_resistance + abs(a.tangent_speed) + abs(b.tangent_speed) > 0;
+    const std::uint32_t told = a.flags | b.flags;
+    const bool was_one_way = (m.flags & contact_one_way) != 0;
+    m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy | contact_hits | contact_asks | contact_one_way)) |
+              (special ? std::uint32_t{contact_special} : 0u) | (bouncy ? std::uint32_t{contact_bouncy} : 0u) |
+              (has_hits && (told & shape_hit_events) != 0 ? std::uint32_t{contact_hits} : 0u) |
+              (has_hooks && (told & shape_pre_solve) != 0 ? std::uint32_t{contact_asks} : 0u) |
+              (has_one_way && (told & shape_one_way_bits) != 0 ? std::uint32_t{contact_one_way} : 0u);
+    if ((m.flags & contact_one_way) == 0) m.flags &= ~static_cast<std::uint32_t>(contact_passes | contact_dropped);
+    if ((m.flags & contact_one_way) != 0 && !was_one_way) m.flags &= ~static_cast<std::uint32_t>(contact_posed);  // decided anew: one_way.cpp
+}
+
+bool has_room_for_end(Core& core) {
+    if (core.end_count + core.sensor_ends.count < core.capacity.contacts) return true;
+    ++core.report.dropped_events;
+    core.fail(Error::events_full);
+    return false;
+}
+
+void record_end_event(Core& core, std::uint32_t contact) {
+    const Contact& c = core.contacts[contact];
+    if (has_room_for_end(core)) push_touch(core, core.end_events, core.end_count, core.sensor_ends, {core.shape_id(c.shape_a), core.shape_id(c.shape_b)});
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,73 @@
+// The graph of contacts: one node a body, one edge a pair of shapes with overlapping fat boxes.
+// The pair set answers whether two shapes already have a contact.
+#pragma once
+
+#include "../data/core.hpp"
+#include "../graph/edge_list.hpp"
+#include "../graph/hooks.hpp"
+
+namespace islet::detail {
+
+/// Calls visit(contact, side) for each contact of a body, newest first; `visit` may destroy that contact.
+template <class Visit>
+void for_each_contact(const Core& core, std::uint32_t body, Visit&& visit) {
+    for_each_edge(core.contacts, core.bodies[body].contact_head, visit);
+}
+
+/// The body at the other end of an edge.
+inline std::uint32_t other_body(const Core& core, std::uint32_t contact, std::uint32_t side) {
+    return side == 0 ? core.manifolds[contact].body_b : core.manifolds[contact].body_a;
+}
+
+/// True if the two shapes may have a contact: other bodies, both enabled, one dynamic, geometry that collides, filters that agree, no joint that forbids
+/// it. Of a sensor: one that is not static, a visitor that consents and is no sensor, filters that agree.
+bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+
+/// What the filter hook says, if there is one.
+inline bool is_allowed(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    return !has_hooks || core.hooks.filter == nullptr || is_allowed_by_hook(core, shape_1, shape_2);
+}
+
+/// True if the first of two shapes is the one that their contact calls A.
+bool in_contact_order(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+
+/// Adds a contact, not yet touching. False if the pool is full.
+bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+
+/// Removes a contact and its colour. If it touched, an end event is recorded.
+void destroy_contact(Core& core, std::uint32_t contact);
+
+/// Friction, and whether restitution, rolling resistance or a tangent speed act, from the two shapes; what the pre_solve hook made of them is over.
+void mix_materials(Core& core, std::uint32_t contact);
+
+void record_end_event(Core& core, std::uint32_t contact);
+/// False, with the error recorded and counted, if the array of end events is full.
+bool has_room_for_end(Core& core);
+
+/// How two bodies stand to each other. Places are the difference of their centres: exact far from the origin too.
+struct Stand {
+    Vec2 offset;  // m, from A's centre to B's
+    Rot a, b;
+};
+
+/// Where B's body is in the frame of A's when they stand so.
+inline Transform pose_between(const Core& core, std::uint32_t body_a, std::uint32_t body_b, const Stand& stand) {
+    const Rot turn = inv_mul(stand.a, stand.b);
+    return {inv_rotate(stand.a, stand.offset) + core.bodies[body_a].local_center - rotate(turn, core.bodies[body_b].local_center), turn};
+}
+
+/// How they stand now.
+inline Stand stand_now(const Core& core, std::uint32_t body_a, std::uint32_t body_b) {
+    const Pose& a = core.poses[body_a];
+    const Pose& b = core.poses[body_b];
+    return {b.center - a.center, a.q, b.q};
+}
+
+/// How far B's material has moved from A's at a contact point since the manifold was made, m. Their velocity apart is its rate of change.
+inline Vec2 slip_of(const ContactManifold& m, std::uint32_t point, const Pose& a, const Pose& b) {
+    const Vec2 ra = m.anchors[point];
+    const Vec2 rb = ra - m.offset;
+    return (b.center - a.center) + rotate(b.q * inverse(m.rotation_b), rb) - rotate(a.q * inverse(m.rotation_a), ra);
+}
+
+}  // namespace islet::detail

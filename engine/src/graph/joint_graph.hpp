@@ -1,0 +1,63 @@
+// The graph of joints: one node a body, one edge a joint.
+#pragma once
+
+#include "../data/core.hpp"
+#include "../graph/edge_list.hpp"
+
+namespace islet::detail {
+
+/// Calls visit(joint, side) for each joint of a body, newest first; `visit` may destroy that joint.
+template <class Visit>
+void for_each_joint(const Core& core, std::uint32_t body, Visit&& visit) {
+    if constexpr (has_joints) for_each_edge(core.joints, core.bodies[body].joint_head, visit);
+}
+
+/// The body at the other end of a joint, or null_index if that is the world.
+inline std::uint32_t other_joined(const Core& core, std::uint32_t joint, std::uint32_t side) {
+    return side == 0 ? core.joints[joint].body_b : core.joints[joint].body_a;
+}
+
+/// True if a joint between the two bodies forbids their shapes to collide.
+inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t body_2) {
+    if (!has_joints) return false;
+    const bool first = core.bodies[body_1].joint_count < core.bodies[body_2].joint_count;
+    const std::uint32_t body = first ? body_1 : body_2;
+    const std::uint32_t other = first ? body_2 : body_1;
+    for (std::uint32_t key = core.bodies[body].joint_head; key != 0; key = core.joints[edge_of_key(key)].next[side_of_key(key)]) {
+        const Joint& j = core.joints[edge_of_key(key)];
+        if ((j.flags & joint_collide) == 0 && other_joined(core, edge_of_key(key), side_of_key(key)) == other) return true;
+    }
+    return false;
+}
+
+/// True if a body that the joint acts on is disabled: then it acts on none. Weakly referenced: only programs that call World::set_enabled link it, and have
+/// such bodies.
+ISLET_OPTIONAL bool has_disabled_body(const Core& core, const Joint& j);
+/// Does nothing, but whoever refers to it links the function above.
+void link_disabling();
+inline bool disabling_is_linked() {
+    return ISLET_IS_LINKED(has_disabled_body);
+}
+inline bool is_joint_idle(const Core& core, const Joint& j) { return disabling_is_linked() && has_disabled_body(core, j); }
+
+/// Whether the joint belongs to the awake ones.
+inline bool is_joint_awake(const Core& core, const Joint& j) {
+    return ((j.body_a != null_index && core.is_awake(j.body_a)) || core.is_awake(j.body_b)) && !is_joint_idle(core, j);
+}
+
+/// After a body was enabled or disabled: decides of each joint whether it is awake. (A gear may use joints of bodies that it does not hang on, so all joints
+/// are looked at.) Links has_disabled_body.
+void refresh_awake_joints(Core& core);
+
+/// A mouse joint's side A is in no list.
+inline void link_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
+    core.state->trees_stale = 1;
+    if (body != null_index) link_edge(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
+}
+
+inline void unlink_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
+    core.state->trees_stale = 1;
+    if (body != null_index) unlink_edge(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,19 @@
+// What two materials make together: Coulomb's coefficients by the geometric mean, bouncing by the larger, unless the user mixes them otherwise.
+#pragma once
+
+#include "../data/core.hpp"
+#include "../graph/hooks.hpp"
+#include "../math/inlining.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet::detail {
+
+inline float mixed_friction(const Core& core, const Shape& a, const Shape& b) {
+    return !has_hooks || core.hooks.mix_friction == nullptr ? sqrt(a.friction * b.friction) : friction_by_hook(core, a, b);
+}
+
+inline float mixed_restitution(const Core& core, const Shape& a, const Shape& b) {
+    return !has_hooks || core.hooks.mix_restitution == nullptr ? max(a.restitution, b.restitution) : restitution_by_hook(core, a, b);
+}
+
+}  // namespace islet::detail

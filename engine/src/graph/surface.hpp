@@ -1,0 +1,35 @@
+// What of a contact's material is rare, and so is not in its manifold: it comes from the shapes.
+#pragma once
+
+#include "../graph/mixing.hpp"
+
+namespace islet::detail {
+
+struct MixedSurface {
+    float restitution = 0;
+    float rolling_resistance = 0;  // m, lever arm of the resisting torque
+    float tangent_speed = 0;       // m/s
+};
+
+inline MixedSurface surface_of(const Core& core, std::uint32_t contact) {
+    const Contact& c = core.contacts[contact];
+    const Shape& a = core.shapes[c.shape_a];
+    const Shape& b = core.shapes[c.shape_b];
+    const auto radius = [&](const Shape& shape) {
+        const Geometry& g = core.geometries[shape.geometry];
+        switch (g.shape_type()) {
+        case ShapeType::circle: return g.circle.radius;
+        case ShapeType::capsule: return g.capsule.radius;
+        case ShapeType::polygon: return g.polygon.radius;
+        default: return 0.0f;
+        }
+    };
+    const auto rolling_arm = [&] {
+        const float resistance = max(a.rolling_resistance, b.rolling_resistance);
+        if (!is_lean && resistance == 0) return resistance;  // as most are: their geometries need not come from memory
+        return resistance * max(radius(a), radius(b));
+    };
+    return {mixed_restitution(core, a, b), rolling_arm(), has_hooks && c.has_own_speed() ? c.own_speed() : a.tangent_speed + b.tangent_speed};
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,271 @@
+// A mover's step: it is carried by its ground, then walks or falls, and lets the bodies around feel it.
+#include "../exact.hpp"
+
+#include "islet/mover.hpp"
+
+#include "../calls/checks.hpp"
+#include "../math/float_mode.hpp"
+#include "../mover/mover_slide.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace {
+
+constexpr std::uint32_t walk_passes = 8;
+constexpr float no_length = 1e-5f;  // m: not worth walking
+
+float approach(float from, float to, float most) { return from + clamp(to - from, -most, most); }
+
+Vec2 limited(Vec2 a, float limit) { return max(min(a, Vec2{limit, limit}), Vec2{-limit, -limit}); }
+
+Vec2 ground_velocity(const Mover& m) { return m.world.velocity_at(m.state.ground, m.support()); }
+
+void leave_ground(Mover& m) {
+    m.state.velocity += ground_velocity(m);
+    m.state.ground = {};
+    m.state.ground_normal = {};
+    m.state.ground_point = {};
+}
+
+void stand_on(Mover& m, const Surface& s, Vec2 face) {
+    m.state.ground = m.world.body(s.shape);
+    m.state.ground_normal = face;
+    m.state.ground_point = inv_transform_point(m.world.transform(m.state.ground), m.support());
+}
+
+// What it stands on has moved since the last step: the feet go with it. And what else has moved may have come too close.
+void ride(Mover& m) {
+    Vec2 carried;
+    bool follows = m.world.is_valid(m.state.ground);
+    if (follows) carried = transform_point(m.world.transform(m.state.ground), m.state.ground_point) - m.support();
+    follows = follows && length(carried) <= max_speed_limit * m.dt;  // nobody follows ground that was set elsewhere, far away
+    if (!follows) {
+        m.state.ground = {};
+        return;
+    }
+    // And with it its surface, if that is a conveyor's.
+    const Touched t = touched_by(m);
+    for (std::uint32_t i = 0; i < t.count; ++i) {
+        const Surface& s = t.surfaces[i];
+        const float speed = m.world.tangent_speed(s.shape);
+        if (speed == 0 || m.world.body(s.shape) != m.state.ground || dot(s.normal, m.up) < m.least_up) continue;
+        carried += m.dt * speed * right_perp(s.normal);
+        break;
+    }
+    slide(m, carried);
+}
+
+/// Lowers the feet, by no more than `most`, until the gap is left to what is below. Null surface if there is nothing.
+Met lower(Mover& m, float most) {
+    Met below = way_ahead(m, -(most + mover_gap) * m.up);
+    if (!below.hit) return below;
+    const float slope = max(dot(below.surface.normal, m.up), 0.5f);
+    const float drop = below.fraction * (most + mover_gap) - (mover_gap - mover_cast_gap) / slope;
+    if (drop > most) return {};
+    // Feet that stand at the gap stay as they are, to the bit; and rising they mind the ceiling.
+    if (drop > mover_touch) m.state.position -= drop * m.up;
+    if (drop < -mover_touch) m.state.position -= way_ahead(m, -drop * m.up).fraction * drop * m.up;
+    return below;
+}
+
+/// Onto what is too high to walk over: up, forward, down. False and nothing moved if that leads nowhere.
+bool step_up(Mover& m, Vec2 forward, float distance) {
+    const Vec2 before = m.state.position;
+    const float feet = dot(m.support(), m.up) - m.def.capsule.radius;
+    const float rise = way_ahead(m, m.def.step_height * m.up).fraction * m.def.step_height;
+    m.state.position += rise * m.up;
+    const float reach = max(distance, 2.0f * mover_gap);
+    const float gone = way_ahead(m, reach * forward).fraction * reach;
+    m.state.position += gone * forward;
+    Vec2 face;
+    const Met below = lower(m, rise);
+    const bool higher = dot(m.state.position - before, m.up) > mover_touch;
+    const bool reached = below.hit && dot(below.surface.point, m.up) - feet <= m.def.step_height;
+    if (gone > mover_gap && higher && reached && can_stand_on(m, below.surface, face)) return true;
+    m.state.position = before;
+    return false;
+}
+
+/// Walks a length along the ground, up what can be walked up. Returns how far it came.
+float walk_along(Mover& m, float side, float whole) {
+    Vec2 normal = m.state.ground_normal;
+    float left = whole;
+    for (std::uint32_t pass = 0; pass < walk_passes && left > no_length; ++pass) {
+        const Touched t = touched_by(m);
+        Bound bounds[mover_planes];
+        for (std::uint32_t i = 0; i < t.count; ++i) {
+            const Surface& s = t.surfaces[i];
+            bounds[i] = bound_of(s);
+            Vec2 face;
+            if (can_stand_on(m, s, face)) {
+                if (dot(s.normal, side * right_perp(normal)) < 0) normal = s.normal;  // the ground rises
+            } else if (dot(s.normal, m.up) > 0) {
+                const Vec2 wall = normalize(s.normal - dot(s.normal, m.up) * m.up);  // too steep: no way up along it
+                if (wall != Vec2{}) bounds[i].normal = wall;
+            }
+        }
+        const Vec2 way = side * right_perp(normal);
+        bool room = true;
+        const Vec2 piece = within_bounds(left * way, bounds, t.count, room);
+        m.state.squeezed |= room ? 0u : 1u;
+        const Met met = way_ahead(m, piece);
+        m.state.position += met.fraction * piece;
+        const float gone = dot(met.fraction * piece, way);
+        left -= max(gone, 0.0f);
+        if (gone > 0.01f * left || met.hit) continue;
+        if (left > no_length && m.def.step_height > 0 && step_up(m, side * m.right, left)) left = 0;
+        break;
+    }
+    return whole - max(left, 0.0f);
+}
+
+/// True if there is ground to stand on right under the middle, within reach of the feet.
+bool has_ground_below(const Mover& m) {
+    Vec2 normal;
+    return finds_ground(m, m.support(), m.def.capsule.radius + mover_gap + m.def.snap_distance, normal);
+}
+
+/// Between surfaces that are all too steep there is no way down either: that holds the mover as ground does.
+bool hold_in_wedge(Mover& m) {
+    const Touched t = touched_by(m);
+    Bound bounds[mover_planes];
+    for (std::uint32_t i = 0; i < t.count; ++i) bounds[i] = {t.surfaces[i].normal, 0};
+    bool room = true;
+    if (t.count < 2 || length_squared(within_bounds(-m.up, bounds, t.count, room)) > 1e-4f) return false;
+    stand_on(m, t.surfaces[0], m.up);
+    return true;
+}
+
+void walk(Mover& m, float wanted) {
+    const Vec2 tangent = right_perp(m.state.ground_normal);
+    const float speed = approach(dot(m.state.velocity, tangent), wanted, m.def.ground_acceleration * m.dt);
+    const float side = speed < 0 ? -1.0f : 1.0f;
+    const float gone = walk_along(m, side, abs(speed) * m.dt);
+    const float kept = side * min(gone / m.dt, abs(speed));
+
+    const Vec2 there = m.state.position;
+    const Met below = lower(m, m.def.snap_distance);
+    Vec2 face;
+    if (below.hit && can_stand_on(m, below.surface, face)) {
+        // An edge that lies behind does not hold those who walk off it, unless it is that of a step down; nor does it turn them downwards.
+        const bool too_steep = dot(below.surface.normal, m.up) < m.least_up;
+        const bool behind = kept * dot(below.surface.normal, m.right) > 0;
+        if (!too_steep || !behind || has_ground_below(m)) {
+            const bool level = behind && is_edge(m, below.surface, face);
+            stand_on(m, below.surface, level ? face : below.surface.normal);
+            m.state.velocity = kept * right_perp(m.state.ground_normal);
+            return;
+        }
+    }
+    m.state.position = there;
+    m.state.velocity = kept * tangent;
+    if (!hold_in_wedge(m)) leave_ground(m);
+}
+
+/// Takes from the velocity what leads into touched surfaces, and finds ground among them.
+void land(Mover& m) {
+    const Touched t = touched_by(m);
+    Bound bounds[mover_planes];
+    const Vec2 v = m.state.velocity;
+    for (std::uint32_t i = 0; i < t.count; ++i) {
+        const Surface& s = t.surfaces[i];
+        const BodyId body = m.world.body(s.shape);
+        const Vec2 surface_velocity = m.world.velocity_at(body, s.point);
+        const float away = dot(surface_velocity, s.normal);
+        bounds[i] = {s.normal, m.world.type(body) == BodyType::dynamic ? min(away, 0.0f) : away};
+        Vec2 face;
+        if (m.state.ground || dot(v - surface_velocity, s.normal) > 0.01f || !can_stand_on(m, s, face)) continue;
+        stand_on(m, s, face);
+    }
+    bool room = true;
+    const Vec2 kept = within_bounds(v, bounds, t.count, room);
+    m.state.velocity = kept;
+    if (m.state.ground) {
+        const Vec2 tangent = right_perp(m.state.ground_normal);
+        m.state.velocity = dot(v - ground_velocity(m), tangent) * tangent;
+        return;
+    }
+    if (dot(v, m.up) <= 0 && hold_in_wedge(m)) m.state.velocity = {};
+}
+
+void fall(Mover& m, float wanted) {
+    float pull = m.def.air_acceleration * m.dt;
+    const Touched t = touched_by(m);
+    const float sideways = dot(m.state.velocity, m.right);
+    for (std::uint32_t i = 0; i < t.count; ++i) {  // nobody climbs a slope from the air by leaning against it
+        if ((wanted - sideways) * dot(t.surfaces[i].normal, m.right) < 0) pull = 0;
+    }
+    m.state.velocity += (approach(sideways, wanted, pull) - sideways) * m.right + m.def.gravity_scale * m.dt * m.world.gravity();
+    m.state.velocity = limited(m.state.velocity, max_speed_limit);
+    slide(m, m.dt * m.state.velocity);
+    land(m);
+}
+
+/// Dynamic bodies feel the mover: its push towards where it wants to go, and its weight.
+void press(Mover& m, float wanted) {
+    const float strength = m.def.max_push_force * m.dt;
+    const Touched t = touched_by(m);
+    for (std::uint32_t i = 0; i < t.count; ++i) {
+        const Surface& s = t.surfaces[i];
+        const BodyId body = m.world.body(s.shape);
+        if (m.world.type(body) != BodyType::dynamic || body == m.state.ground || dot(s.normal, m.up) >= m.least_up) continue;
+        const float closing = dot(m.world.linear_velocity(body) - wanted * m.right, s.normal);
+        const float body_mass = m.world.mass(body);
+        const float together = body_mass * (m.def.mass / (body_mass + m.def.mass));  // reduced mass
+        if (!(closing > 0) || !(dot(wanted * m.right, s.normal) < 0) || !(together > 0)) continue;
+        m.world.apply_linear_impulse_to_center(body, -min(together * closing, strength) * s.normal);
+    }
+    if (m.state.ground && m.def.mass > 0 && m.world.type(m.state.ground) == BodyType::dynamic) {
+        const float weight = -m.def.mass * dot(m.world.gravity(), m.up);
+        const Vec2 feet = m.support() - m.def.capsule.radius * m.up;
+        if (weight > 0) m.world.apply_force(m.state.ground, -weight * m.up, feet);
+    }
+}
+
+bool check_mover(const Core& core, const MoverDef& d, const MoverState& s, const MoverInput& in, float dt) {
+    const Vec2 v = s.velocity;
+    return may_change(core) && check(core, is_time_step(dt), Error::bad_time_step) && check(core, islet::is_valid(d.capsule), Error::bad_geometry) &&
+           check_finite(core, d.up) && check(core, abs(length(d.up) - 1) <= 1e-3f, Error::out_of_range) &&
+           check_range(core, d.gravity_scale, -max_coefficient, max_coefficient) && check_range(core, d.max_slope, 0, 1.5f) &&
+           check_range(core, d.step_height, 0, max_position) && check_range(core, d.snap_distance, 0, max_position) &&
+           check_range(core, d.ground_acceleration, 0, no_limit) && check_range(core, d.air_acceleration, 0, no_limit) &&
+           check_range(core, d.mass, 0, no_limit) && check_range(core, d.max_push_force, 0, no_limit) && check_position(core, s.position) &&
+           check_position(core, s.position + d.capsule.point1) && check_position(core, s.position + d.capsule.point2) &&
+           check_range(core, v.x, -max_speed_limit, max_speed_limit) && check_range(core, v.y, -max_speed_limit, max_speed_limit) &&
+           check_range(core, in.walk, -max_speed_limit, max_speed_limit) && check_range(core, in.jump, 0, max_speed_limit) &&
+           check_finite(core, s.ground_normal) && check_position(core, s.ground_point);
+}
+
+}  // namespace
+
+bool step_mover(World& world, const MoverDef& def, MoverState& state, const MoverInput& input, float dt) {
+    if constexpr (!has_mover) {
+        Core::of(world).fail(Error::feature_cut);
+        return false;
+    }
+    if (!check_mover(Core::of(world), def, state, input, dt)) return false;
+    const DefaultFloatMode mode;
+    const Vec2 up = normalize(def.up);
+    Mover m{world, def, state, up, right_perp(up), make_rot(def.max_slope).c, dt};
+    m.state.squeezed = 0;
+    if (m.state.ground && !(abs(length_squared(m.state.ground_normal) - 1) < 1e-3f)) m.state.ground_normal = up;
+    if (m.state.ground) ride(m);
+    if (m.state.ground && input.jump > 0) {
+        leave_ground(m);
+        m.state.velocity += input.jump * m.up;
+    }
+    if (m.state.ground) {
+        walk(m, input.walk);
+    } else {
+        fall(m, input.walk);
+    }
+    press(m, input.walk);
+    m.state.velocity = limited(m.state.velocity, max_speed_limit);
+    m.state.position = limited(m.state.position, max_position);
+    state = m.state;
+    return true;
+}
+
+}  // namespace islet

@@ -1,0 +1,161 @@
+#include "../exact.hpp"
+
+#include "../mover/mover_slide.hpp"
+
+#include "../collide/manifold.hpp"
+#include "../step/one_way.hpp"
+
+namespace islet::detail {
+namespace {
+
+constexpr std::uint32_t slide_passes = 8;
+constexpr float no_way = 1e-6f;          // m: not worth moving
+constexpr float least_edge_slope = 0.05f;  // an edge whose normal points up less than this is a wall
+constexpr float edge_probe = 0.03f;      // m, from an edge inwards, to see what it is the edge of
+
+ShapeProxy capsule_of(const Mover& m, float growth) {
+    ShapeProxy p;
+    p.points[0] = m.state.position + m.def.capsule.point1;
+    p.points[1] = m.state.position + m.def.capsule.point2;
+    p.count = 2;
+    p.radius = m.def.capsule.radius + growth;
+    return p;
+}
+
+bool stands_in_the_way(const Mover& m, const Surface& s) {
+    if (has_one_way && one_way_is_linked()) {
+        const Vec2 points[] = {m.def.capsule.point1, m.def.capsule.point2};
+        const Corners capsule = {points, 2, m.def.capsule.radius};
+        if (height_above(Core::of(m.world), s.shape.index1 - 1, capsule, {m.state.position, {}}) < -linear_slop) return false;
+    }
+    const MoverFilter collides_hook = m.def.collides;
+    return collides_hook == nullptr || collides_hook(s, m.def.context);
+}
+
+float worst_breach(Vec2 x, const Bound* bounds, std::uint32_t count) {
+    float worst = 0;
+    for (std::uint32_t i = 0; i < count; ++i) worst = max(worst, bounds[i].least - dot(bounds[i].normal, x));
+    return worst;
+}
+
+}  // namespace
+
+Vec2 Mover::support() const {
+    const Vec2 p = def.capsule.point1;
+    const Vec2 q = def.capsule.point2;
+    return state.position + (dot(p, up) <= dot(q, up) ? p : q);
+}
+
+float Mover::height_of(Vec2 point) const { return dot(point - support(), up) + def.capsule.radius; }
+
+Touched touched_by(const Mover& m) {
+    Touched t;
+    const std::uint32_t count = m.world.surfaces_near(capsule_of(m, 0), mover_gap + mover_touch, t.surfaces, m.def.filter);
+    for (std::uint32_t i = 0; i < count && i < mover_planes; ++i) {
+        if (stands_in_the_way(m, t.surfaces[i])) t.surfaces[t.count++] = t.surfaces[i];
+    }
+    return t;
+}
+
+// The nearest point of a convex set bounded by lines is the point itself, its projection on one of them, or where two of them cross: all are tried.
+Vec2 within_bounds(Vec2 wanted, const Bound* bounds, std::uint32_t count, bool& room) {
+    const float tolerance = 1e-6f + 1e-5f * length(wanted);
+    Vec2 best = wanted;
+    float best_breach = worst_breach(wanted, bounds, count);
+    float best_distance = 0;
+    const auto consider = [&](Vec2 x) {
+        const float breach = worst_breach(x, bounds, count);
+        const float distance = distance_squared(x, wanted);
+        const bool keeps = breach <= tolerance;
+        const bool better = keeps ? best_breach > tolerance || distance < best_distance : breach < best_breach - tolerance;
+        if (!better) return;
+        best = x;
+        best_breach = breach;
+        best_distance = distance;
+    };
+    if (best_breach > tolerance) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Bound& a = bounds[i];
+            const Vec2 onto_a = (a.least - dot(a.normal, wanted)) * a.normal;
+            consider(wanted + onto_a);
+            for (std::uint32_t j = i + 1; j < count; ++j) {
+                const Bound& b = bounds[j];
+                const float across = cross(a.normal, b.normal);
+                if (abs(across) > 1e-3f) {
+                    consider((1.0f / across) * Vec2{a.least * b.normal.y - b.least * a.normal.y, b.least * a.normal.x - a.least * b.normal.x});
+                } else if (dot(a.normal, b.normal) < 0) {
+                    consider(wanted + 0.5f * (onto_a + (b.least - dot(b.normal, wanted)) * b.normal));  // midway between two that face each other
+                }
+            }
+        }
+    }
+    room = best_breach <= tolerance;
+    return best;
+}
+
+Bound bound_of(const Surface& s) { return {s.normal, mover_gap - s.separation}; }
+
+Met way_ahead(const Mover& m, Vec2 way) {
+    struct Search {
+        const Mover& mover;
+        Vec2 way;
+        Met met;
+    } search{m, way, {}};
+    const CastVisitor visit = [](const QueryHit& hit, void* context) {
+        Search& s = *static_cast<Search*>(context);
+        const float into = -dot(hit.normal, s.way);
+        if (hit.separation < 0 && into <= 1e-4f * length(s.way)) return -1.0f;
+        const Surface surface{hit.shape, hit.point, hit.normal, hit.separation < 0 ? hit.separation + mover_cast_gap : 0};
+        if (!stands_in_the_way(s.mover, surface)) return -1.0f;
+        s.met = {hit.fraction, true, surface};
+        return 0.0f;
+    };
+    m.world.cast_shape_each(capsule_of(m, mover_cast_gap), way, m.def.filter, visit, &search);
+    return search.met;
+}
+
+void slide(Mover& m, Vec2 way) {
+    for (std::uint32_t pass = 0; pass < slide_passes; ++pass) {
+        const Touched t = touched_by(m);
+        Bound bounds[mover_planes];
+        for (std::uint32_t i = 0; i < t.count; ++i) bounds[i] = bound_of(t.surfaces[i]);
+        bool room = true;
+        const Vec2 piece = within_bounds(way, bounds, t.count, room);
+        m.state.squeezed |= room ? 0u : 1u;
+        if (!(length_squared(piece) > no_way * no_way)) return;
+        const float fraction = way_ahead(m, piece).fraction;
+        m.state.position += fraction * piece;
+        // What is left of a free piece is barred; one more pass keeps the gap to what has come near.
+        way = fraction == 1 ? Vec2{} : way - fraction * piece;
+    }
+}
+
+bool finds_ground(const Mover& m, Vec2 from, float depth, Vec2& normal) {
+    struct Search {
+        const Mover& mover;
+        QueryHit hit;
+    } search{m, {}};
+    const CastVisitor visit = [](const QueryHit& hit, void* context) {
+        Search& s = *static_cast<Search*>(context);
+        if (!stands_in_the_way(s.mover, {hit.shape, hit.point, hit.normal, hit.separation})) return -1.0f;
+        s.hit = hit;
+        return 0.0f;
+    };
+    m.world.cast_ray_each(from, -depth * m.up, m.def.filter, visit, &search);
+    normal = search.hit.normal;
+    return search.hit && search.hit.separation == 0 && dot(normal, m.up) >= m.least_up;
+}
+
+bool is_edge(const Mover& m, const Surface& s, Vec2& top) {
+    const Vec2 inward = dot(s.normal, m.right) > 0 ? -m.right : m.right;
+    return finds_ground(m, s.point + edge_probe * inward + edge_probe * m.up, 2.0f * edge_probe, top);
+}
+
+bool can_stand_on(const Mover& m, const Surface& s, Vec2& face) {
+    const float rise = dot(s.normal, m.up);
+    face = s.normal;
+    if (rise >= m.least_up) return true;
+    return rise >= least_edge_slope && m.height_of(s.point) <= m.def.step_height && is_edge(m, s, face);
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,63 @@
+#include "../exact.hpp"
+
+#include "../query/queries.hpp"
+
+#include "../calls/checks.hpp"
+
+namespace islet::detail {
+
+ShapeProxy proxy_of(const Geometry& g) {
+    ShapeProxy p;
+    const auto line = [&](const Segment& s, float radius) {
+        p.points[0] = s.point1;
+        p.points[1] = s.point2;
+        p.count = 2;
+        p.radius = radius;
+    };
+    switch (g.shape_type()) {
+    case ShapeType::circle:
+        p.points[0] = g.circle.center;
+        p.count = 1;
+        p.radius = g.circle.radius;
+        break;
+    case ShapeType::capsule: line({g.capsule.point1, g.capsule.point2}, g.capsule.radius); break;
+    case ShapeType::segment: line(g.segment, 0); break;
+    case ShapeType::chain_segment:
+        line(g.chain.segment, 0);
+        p.one_sided = true;
+        break;
+    case ShapeType::polygon:
+        for (std::uint32_t i = 0; i < g.polygon.count; ++i) p.points[i] = g.polygon.vertices[i];
+        p.count = g.polygon.count;
+        p.radius = g.polygon.radius;
+        break;
+    }
+    return p;
+}
+
+ShapeProxy seen_from(const Transform& t, const ShapeProxy& p) {
+    ShapeProxy seen = p;
+    for (std::uint32_t i = 0; i < p.count; ++i) seen.points[i] = inv_transform_point(t, p.points[i]);
+    return seen;
+}
+
+bool check_proxy(const Core& core, const ShapeProxy& p) {
+    if (!check(core, islet::is_valid(p), Error::bad_geometry)) return false;
+    for (std::uint32_t i = 0; i < p.count; ++i) {
+        if (!check_position(core, p.points[i])) return false;
+    }
+    return true;
+}
+
+bool check_translation(const Core& core, Vec2 translation) {
+    return check_range(core, translation.x, -max_translation, max_translation) &&
+           check_range(core, translation.y, -max_translation, max_translation);
+}
+
+Aabb box_of(const ShapeProxy& p) {
+    Aabb box{p.points[0], p.points[0]};
+    for (std::uint32_t i = 1; i < p.count; ++i) box = {min(box.lower, p.points[i]), max(box.upper, p.points[i])};
+    return expand(box, p.radius);
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,77 @@
+// Hits: contacts whose shapes came together fast. Whoever asks for them links them (solver/hits.hpp).
+#include "../exact.hpp"
+
+#include "../solver/hits.hpp"
+
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../graph/contact_info.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace detail {
+
+namespace {
+
+template <std::uint32_t W>
+void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uint32_t count, float* speeds) {
+    for (std::uint32_t block = 0; block < count; ++block) {
+        const ContactRows<W>& r = rows[block];
+        for (std::uint32_t i = 0; i < W; ++i) {
+            if (r.contact[i] == null_index) continue;
+            const ContactManifold& m = manifolds[r.contact[i]];
+            if ((m.flags & contact_hits) == 0) continue;
+            const float first = r.peak[0][i] > 0 ? max(-r.approach[0][i], 0.0f) : 0.0f;
+            const float second = m.count() == 2 && r.peak[1][i] > 0 ? max(-r.approach[1][i], 0.0f) : 0.0f;
+            speeds[r.contact[i]] = second > first ? -second : first;
+        }
+    }
+}
+
+}  // namespace
+
+void link_hits() {}
+
+void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+#if ISLET_MAX_LANES >= 4
+void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+#endif
+#if ISLET_MAX_LANES >= 8
+void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+#endif
+
+void report_hits(Core& core, const float* speeds) {
+    const float threshold = core.state->hit_threshold;
+    const std::uint32_t room = hit_capacity(core.capacity);
+    const BitSet awake = core.awake_contacts;
+    awake.for_each([&](std::uint32_t i) {
+        constexpr std::uint32_t wanted = contact_touching | contact_hits;
+        if ((core.manifolds[i].flags & wanted) != wanted || !(abs(speeds[i]) > threshold)) return;
+        if (core.hit_count == room) {
+            ++core.report.dropped_hits;
+            return;
+        }
+        ContactInfo contact;
+        read_contact(core, i, contact);
+        core.hit_events[core.hit_count++] = {contact.shape_a, contact.shape_b, contact.points[speeds[i] < 0 ? 1 : 0].point, contact.normal, abs(speeds[i])};
+    });
+    if (core.report.dropped_hits != 0) core.fail(Error::hits_full);
+}
+
+}  // namespace detail
+
+std::span<const HitEvent> World::hit_events() const {
+    link_hits();
+    return {core().hit_events, core().hit_count};
+}
+
+float World::hit_threshold() const { return core().state->hit_threshold; }
+
+void World::set_hit_threshold(float speed) {
+    note_call<Call::set_hit_threshold>(core(), speed);
+    if (may_change(core()) && check_range(core(), speed, 0, no_limit)) core().state->hit_threshold = speed;
+}
+
+}  // namespace islet

@@ -1,0 +1,64 @@
+// How far impulses are from a solution.
+//
+// Solving one constraint alone, all others as they are, changes nothing if and only if its part of the problem is solved: its impulse and its relative
+// velocity are feasible and complementary. So what a solve would still change is a natural residual (Cottle, Pang and Stone, "The Linear Complementarity
+// Problem", 1992: 1.5.8, here with the constraint's own mass as scale), and it is found by trying: each block of rows is solved by the kernel that sweeps it,
+// the bodies are compared, and all is put back. It is measured in what a body's velocity would change by, so that constraints of any kind and mass compare.
+//
+// The change an impulse made since the sweep before would be no such measure: it is small too where a method only creeps.
+#pragma once
+
+#include <cstring>
+
+#include "../constraint/solver_body.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet::detail {
+
+/// Most slots that one block of rows may name: four a gear, two any other constraint in lanes.
+inline constexpr std::uint32_t most_trial_slots = 2 * (max_lanes > 2 ? max_lanes : 2);
+
+/// m/s: by how much the velocity of a body changed, turning at its radius of gyration.
+inline float velocity_change(const SolverBody& before, const SolverBody& after) {
+    const Vec2 dv = after.v - before.v;
+    const float dw = after.w - before.w;
+    const float turning = before.inv_inertia > 0 && dw != 0 ? before.inv_mass / before.inv_inertia * dw * dw : 0;
+    return sqrt(dot(dv, dv) + turning);
+}
+
+/// The largest, and what stands for one that overflowed.
+inline constexpr float no_residual = 3.0e38f;
+
+/// What a block of rows and the bodies it may push are, before it is solved on trial.
+struct Trial {
+    std::byte* rows;         // all that solving changes besides the bodies
+    std::size_t bytes;
+    std::uint32_t slots[most_trial_slots];  // in any order and number
+    std::uint32_t count = 0;
+    SolverBody before[most_trial_slots];
+    alignas(16) std::byte saved[max_lanes * (row_bytes > joint_row_bytes ? row_bytes : joint_row_bytes)];
+
+    Trial(std::byte* from, std::size_t n) : rows(from), bytes(n) {}
+    void add(std::uint32_t slot) { slots[count++] = slot; }
+};
+
+/// Call the first, solve the block, and call the second, which takes it back and raises the residual of each of its islands to what changed.
+inline void begin_trial(Trial& t, const SolverBody* bodies) {
+    for (std::uint32_t i = 0; i < t.count; ++i) t.before[i] = bodies[t.slots[i]];
+    std::memcpy(t.saved, t.rows, t.bytes);
+}
+inline void end_trial(const Trial& t, SolverBody* bodies, const std::uint32_t* island_of, float* residuals) {
+    for (std::uint32_t i = 0; i < t.count; ++i) {
+        const std::uint32_t slot = t.slots[i];
+        if (t.before[i].inv_mass > 0) {
+            float& residual = residuals[island_of[slot]];
+            const float change = velocity_change(t.before[i], bodies[slot]);
+            if (!(change <= residual)) residual = change < no_residual ? change : no_residual;
+        }
+    }
+    for (std::uint32_t i = 0; i < t.count; ++i)
+        if (t.before[i].inv_mass > 0) bodies[t.slots[i]] = t.before[i];  // others are only read
+    std::memcpy(t.rows, t.saved, t.bytes);
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,389 @@
+// Links, lists, pools and bits: everything by which one record leads to another. Records are looked at in this order, each on the ground that the
+// ones before made safe: pools, numbers and indices of each record, lists, the tree.
+#include "../exact.hpp"
+
+#include "../state/faults.hpp"
+
+#include "../bodies/bounds.hpp"
+#include "../bodies/joint_changes.hpp"
+#include "../broadphase/tree.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../island/joint_trees.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+/// Calls fault(i) for each live slot until one returns a sentence.
+template <class T, class Fault>
+const char* first_fault(const PoolState& pool, const T* slots, Fault&& fault) {
+    const char* bad = nullptr;
+    for (std::uint32_t i = 0; bad == nullptr && i < pool.high_water; ++i)
+        if (pool_live(pool, slots, i)) bad = fault(i);
+    return bad;
+}
+
+// -- pools ---------------------------------------------------------------------------------------------------------------------------
+
+template <class T>
+const char* fault_in_pool(const PoolState& pool, const T* slots, std::uint32_t capacity) {
+    if (pool.high_water > capacity || pool.count > pool.high_water) return "a pool holds more than its capacity";
+    std::uint32_t live = 0;
+    for (std::uint32_t i = 0; i < pool.high_water; ++i) live += slots[i].generation & 1u;
+    if (live != pool.count) return "a pool miscounts its live slots";
+    std::uint32_t free = 0;
+    for (std::uint32_t i = pool.free_head; i != null_index; i = slots[i].next_free) {
+        if (i >= pool.high_water || (slots[i].generation & 1u) != 0) return "a free list holds a live slot";
+        if (++free > pool.high_water) return "a free list has a cycle";
+    }
+    return live + free == pool.high_water ? nullptr : "a pool lost a slot";
+}
+
+// Geometries have no generation: one that shapes refer to is live.
+const char* fault_in_geometry_pool(const Core& c, Arena scratch) {
+    const State& s = *c.state;
+    const PoolState& pool = s.geometry_pool;
+    // A shape adds one geometry at most, so there were never more of them than of shapes.
+    if (pool.high_water > geometry_capacity(c.capacity) || pool.high_water > s.shape_pool.high_water) return "a pool holds more than its capacity";
+    std::uint32_t* references = scratch.take<std::uint32_t>(pool.high_water);
+    for (std::uint32_t i = 0; i < pool.high_water; ++i) references[i] = 0;
+    const char* bad = first_fault(s.shape_pool, c.shapes, [&](std::uint32_t i) -> const char* {
+        if (c.shapes[i].geometry >= pool.high_water) return "a shape has no geometry";
+        ++references[c.shapes[i].geometry];
+        return nullptr;
+    });
+    if (bad != nullptr) return bad;
+    std::uint32_t live = 0, free = 0;
+    for (std::uint32_t i = 0; i < pool.high_water; ++i) {
+        if (references[i] != c.geometries[i].references) return "a geometry miscounts its shapes";
+        live += references[i] != 0 ? 1 : 0;
+    }
+    if (live != pool.count) return "a pool miscounts its live slots";
+    for (std::uint32_t i = pool.free_head; i != null_index; i = c.geometries[i].next) {
+        if (i >= pool.high_water || references[i] != 0) return "a free list holds a live slot";
+        if (++free > pool.high_water) return "a free list has a cycle";
+    }
+    return live + free == pool.high_water ? nullptr : "a pool lost a slot";
+}
+
+/// Bits may be set for live slots only.
+template <class T>
+const char* fault_in_bits(const BitSet& bits, const PoolState& pool, const T* slots) {
+    for (std::uint32_t i = 0; i < bits.word_count * 64; ++i)
+        if (bits.test(i) && !pool_live(pool, slots, i)) return "a bit is set for what does not exist";
+    return nullptr;
+}
+
+const char* fault_in_pools(const Core& c, Arena scratch) {
+    const State& s = *c.state;
+    const char* bad = fault_in_pool(s.body_pool, c.bodies, c.capacity.bodies);
+    if (bad == nullptr) bad = fault_in_pool(s.shape_pool, c.shapes, c.capacity.shapes);
+    if (bad == nullptr) bad = fault_in_pool(s.contact_pool, c.contacts, c.capacity.contacts);
+    if (bad == nullptr) bad = fault_in_pool(s.joint_pool, c.joints, c.capacity.joints);
+    if (bad == nullptr) bad = fault_in_geometry_pool(c, scratch);
+    if (bad == nullptr) bad = fault_in_bits(c.awake_bodies, s.body_pool, c.bodies);
+    if (bad == nullptr) bad = fault_in_bits(c.awake_contacts, s.contact_pool, c.contacts);
+    if (bad == nullptr) bad = fault_in_bits(c.awake_joints, s.joint_pool, c.joints);
+    if (bad == nullptr) bad = fault_in_bits(c.moved_shapes, s.shape_pool, c.shapes);
+    if (bad == nullptr && c.moved_shapes.count() != s.moved_count) bad = "the shapes that moved are miscounted";
+    return bad;
+}
+
+// -- one record at a time: numbers, and indices of what must exist ---------------------------------------------------------------------
+
+bool live_body(const Core& c, std::uint32_t i) { return pool_live(c.state->body_pool, c.bodies, i); }
+bool live_shape(const Core& c, std::uint32_t i) { return pool_live(c.state->shape_pool, c.shapes, i); }
+bool live_joint(const Core& c, std::uint32_t i) { return pool_live(c.state->joint_pool, c.joints, i); }
+
+const char* fault_in_ends(const Core& c, const Joint& j) {
+    const auto type = j.joint_type();
+    if (!live_body(c, j.body_b) || (type == JointType::mouse ? j.body_a != null_index : !live_body(c, j.body_a) || j.body_a == j.body_b))
+        return "a joint's body is gone";
+    if (type == JointType::gear && (!live_joint(c, j.joint1) || !live_joint(c, j.joint2))) return "a gear's joint is gone";
+    return nullptr;
+}
+
+const char* fault_in_records(const Core& c) {
+    const State& s = *c.state;
+    const char* bad = fault_in_numbers(s);
+    if (bad == nullptr) bad = first_fault(s.body_pool, c.bodies, [&](std::uint32_t i) { return fault_in_numbers(c.bodies[i], c.poses[i], c.motions[i]); });
+    for (std::uint32_t i = 0; bad == nullptr && i < s.geometry_pool.high_water; ++i)
+        if (c.geometries[i].references != 0) bad = fault_in_numbers(c.geometries[i]);
+    if (bad != nullptr) return bad;
+    bad = first_fault(s.shape_pool, c.shapes, [&](std::uint32_t i) {
+        return live_body(c, c.shapes[i].body) ? fault_in_numbers(c.shapes[i], c.boxes[i]) : "a shape's body is gone";
+    });
+    if (bad != nullptr) return bad;
+    bad = first_fault(s.contact_pool, c.contacts, [&](std::uint32_t i) -> const char* {
+        const Contact& contact = c.contacts[i];
+        const ContactManifold& m = c.manifolds[i];
+        if (!live_shape(c, contact.shape_a) || !live_shape(c, contact.shape_b)) return "a contact's shape is gone";
+        if (c.shapes[contact.shape_a].body != m.body_a || c.shapes[contact.shape_b].body != m.body_b) return "a contact's bodies are not its shapes'";
+        return fault_in_numbers(m);
+    });
+    if (bad != nullptr) return bad;
+    return first_fault(s.joint_pool, c.joints, [&](std::uint32_t i) {
+        const char* ends = fault_in_ends(c, c.joints[i]);
+        return ends != nullptr ? ends : fault_in_numbers(c.joints[i]);
+    });
+}
+
+// -- lists ---------------------------------------------------------------------------------------------------------------------------
+
+/// Walks a body's list of edges. `body_of(edge, side)` and `color_of(edge)` read them. Collects the colours in use.
+template <class Edge, class BodyOf, class ColorOf>
+const char* fault_in_list(const PoolState& pool, const Edge* edges, std::uint32_t body, std::uint32_t head, std::uint32_t count, BodyOf&& body_of,
+                          ColorOf&& color_of, std::uint32_t& colors) {
+    std::uint32_t walked = 0;
+    std::uint32_t prev = 0;
+    for (std::uint32_t key = head; key != 0; ++walked) {
+        const std::uint32_t edge = edge_of_key(key);
+        const std::uint32_t side = side_of_key(key);
+        if (walked == count || !pool_live(pool, edges, edge)) return "a body's list of constraints is broken";
+        if (body_of(edge, side) != body || edges[edge].prev[side] != prev) return "a constraint is in the wrong list";
+        const std::uint32_t color = color_of(edge);
+        if (color != no_color) {
+            if ((colors >> color & 1u) != 0) return "two constraints of a body share a colour";
+            colors |= 1u << color;
+        }
+        prev = key;
+        key = edges[edge].next[side];
+    }
+    return walked == count ? nullptr : "a body miscounts its constraints";
+}
+
+const char* fault_in_shapes_of(const Core& c, std::uint32_t i) {
+    const Body& b = c.bodies[i];
+    const bool rests = !c.is_awake(i) && (b.flags & body_disabled) == 0;
+    std::uint32_t shapes = 0;
+    std::uint32_t prev = null_index;
+    for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next, ++shapes) {
+        if (shapes == b.shape_count || !live_shape(c, s) || c.shapes[s].body != i || c.shapes[s].prev != prev) return "a body's list of shapes is broken";
+        const std::uint32_t leaf = c.shapes[s].tree_node;
+        if ((leaf != null_index) != rests) return "a shape is in the wrong half of the broad phase";
+        if (rests && (leaf >= c.state->tree.high_water || c.tree[leaf].child1 != null_index || c.tree[leaf].child2 != s))
+            return "a tree leaf does not know its shape";
+        if (rests && c.tree[leaf].box != c.boxes[s]) return "a tree leaf has another box than its shape";
+        prev = s;
+    }
+    return shapes == b.shape_count ? nullptr : "a body miscounts its shapes";
+}
+
+const char* fault_in_body(const Core& c, std::uint32_t i) {
+    const Body& b = c.bodies[i];
+    const bool dynamic = b.type() == BodyType::dynamic;
+    if (c.is_awake(i) && b.type() == BodyType::static_body) return "a static body is awake";
+    if (c.is_awake(i) && (b.flags & body_disabled) != 0) return "a disabled body is awake";
+    const char* bad = fault_in_shapes_of(c, i);
+    if (bad != nullptr) return bad;
+    std::uint32_t colors = 0;
+    bad = fault_in_list(
+        c.state->contact_pool, c.contacts, i, b.contact_head, b.contact_count,
+        [&](std::uint32_t contact, std::uint32_t side) { return side == 0 ? c.manifolds[contact].body_a : c.manifolds[contact].body_b; },
+        [&](std::uint32_t contact) { return dynamic ? c.manifolds[contact].color() : no_color; }, colors);
+    if (bad != nullptr) return bad;
+    bad = fault_in_list(
+        c.state->joint_pool, c.joints, i, b.joint_head, b.joint_count,
+        [&](std::uint32_t joint, std::uint32_t side) { return side == 0 ? c.joints[joint].body_a : c.joints[joint].body_b; },
+        [&](std::uint32_t joint) { return dynamic ? c.joints[joint].color() : no_color; }, colors);
+    if (bad != nullptr) return bad;
+    return colors == b.colors ? nullptr : "a body's colours are not those of its constraints";
+}
+
+// Each edge is in the list at each of its ends, if lists hold only edges that end there and there are as many entries as ends.
+const char* fault_in_lists(const Core& c) {
+    const State& s = *c.state;
+    std::uint32_t shapes = 0, resting = 0, contacts = 0, joints = 0, ends = 0;
+    const char* bad = first_fault(s.body_pool, c.bodies, [&](std::uint32_t i) {
+        shapes += c.bodies[i].shape_count;
+        resting += c.is_awake(i) || (c.bodies[i].flags & body_disabled) != 0 ? 0 : c.bodies[i].shape_count;
+        contacts += c.bodies[i].contact_count;
+        joints += c.bodies[i].joint_count;
+        return fault_in_body(c, i);
+    });
+    if (bad != nullptr) return bad;
+    for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i)
+        if (live_joint(c, i)) ends += c.joints[i].body_a != null_index ? 2 : 1;
+    if (shapes != s.shape_pool.count) return "a shape is in no list";
+    if (resting != s.tree.leaf_count) return "the tree holds more than the shapes at rest";
+    return contacts == 2 * s.contact_pool.count && joints == ends ? nullptr : "a constraint is in no list";
+}
+
+// -- what is kept because it follows from the rest: where bodies and boxes are, how far they reach -------------------------------------
+
+// How much rounding can change them. A number is rounded by `epsilon` of itself at most. No number between a body's centre and the edge of its fat box is
+// larger than this sum: the centre, the arm to the origin and back, the farthest point of a shape, and 1 m for margins and whatever else is small.
+constexpr float epsilon = 0x1p-24f;
+
+float span_of(const Core& c, std::uint32_t i) {
+    const Vec2 center = c.poses[i].center, arm = c.bodies[i].local_center;
+    return 1.0f + abs(center.x) + abs(center.y) + 2.0f * (abs(arm.x) + abs(arm.y)) + c.poses[i].max_extent;
+}
+
+// Rounding of a tight box, made twice: 5 roundings of an origin, 4 of a corner's place, 3 on the way to the edge of a box, 4 of a turn's length.
+float box_rounding(const Core& c, std::uint32_t i) { return 32.0f * epsilon * span_of(c, i); }
+
+// How much farther a body may have come than it counted, because each step is rounded: a turn 4 times, the centre's way 3 times. Beyond 2^24 steps the bound
+// grows no more.
+float drift_of(const Core& c, std::uint32_t i) {
+    if (c.bodies[i].type() == BodyType::static_body) return 0;
+    constexpr std::uint32_t many = 1u << 24;
+    const auto steps = static_cast<float>(c.state->steps < many ? static_cast<std::uint32_t>(c.state->steps) : many);
+    return 8.0f * epsilon * steps * span_of(c, i);
+}
+
+// The most room that a shape can have in its fat box, m: half the box's smaller side.
+float most_room(const Aabb& fat) { return 0.5f * min(fat.upper.x - fat.lower.x, fat.upper.y - fat.lower.y); }
+
+const char* fault_in_place(const Core& c, std::uint32_t i) {
+    const Body& b = c.bodies[i];
+    const Pose& pose = c.poses[i];
+    const Vec2 gap = transform_point(body_transform(c, i), b.local_center) - pose.center;
+    const float rounding = box_rounding(c, i);
+    if (!(abs(gap.x) <= rounding && abs(gap.y) <= rounding)) return "a body's centre is not where its origin says";
+    const Extent extent = body_extent(c, i);
+    if (pose.max_extent != extent.max || b.min_extent != extent.min) return "a body's extent is not its shapes'";
+    // A step that is shorter than the distance between two floats is rounded to nothing, or to twice its length at most. So is the way since the boxes were
+    // made, which is what is missing now of the room they had then.
+    float room = 3.0e38f;
+    for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next) room = min(room, most_room(c.boxes[s]));
+    const float slack = slack_of(c, i);
+    const float most = min(slack + drift_of(c, i), 0.5f * (room + slack));
+    return c.motions[i].slack <= most + rounding ? nullptr : "a body thinks it may leave its boxes";
+}
+
+const char* fault_in_box(const Core& c, std::uint32_t s) {
+    const std::uint32_t body = c.shapes[s].body;
+    const float inexact = box_rounding(c, body) + min(drift_of(c, body), max(0.0f, most_room(c.boxes[s])));
+    return contains(expand(c.boxes[s], inexact), shape_aabb(c, s)) ? nullptr : "a shape has left its fat box";
+}
+
+// -- what ties two bodies ------------------------------------------------------------------------------------------------------------
+
+// Whom a contact tells follows from its shapes.
+const char* fault_in_told(const Core& c, const Contact& contact, const ContactManifold& m) {
+    const Shape& a = c.shapes[contact.shape_a];
+    const Shape& b = c.shapes[contact.shape_b];
+    const std::uint32_t flags = a.flags | b.flags;
+    const bool sensor = (flags & shape_sensor) != 0;
+    if (((m.flags & contact_sensor) != 0) != sensor) return "a sensor's contact is not marked as one, or the reverse";
+    if (sensor && ((m.flags & (contact_touching | contact_special | contact_bouncy | contact_hits | contact_asks)) != 0 || m.count() != 0))
+        return "a sensor's contact is solved";
+    if (!sensor && (m.flags & contact_overlap) != 0) return "a contact that is no sensor's has an overlap";
+    if (!sensor && (m.flags & contact_hits) != 0 && (flags & shape_hit_events) == 0) return "a contact tells of hits unasked";
+    if (!sensor && (m.flags & contact_asks) != 0 && (flags & shape_pre_solve) == 0) return "a contact asks the hook unasked";
+    if (((m.flags & contact_one_way) != 0) != (!sensor && has_one_way && (flags & shape_one_way_bits) != 0)) return "a contact of a one-way shape is not marked as one, or the reverse";
+    if ((m.flags & contact_one_way) == 0 && (m.flags & (contact_passes | contact_dropped)) != 0) return "a contact passes unasked";
+    if (!contact.has_own_speed()) return nullptr;
+    const float speed = contact.own_speed();
+    return (m.flags & contact_asks) != 0 && abs(speed) <= max_speed_limit ? nullptr : "a contact's surface speed is out of range";
+}
+
+const char* fault_in_contact(const Core& c, std::uint32_t i) {
+    const Contact& contact = c.contacts[i];
+    const ContactManifold& m = c.manifolds[i];
+    if (!may_collide(c, contact.shape_a, contact.shape_b)) return "two shapes that may not collide have a contact";
+    if (!in_contact_order(c, contact.shape_a, contact.shape_b)) return "a contact's shapes are the wrong way round";
+    const bool awake_a = c.is_awake(m.body_a), awake_b = c.is_awake(m.body_b);
+    if (c.awake_contacts.test(i) != (awake_a || awake_b)) return "a contact is awake though its bodies sleep, or the reverse";
+    const bool touching = (m.flags & contact_touching) != 0;
+    if (const char* bad = fault_in_told(c, contact, m)) return bad;
+    if (touching != (m.count() > 0)) return "a contact touches without points, or the reverse";
+    if (!touching && m.color() != no_color) return "a contact that does not touch has a colour";
+    const std::uint32_t asleep = awake_a ? m.body_b : m.body_a;
+    if (touching && awake_a != awake_b && c.is_dynamic(asleep)) return "what sleeps touches what is awake";
+    return nullptr;
+}
+
+const char* fault_in_gear(const Core& c, const Joint& gear) {
+    const Joint& j1 = c.joints[gear.joint1];
+    const Joint& j2 = c.joints[gear.joint2];
+    for (const Joint* j : {&j1, &j2}) {
+        const auto type = j->joint_type();
+        if (type != JointType::revolute && type != JointType::prismatic) return "a gear couples the wrong joints";
+    }
+    const std::uint32_t b = moving_body(c, j2);
+    const bool hangs_right = gear.body_a == moving_body(c, j1) && gear.body_b == (b != gear.body_a ? b : b == j2.body_b ? j2.body_a : j2.body_b);
+    return hangs_right ? nullptr : "a gear hangs on the wrong bodies";
+}
+
+const char* fault_in_joint(const Core& c, std::uint32_t i) {
+    const Joint& j = c.joints[i];
+    const bool has_a = j.body_a != null_index;
+    const bool awake_a = has_a && c.is_awake(j.body_a), awake_b = c.is_awake(j.body_b);
+    if (c.awake_joints.test(i) != is_joint_awake(c, j)) return "a joint is awake though its bodies sleep, or the reverse";
+    if (!is_joint_idle(c, j) && has_a && awake_a != awake_b && c.is_dynamic(awake_a ? j.body_b : j.body_a)) return "an island is half asleep";
+    return j.joint_type() == JointType::gear ? fault_in_gear(c, j) : nullptr;
+}
+
+const char* fault_in_gear_counts(const Core& c, Arena scratch) {
+    const PoolState& pool = c.state->joint_pool;
+    std::uint32_t* gears = scratch.take<std::uint32_t>(pool.high_water);
+    for (std::uint32_t i = 0; i < pool.high_water; ++i) gears[i] = 0;
+    for (std::uint32_t i = 0; i < pool.high_water; ++i) {
+        if (!live_joint(c, i) || c.joints[i].joint_type() != JointType::gear) continue;
+        ++gears[c.joints[i].joint1];
+        ++gears[c.joints[i].joint2];
+    }
+    return first_fault(pool, c.joints, [&](std::uint32_t i) { return c.joints[i].gear_count == gears[i] ? nullptr : "a joint miscounts its gears"; });
+}
+
+// What is marked as a tree of hinges must be one, unless it is to be marked anew anyway.
+const char* fault_in_trees(const Core& c, Arena scratch) {
+    if (!has_joint(JointType::revolute) || c.state->trees_stale != 0) return nullptr;
+    const Forest forest(c.state->body_pool.high_water, scratch);
+    std::uint32_t marked = 0;
+    for (std::uint32_t i = 0; i < c.state->joint_pool.high_water; ++i) {
+        if (!live_joint(c, i) || (c.joints[i].flags & joint_exact) == 0) continue;
+        ++marked;
+        if (!forest.add(c, c.joints[i])) return "hinges that are no tree are solved as one";
+    }
+    return marked == c.state->exact_joints ? nullptr : "the hinges of trees are miscounted";
+}
+
+const char* fault_in_counts(const Core& c) {
+    const State& s = *c.state;
+    std::uint32_t bullets = 0, locked = 0;
+    for (std::uint32_t i = 0; i < s.body_pool.high_water; ++i) {
+        if (!live_body(c, i)) continue;
+        bullets += (c.bodies[i].flags & body_bullet) != 0 ? 1 : 0;
+        locked += c.bodies[i].has_locks() ? 1 : 0;
+    }
+    for (std::uint32_t i = 0; i < s.shape_pool.high_water; ++i)
+        if (live_shape(c, i) && (asked_of(c.shapes[i].flags) & ~s.asked) != 0) return "a shape has a flag that the world does not know of";
+    return bullets != s.bullet_count ? "the bullets are miscounted" : locked != s.locked_count ? "the bodies with locks are miscounted" : nullptr;
+}
+
+const char* fault_in_pairs(const Core& c, Arena scratch) {
+    const std::uint32_t size = next_power_of_two(2 * c.state->contact_pool.high_water + 1);
+    PairSet seen{scratch.take<std::uint64_t>(size), size - 1};
+    std::memset(seen.keys, 0, std::size_t{size} * 8);
+    return first_fault(c.state->contact_pool, c.contacts, [&](std::uint32_t i) -> const char* {
+        const std::uint64_t key = PairSet::key(c.contacts[i].shape_a, c.contacts[i].shape_b);
+        if (seen.contains(key)) return "two shapes have two contacts";
+        seen.insert(key);
+        return nullptr;
+    });
+}
+
+}  // namespace
+
+const char* find_fault(const Core& c, Arena scratch) {
+    const State& s = *c.state;
+    const char* bad = fault_in_pools(c, scratch);
+    if (bad == nullptr) bad = fault_in_records(c);
+    if (bad == nullptr) bad = fault_in_lists(c);
+    if (bad == nullptr) bad = first_fault(s.body_pool, c.bodies, [&](std::uint32_t i) { return fault_in_place(c, i); });
+    if (bad == nullptr) bad = first_fault(s.shape_pool, c.shapes, [&](std::uint32_t i) { return fault_in_box(c, i); });
+    if (bad == nullptr) bad = first_fault(s.contact_pool, c.contacts, [&](std::uint32_t i) { return fault_in_contact(c, i); });
+    if (bad == nullptr) bad = first_fault(s.joint_pool, c.joints, [&](std::uint32_t i) { return fault_in_joint(c, i); });
+    if (bad == nullptr) bad = fault_in_gear_counts(c, scratch);
+    if (bad == nullptr) bad = fault_in_trees(c, scratch);
+    if (bad == nullptr) bad = fault_in_counts(c);
+    if (bad == nullptr) bad = fault_in_pairs(c, scratch);
+    if (bad == nullptr) bad = tree_validate({&c.state->tree, c.tree});
+    return bad;
+}
+
+}  // namespace islet::detail

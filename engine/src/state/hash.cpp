@@ -1,0 +1,121 @@
+// The state hash: all persistent state that affects the future, word by word, so that it does not depend on the byte order of the machine, nor on
+// the capacity.
+#include "../exact.hpp"
+
+#include <cstddef>
+
+#include "../calls/checks.hpp"
+#include "../math/checksum.hpp"
+#include "../math/inlining.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace {
+
+struct Hasher {
+    std::uint64_t h = 0x9e3779b97f4a7c15ull;
+
+    void word(std::uint32_t w) { h = mixed(h, w); }
+    void number(float f) { word(bits_of(f)); }
+    void long_word(std::uint64_t w) {
+        word(static_cast<std::uint32_t>(w));
+        word(static_cast<std::uint32_t>(w >> 32));
+    }
+    /// `size` bytes that are 32-bit words.
+    ISLET_SHARED void words(const void* from, std::size_t size) {
+        const auto* bytes = static_cast<const std::byte*>(from);
+        for (std::size_t i = 0; i < size; i += 4) {
+            std::uint32_t w = 0;
+            __builtin_memcpy(&w, bytes + i, 4);  // std::memcpy may be a call (-ffreestanding)
+            word(w);
+        }
+    }
+    /// Records made of 32-bit words only.
+    template <class T>
+    void records(const T* items, std::uint32_t count) {
+        static_assert(sizeof(T) % 4 == 0);
+        words(items, std::size_t{count} * sizeof(T));
+    }
+    /// The same of records with user data, which is carried, but decides nothing: for it stand zeros.
+    template <class T>
+    void records_but_data(const T* items, std::uint32_t count) {
+        for (std::uint32_t i = 0; i < count; ++i) but_data(items + i, offsetof(T, user_data), sizeof(T));
+    }
+    /// As many words as the first `count` bits need: what lies beyond depends on the capacity.
+    void bits(const BitSet& set, std::uint32_t count) {
+        for (std::uint32_t i = 0; i < words_for(count); ++i) long_word(set.words[i]);
+    }
+    void pool(const PoolState& p) { records(&p, 1); }
+
+private:
+    ISLET_SHARED void but_data(const void* record, std::size_t user_data, std::size_t size) {
+        const auto* bytes = static_cast<const std::byte*>(record);
+        words(bytes, user_data);
+        long_word(0);
+        words(bytes + user_data + 8, size - user_data - 8);
+    }
+};
+
+}  // namespace
+
+std::uint64_t World::hash() const {
+    const Core& c = core();
+    if (!may_change(c)) return 0;
+    const State& s = *c.state;
+    Hasher h;
+    h.pool(s.body_pool);
+    h.pool(s.shape_pool);
+    h.pool(s.contact_pool);
+    h.pool(s.geometry_pool);
+    h.pool(s.joint_pool);
+    h.records(&s.tree, 1);
+    h.number(s.gravity.x);
+    h.number(s.gravity.y);
+    h.number(s.restitution_threshold);
+    h.number(s.max_speed);
+    h.word(s.enable_sleep);
+    h.number(s.last_substep);
+    h.word(s.moved_count);
+    h.word(s.trees_stale);
+    h.word(s.exact_joints);
+    h.word(s.continuous);
+    h.number(s.hit_threshold);
+
+    SolverState solver = s.solver;
+    solver.measure_residual = 0;  // decides nothing
+    h.records(&solver, 1);
+
+    h.records(c.poses, s.body_pool.high_water);
+    h.records(c.motions, s.body_pool.high_water);
+    h.records_but_data(c.bodies, s.body_pool.high_water);
+    h.records_but_data(c.shapes, s.shape_pool.high_water);
+    h.records_but_data(c.joints, s.joint_pool.high_water);
+    h.records(c.boxes, s.shape_pool.high_water);
+    for (std::uint32_t i = 0; i < s.geometry_pool.high_water; ++i) {
+        // Where a geometry in use stands in its bucket depends on the number of buckets, which is the capacity's.
+        Geometry g = c.geometries[i];
+        if (g.references != 0) g.next = null_index;
+        h.records(&g, 1);
+    }
+    h.records(c.contacts, s.contact_pool.high_water);
+    h.records(c.manifolds, s.contact_pool.high_water);
+    h.records(c.tree, s.tree.high_water);
+    h.bits(c.awake_bodies, s.body_pool.high_water);
+    h.bits(c.awake_contacts, s.contact_pool.high_water);
+    h.bits(c.awake_joints, s.joint_pool.high_water);
+    h.bits(c.moved_shapes, s.shape_pool.high_water);
+
+    // What has ended since the last step, which the next one tells.
+    const std::uint32_t touches = c.end_count - c.end_reported, overlaps = c.sensor_ends.count - c.sensor_ends_reported;
+    if (touches + overlaps != 0) {
+        h.word(touches);
+        h.records(c.end_events + c.end_reported, touches);
+        h.records(c.sensor_ends.events + c.sensor_ends_reported, overlaps);
+    }
+    return h.h;
+}
+
+}  // namespace islet

@@ -1,0 +1,284 @@
+// Saving a world and going back.
+#include "../exact.hpp"
+
+#include "islet/snapshot.hpp"
+
+#include "../bodies/geometry_pool.hpp"
+#include "../bodies/joint_changes.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../collide/manifold.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../graph/sensors.hpp"
+#include "../math/checksum.hpp"
+#include "../solver/hits.hpp"
+#include "../solver/joint_solve.hpp"
+#include "../solver/ordered_sweep.hpp"
+#include "../state/faults.hpp"
+#include "../state/image.hpp"
+#include "../step/continuous.hpp"
+#include "../graph/hooks.hpp"
+#include "../step/one_way.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace {
+
+// What the image uses must fit. Room for contacts is room for as many ended touches.
+bool fits(const Capacity& c, const ImageHeader& h) {
+    return h.bodies <= c.bodies && h.shapes <= c.shapes && h.contacts <= c.contacts && h.joints <= c.joints && h.geometries <= geometry_capacity(c) &&
+           h.tree_nodes <= std::uint64_t{2} * c.shapes && h.ended + h.ended_overlaps <= c.contacts;
+}
+
+}  // namespace
+
+namespace detail {
+
+ImageHeader header_of(const Core& core) {
+    const State& s = *core.state;
+    ImageHeader h;
+    h.capacity = core.capacity;
+    h.bodies = s.body_pool.high_water;
+    h.shapes = s.shape_pool.high_water;
+    h.contacts = s.contact_pool.high_water;
+    h.joints = s.joint_pool.high_water;
+    h.geometries = s.geometry_pool.high_water;
+    h.tree_nodes = s.tree.high_water;
+    h.ended = core.end_count - core.end_reported;
+    h.ended_overlaps = core.sensor_ends.count - core.sensor_ends_reported;
+    h.head.length = image_length(h);
+    return h;
+}
+
+Error read_head(std::span<const std::byte> bytes, std::uint32_t magic, std::size_t least, ImageHead& head) {
+    std::uint32_t kind = 0;
+    if (bytes.size() < sizeof kind || bytes.data() == nullptr) return Error::truncated_image;
+    std::memcpy(&kind, bytes.data(), sizeof kind);
+    if (kind == __builtin_bswap32(magic)) return Error::other_byte_order;
+    if (kind != magic) return Error::not_an_image;
+    if (bytes.size() < least) return Error::truncated_image;
+    std::memcpy(&head, bytes.data(), sizeof head);
+    if (head.version != image_version) return Error::other_version;
+    return head.length == bytes.size() ? Error::none : Error::truncated_image;
+}
+
+Error read_header(std::span<const std::byte> image, ImageHeader& h) {
+    const Error error = read_head(image, image_magic, sizeof h, h.head);
+    if (error != Error::none) return error;
+    std::memcpy(&h, image.data(), sizeof h);
+    for (const std::uint32_t count : {h.bodies, h.shapes, h.contacts, h.joints, h.geometries, h.tree_nodes / 2, h.ended, h.ended_overlaps})
+        if (count > max_capacity) return Error::corrupt_image;
+    return h.head.length == image_length(h) && fits(h.capacity, h) ? Error::none : Error::corrupt_image;
+}
+
+std::uint64_t image_checksum(std::span<const std::byte> bytes) { return checksum_of(bytes.data() + sizeof(ImageHead), bytes.size() - sizeof(ImageHead)); }
+
+}  // namespace detail
+
+namespace {
+
+/// Copies to an image and sums what it has copied while that is still in the nearest cache.
+class Writer {
+public:
+    explicit Writer(std::byte* image) : begin_(image + sizeof(ImageHead)), summed_(begin_), at_(begin_) {}
+
+    void write(const void* from, std::uint64_t size) {
+        const auto* bytes = static_cast<const std::byte*>(from);
+        constexpr std::uint64_t chunk = 4096;
+        for (std::uint64_t left = size; left > 0;) {
+            const auto n = static_cast<std::size_t>(left < chunk ? left : chunk);
+            std::memcpy(at_, bytes, n);
+            at_ += n;
+            bytes += n;
+            left -= n;
+            sum();
+        }
+    }
+    std::uint64_t checksum() { return checksum_.finish(summed_, static_cast<std::size_t>(at_ - summed_), static_cast<std::uint64_t>(at_ - begin_)); }
+
+private:
+    void sum() {
+        const std::size_t blocks = static_cast<std::size_t>(at_ - summed_) / Checksum::block;
+        checksum_.add_blocks(summed_, blocks);
+        summed_ += blocks * Checksum::block;
+    }
+    std::byte* begin_;
+    std::byte* summed_;  // how far the sum has come
+    std::byte* at_;
+    Checksum checksum_;
+};
+
+// The header's counts are those of the state, so that what is an index there is one in the image.
+bool counts_agree(const ImageHeader& h, const State& s) {
+    return h.bodies == s.body_pool.high_water && h.shapes == s.shape_pool.high_water && h.contacts == s.contact_pool.high_water &&
+           h.joints == s.joint_pool.high_water && h.geometries == s.geometry_pool.high_water && h.tree_nodes == s.tree.high_water;
+}
+
+// What this build leaves out (islet/config.hpp) an image may not hold. Looks at slots only, and takes no type for known.
+bool needs_what_is_cut(const Core& c) {
+    const State& s = *c.state;
+    for (std::uint32_t i = 0; !has_all_joints && i < s.joint_pool.high_water; ++i)
+        if (pool_live(s.joint_pool, c.joints, i) && !has_joint(static_cast<JointType>(c.joints[i].type))) return true;
+    for (std::uint32_t i = 0; !has_all_shapes && i < s.geometry_pool.high_water; ++i)
+        if (c.geometries[i].references != 0 && !has_shape(static_cast<ShapeType>(c.geometries[i].type))) return true;
+    for (std::uint32_t i = 0; !(has_restitution && has_surfaces && has_sensors && has_hits && has_hooks && has_one_way) && i < s.shape_pool.high_water; ++i) {
+        const Shape& shape = c.shapes[i];
+        if (!has_restitution && shape.restitution != 0) return true;
+        if (!has_surfaces && (shape.rolling_resistance != 0 || shape.tangent_speed != 0)) return true;
+        if (!has_sensors && (shape.flags & shape_sensor) != 0) return true;
+        if (!has_hits && (shape.flags & shape_hit_events) != 0) return true;
+        if (!has_hooks && (shape.flags & shape_pre_solve) != 0) return true;
+        if (!has_one_way && (shape.flags & shape_one_way_bits) != 0) return true;
+    }
+    for (std::uint32_t i = 0; !has_sleep && i < s.body_pool.high_water; ++i)
+        if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (c.bodies[i].flags & body_disabled) == 0) return true;
+    return (!has_sleep && s.enable_sleep != 0) || (!has_continuous && s.continuous != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
+}
+
+// Bits beyond those copied belong to slots that the image never used.
+void clear_rest(const BitSet& set, std::uint32_t used) {
+    const auto words = static_cast<std::uint32_t>(words_for(used));
+    std::memset(set.words + words, 0, std::size_t{set.word_count - words} * 8);
+}
+
+void rebuild_pairs(Core& core, const ImageHeader& h) {
+    std::memset(core.pairs.keys, 0, (std::size_t{core.pairs.mask} + 1) * 8);
+    for (std::uint32_t i = 0; i < h.contacts; ++i) {
+        const Contact& c = core.contacts[i];
+        if ((c.generation & 1u) != 0) core.pairs.insert(PairSet::key(c.shape_a, c.shape_b));
+    }
+}
+
+// This build and this program have what shapes of the image need in every step.
+bool can_tell(const std::byte* image) {
+    std::uint32_t asked = 0;
+    std::memcpy(&asked, image + sizeof(ImageHeader) + offsetof(State, asked), sizeof asked);  // the state comes first
+    return ((asked & shape_sensor) == 0 || (has_sensors && sensors_are_linked())) && ((asked & shape_hit_events) == 0 || (has_hits && hits_are_linked())) &&
+           ((asked & asked_one_way) == 0 || (has_one_way && one_way_is_linked()));
+}
+
+// What waits in the arrays of end events, behind what was reported.
+template <class Record>
+const Record* waiting(const Core&, const Record* records) {
+    return records;
+}
+const TouchEvent* waiting(const Core& c, const TouchEvent* events) { return events + c.end_reported; }
+const SensorEvent* waiting(const Core& c, const SensorEvent* events) { return events + c.sensor_ends_reported; }
+
+// Takes over an image that is known to be sound and to fit.
+void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
+    const std::byte* at = image + sizeof h;
+    core.sensor_ends = {reinterpret_cast<SensorEvent*>(core.end_events + (core.capacity.contacts - h.ended_overlaps)), h.ended_overlaps};
+    for_each_part(core, h, [&](auto* to, std::uint64_t bytes) {
+        std::memcpy(static_cast<void*>(to), at, static_cast<std::size_t>(bytes));
+        at += bytes;
+    });
+    clear_rest(core.awake_bodies, h.bodies);
+    clear_rest(core.awake_contacts, h.contacts);
+    clear_rest(core.awake_joints, h.joints);
+    clear_rest(core.moved_shapes, h.shapes);
+    rebuild_pairs(core, h);
+    rebuild_buckets(core);
+
+    core.end_count = h.ended;
+    core.sensor_ends_reported = core.sensor_begins.count = core.hit_count = 0;
+    core.end_reported = core.begin_count = core.moved_count = core.slept_count = core.break_count = 0;
+    const State& s = *core.state;
+    core.report = {};
+    forget_residuals(core);
+    core.report.bodies = s.body_pool.count;
+    core.report.awake_bodies = core.awake_bodies.count();
+    core.report.shapes = s.shape_pool.count;
+    core.report.contacts = s.contact_pool.count;
+    core.report.joints = s.joint_pool.count;
+}
+
+// An image as the arrays of a world: nothing is copied, and nothing may be changed.
+Core view_of(const Core& world, const ImageHeader& h, const std::byte* image) {
+    Core view;
+    view.capacity = world.capacity;
+    auto* at = const_cast<std::byte*>(image) + sizeof h;
+    for_each_part(view, h, [&](auto& pointer, std::uint64_t bytes) {
+        pointer = reinterpret_cast<std::remove_reference_t<decltype(pointer)>>(at);
+        at += bytes;
+    });
+    view.awake_bodies.word_count = static_cast<std::uint32_t>(words_for(h.bodies));
+    view.awake_contacts.word_count = static_cast<std::uint32_t>(words_for(h.contacts));
+    view.awake_joints.word_count = static_cast<std::uint32_t>(words_for(h.joints));
+    view.moved_shapes.word_count = static_cast<std::uint32_t>(words_for(h.shapes));
+    return view;
+}
+
+}  // namespace
+
+Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out) {
+    ImageHeader h;
+    const Error error = read_header(image, h);
+    if (error != Error::none) return error;
+    const auto at_least_one = [](std::uint32_t n) { return n > 0 ? n : 1u; };
+    out.bytes = h.head.length;
+    out.capacity = h.capacity;
+    const std::uint32_t ends = h.ended + h.ended_overlaps;
+    const std::uint32_t shapes = at_least_one(h.shapes > (h.tree_nodes + 1) / 2 ? h.shapes : (h.tree_nodes + 1) / 2);
+    out.used = {at_least_one(h.bodies), shapes, at_least_one(h.contacts > ends ? h.contacts : ends), h.joints, h.geometries, 0};
+    return Error::none;
+}
+
+std::size_t World::snapshot_bytes() const { return static_cast<std::size_t>(header_of(core()).head.length); }
+
+std::size_t World::save(std::span<std::byte> out) const {
+    const Core& c = core();
+    ImageHeader h = header_of(c);
+    if (!may_change(c) || !check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
+    Writer writer(out.data());
+    writer.write(reinterpret_cast<const std::byte*>(&h) + sizeof h.head, sizeof h - sizeof h.head);
+    for_each_part(c, h, [&](const auto* from, std::uint64_t bytes) {
+        writer.write(waiting(c, from), bytes);
+    });
+    h.head.checksum = writer.checksum();
+    std::memcpy(out.data(), &h.head, sizeof h.head);
+    return static_cast<std::size_t>(h.head.length);
+}
+
+bool World::restore(std::span<const std::byte> image) {
+    Core& c = core();
+    ImageHeader h;
+    const Error error = read_header(image, h);
+    if (!may_change(c) || !check(c, error == Error::none, error) || !check(c, fits(c.capacity, h), Error::image_too_large)) return false;
+    if (!check(c, h.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
+    if (!check(c, can_tell(image.data()), Error::feature_cut)) return false;
+    take_over(c, h, image.data());
+    if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
+    return true;
+}
+
+bool World::load(std::span<const std::byte> image) {
+    Core& c = core();
+    ImageHeader h;
+    const Error error = read_header(image, h);
+    if (!may_change(c) || !check(c, error == Error::none, error)) return false;
+    if (!check(c, reinterpret_cast<std::uintptr_t>(image.data()) % snapshot_alignment == 0, Error::image_misaligned)) return false;
+    if (!check(c, image_checksum(image) == h.head.checksum, Error::corrupt_image)) return false;
+    if (!check(c, fits(c.capacity, h), Error::image_too_large)) return false;
+    const Core view = view_of(c, h, image.data());
+    if (!check(c, counts_agree(h, *view.state), Error::unsound_image) || !check(c, !needs_what_is_cut(view), Error::feature_cut)) return false;
+    if (!check(c, find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;
+    link_joint_solve();  // an image may bring what the program itself never makes
+    link_joint_changes();
+    link_chains();
+    link_sensors();
+    link_hits();
+    link_one_way();
+    link_hooks();
+    link_disabling();
+    link_bullets();
+    link_ordering();
+    take_over(c, h, image.data());
+    if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
+    return true;
+}
+
+}  // namespace islet

@@ -1,0 +1,320 @@
+// A contact whose bodies hardly moved relative to each other since its manifold was made keeps it (the idea of contact recycling is Box2D 3.2's,
+// which credits persistent manifolds as in PhysX). The test here asks how far the two surfaces have slipped at the contact points themselves.
+//
+// A kept manifold keeps its normal and its lever arms as they were in the world, and only its separations follow the bodies. That is more than an
+// economy: over a few hundredths of a radian it leaves out the geometric stiffness of a loaded contact, which a Gauss-Seidel solver cannot balance
+// in a few sweeps. With the exact geometry in each step a column of 30 boxes buckles within ten seconds (so it does in Box2D 3.2 without recycling).
+#include "../exact.hpp"
+
+#include "../step/contact_update.hpp"
+
+#include "../bodies/sleep.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../collide/manifold.hpp"
+#include "../data/parallel.hpp"
+#include "../graph/colors.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/sensors.hpp"
+#include "../math/boxes.hpp"
+#include "../math/inlining.hpp"
+#include "../math/scalar.hpp"
+#include "../step/continuous.hpp"
+#include "../graph/hooks.hpp"
+#include "../step/inner_edges.hpp"
+#include "../step/one_way.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the bodies may slip before a manifold is made anew
+inline constexpr std::uint32_t update_grain = 4;                // words of 64 contacts that are worth a task
+inline constexpr std::uint32_t clear_grain = 16;                // words of 64 bodies that are worth a task
+inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
+
+// One of the two is not dynamic.
+ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return !(min(a.inv_mass, b.inv_mass) > 0); }
+
+bool comes_fast(const Approach& approach) { return approach.most() > 2.0f * fast_way; }
+
+bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
+    if ((m.flags & (contact_posed | contact_ahead)) != contact_posed) return false;
+    const Rot turn_a = inv_mul(m.rotation_a, a.q);
+    const Rot turn_b = inv_mul(m.rotation_b, b.q);
+    if (min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn) return false;
+    const std::uint32_t count = m.count();
+    if (count == 0) {
+        // Nothing touches yet: bound the relative motion of any two points, and stay well within the speculative margin.
+        const Vec2 shift = b.center - a.center - m.offset;
+        const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
+        return reach > 0 && length_squared(shift) < reach * reach;
+    }
+    // Besides the points of the manifold others may come near as one body turns against the other, by at most the smaller one's size times the turn.
+    // They were apart by more than the speculative distance.
+    const float turn = abs(turn_b.s * turn_a.c - turn_b.c * turn_a.s);
+    const float reach = recycle_distance - 2.0f * min(a.max_extent, b.max_extent) * turn;
+    if (reach <= 0) return false;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (length_squared(slip_of(m, i, a, b)) > reach * reach) return false;
+    return true;
+}
+
+// The narrow phase function for the two types; A has the higher rank (see contacts.cpp).
+Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin) {
+    const auto type_b = b.shape_type();
+    const auto against = [&](const auto& shape_a) {
+        switch (type_b) {
+            case ShapeType::circle: return collide(shape_a, b.circle, b_in_a, margin);
+            case ShapeType::capsule: return collide(shape_a, b.capsule, b_in_a, margin);
+            case ShapeType::polygon: return collide(shape_a, b.polygon, b_in_a, margin);
+            default: return Manifold{};
+        }
+    };
+    switch (a.shape_type()) {
+        case ShapeType::circle: return collide(a.circle, b.circle, b_in_a, margin);
+        case ShapeType::capsule: return against(a.capsule);
+        case ShapeType::segment: return against(Capsule{a.segment.point1, a.segment.point2, 0});
+        case ShapeType::polygon: return against(a.polygon);
+        case ShapeType::chain_segment: return against(a.chain);
+    }
+    return {};
+}
+
+// The distance of the points that are nearest.
+float least_separation(const Manifold& m) {
+    return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
+}
+
+// The manifold of two shapes as they stand; points farther apart than `margin` are left out.
+Manifold manifold_at(const Core& core, const Contact& c, const ContactManifold& m, const Stand& stand, float margin, Transform& b_in_a) {
+    b_in_a = pose_between(core, m.body_a, m.body_b, stand);
+    return dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a, margin);
+}
+
+// What two shapes will touch with in this step. Where they are about to meet the manifold is made as they will stand then: from there to where they are
+// now is but a slip. (A plane through what is nearest now would throw back what is about to pass.) Behind the point that meets first another comes
+// down up to twice as fast, as the body turns about it.
+Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifold& m, const Approach& approach, float dt, Stand& stand, float& margin,
+                        Transform& b_in_a) {
+    const float most = min(approach.most(), max_speed_limit);  // m: a step takes a second at most, and no body is faster, whatever it was set to
+    margin = speculative_distance + 2.0f * most;
+    const Manifold now = manifold_at(core, c, m, stand, margin, b_in_a);
+    // From where a body is now a link of a chain may leave it to the next one, and yet be what it comes to.
+    const bool is_link = core.geometries[core.shapes[c.shape_a].geometry].shape_type() == ShapeType::chain_segment;
+    if (now.count == 0 && !is_link) return now;
+    if (now.count != 0) {
+        const float apart = least_separation(now);
+        if (apart <= speculative_distance) return now;
+        if (!is_link && apart + dot(rotate(stand.a, now.normal), approach.way) > approach.turn) return {};
+    }
+    const bool held = !has_floor(core.poses[m.body_a], core.poses[m.body_b]);
+    const Sweep a = sweep_ahead(core, m.body_a, dt, held), b = sweep_ahead(core, m.body_b, dt, held);
+    const float t = time_to_touch(core, c.shape_a, a, c.shape_b, b);
+    if (!(t > 0 && t < 1)) return {};
+    stand = {center_at(b, t) - center_at(a, t), rotation_at(a, t), rotation_at(b, t)};
+    margin = speculative_distance + 2.0f * (1.0f - t) * most;
+    return manifold_at(core, c, m, stand, margin, b_in_a);
+}
+
+// A new manifold that keeps the impulses of points whose features it shares with the old one.
+ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approach, float dt) {
+    const Contact& c = core.contacts[index];
+    ContactManifold& m = core.manifolds[index];
+    Stand stand = stand_now(core, m.body_a, m.body_b);
+    const Vec2 center_a = core.bodies[m.body_a].local_center;
+    Transform b_in_a;
+    float margin = speculative_distance;
+    Manifold fresh = has_continuous && comes_fast(approach) ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a)
+                                                            : manifold_at(core, c, m, stand, margin, b_in_a);
+    if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) mend_inner_edges(core, c, b_in_a, margin, fresh);
+
+    const ContactManifold old = m;
+    m.normal = rotate(stand.a, fresh.normal);
+    const bool lands = fresh.count > 0 && approach.turn - dot(m.normal, approach.way) > 2.0f * speculative_distance;
+    m.offset = stand.offset;
+    m.rotation_a = stand.a;
+    m.rotation_b = stand.b;
+    m.ids = 0;
+    if (fresh.count == 0) m.rolling_impulse = 0;
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        m.anchors[i] = {0, 0};
+        m.separation[i] = m.normal_impulse[i] = m.tangent_impulse[i] = 0;
+        if (i >= fresh.count) continue;
+        const ManifoldPoint& point = fresh.points[i];
+        m.anchors[i] = rotate(stand.a, point.point - center_a);
+        m.separation[i] = point.separation;
+        m.ids |= static_cast<std::uint32_t>(point.id) << (16 * i);
+        const std::uint32_t known = (old.flags & contact_ahead) == 0 ? old.count() : 0;  // a blow is nothing to start from
+        for (std::uint32_t j = 0; j < known; ++j) {
+            if ((old.ids >> (16 * j) & 0xffffu) != point.id) continue;
+            m.normal_impulse[i] = old.normal_impulse[j];
+            m.tangent_impulse[i] = old.tangent_impulse[j];
+        }
+    }
+    m.flags = (m.flags & ~(3u << contact_count_shift | contact_ahead)) | fresh.count << contact_count_shift | contact_posed |
+              (lands ? std::uint32_t{contact_ahead} : 0u);
+}
+
+// A body that has sunk into a floor by a quarter of its half-thickness: its way is looked at, as a fast one's is, though it may creep.
+ISLET_SHARED bool is_deep(const Core& core, const ContactManifold& m) {
+    constexpr float share = 0.25f;
+    if (!(min(m.separation[0], m.separation[1]) < -2.0f * linear_slop) || !has_floor(core.poses[m.body_a], core.poses[m.body_b])) return false;
+    const std::uint32_t body = core.is_dynamic(m.body_a) ? m.body_a : m.body_b;
+    return min(m.separation[0], m.separation[1]) < -share * core.bodies[body].min_extent;
+}
+
+enum class Change : std::uint8_t { none, changes, parts };
+
+// Works on one contact alone, so contacts may be updated in any order or in parallel; what changes shared state is only reported.
+Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32_t& recycled) {
+    ContactManifold& m = core.manifolds[index];
+    const Pose& a = core.poses[m.body_a];
+    const Pose& b = core.poses[m.body_b];
+    if (((a.flags | b.flags) & pose_moved) != 0) {
+        const Contact& c = core.contacts[index];
+        if (!meet(core.boxes[c.shape_a], core.boxes[c.shape_b]) && !may_meet(core, c.shape_a, c.shape_b, dt)) return Change::parts;
+    }
+    if (has_sensors && (m.flags & contact_sensor) != 0)
+        return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
+    const bool one_way = has_one_way && (m.flags & contact_one_way) != 0;
+    if (one_way && !decide_one_way(core, index, m.flags, dt)) {
+        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead);
+        m.forget_impulses();
+        return (m.flags & contact_touching) != 0 ? Change::changes : Change::none;
+    }
+    // What touches already, and has slipped by little, does not come together fast.
+    // Bodies that bounce off each other, or are taken for lighter (shock), do not look ahead for each other: more energy came of it than went in.
+    const bool calm = (m.flags & contact_bouncy) == 0 && !has_shock(core.state->solver);
+    const bool fast = ((a.flags | b.flags) & pose_fast) != 0 && (calm || has_floor(a, b));
+    Approach approach;
+    if (fast && m.count() == 0) approach = approach_of(a, b, core.motions[m.body_a], core.motions[m.body_b], dt, fall);
+    if (!comes_fast(approach) && can_recycle(m, a, b)) {
+        ++recycled;
+    } else {
+        if (fast && m.count() != 0) approach = approach_of(a, b, core.motions[m.body_a], core.motions[m.body_b], dt, 0);
+        remake(core, index, approach, dt);
+        if (one_way) mend_one_way(core, index);
+    }
+    const bool is = m.count() > 0;
+    if (has_continuous && ((m.flags & contact_untold) != 0 || is_deep(core, m))) return Change::changes;
+    if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // maybe: what the hook will say is not known yet
+    return is == ((m.flags & contact_touching) != 0) ? Change::none : Change::changes;
+}
+
+// How far apart the two shapes are now, where the contact has its points.
+float separation_now(const Core& core, const ContactManifold& m) {
+    float least = 3.0e38f;
+    for (std::uint32_t i = 0; i < m.count(); ++i)
+        least = min(least, m.separation[i] + dot(m.normal, slip_of(m, i, core.poses[m.body_a], core.poses[m.body_b])));
+    return least;
+}
+
+void tell_touch(Core& core, std::uint32_t index) {
+    const Contact& c = core.contacts[index];
+    core.manifolds[index].flags &= ~static_cast<std::uint32_t>(contact_untold);
+    push_touch(core, core.begin_events, core.begin_count, core.sensor_begins, {core.shape_id(c.shape_a), core.shape_id(c.shape_b)});
+}
+
+void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
+    ContactManifold& m = core.manifolds[index];
+    m.flags |= contact_touching;
+    assign_color(core, index);
+    if ((m.flags & contact_ahead) != 0 && separation_now(core, m) > speculative_distance) {
+        m.flags |= contact_untold;
+        ++core.untold;
+    } else {
+        tell_touch(core, index);
+    }
+    if (core.is_dynamic(m.body_a) && !core.is_awake(m.body_a)) to_wake.set(m.body_a);
+    if (core.is_dynamic(m.body_b) && !core.is_awake(m.body_b)) to_wake.set(m.body_b);
+}
+
+void end_touch(Core& core, std::uint32_t index) {
+    ContactManifold& m = core.manifolds[index];
+    if (is_told(m)) record_end_event(core, index);
+    m.flags &= ~static_cast<std::uint32_t>(contact_touching | contact_untold);
+    release_color(core, index);
+}
+
+// What a contact has become changes shared state.
+void commit(Core& core, std::uint32_t index, BitSet to_wake) {
+    const ContactManifold& m = core.manifolds[index];
+    if (has_sensors && (m.flags & contact_sensor) != 0) return (m.flags & contact_overlap) != 0 ? end_overlap(core, index) : begin_overlap(core, index);
+    if (has_continuous && is_deep(core, m)) {
+        const std::uint32_t body = core.is_dynamic(m.body_a) ? m.body_a : m.body_b;
+        if (core.is_awake(body)) core.poses[body].flags |= pose_deep;
+    }
+    // What the hook made of it holds for one step, even if there is no hook any more.
+    if (has_hooks && (m.flags & contact_asks) != 0 && m.count() > 0) {
+        mix_materials(core, index);
+        if (core.hooks.pre_solve != nullptr) ask_pre_solve(core, index);
+    }
+    const bool was = (m.flags & contact_touching) != 0;
+    if (was && (m.flags & contact_untold) != 0) ++core.untold;
+    if (was == (m.count() > 0)) return;
+    if (was) {
+        end_touch(core, index);
+    } else {
+        begin_touch(core, index, to_wake);
+    }
+}
+
+}  // namespace
+
+void tell_touches(Core& core) {
+    if (core.untold == 0) return;
+    core.untold = 0;
+    const BitSet awake = core.awake_contacts;
+    awake.for_each([&](std::uint32_t i) {
+        const ContactManifold& m = core.manifolds[i];
+        if ((m.flags & contact_untold) == 0) return;
+        if (max(m.normal_impulse[0], m.normal_impulse[1]) > 0 || separation_now(core, m) <= speculative_distance) tell_touch(core, i);
+    });
+}
+
+void update_contacts(Core& core, float dt) {
+    Arena arena = core.arena();
+    const auto take_bits = [&](std::uint32_t bits) {
+        const auto words = static_cast<std::uint32_t>(words_for(bits));
+        BitSet set{arena.take<std::uint64_t>(words), words};
+        set.clear_all();
+        return set;
+    };
+    const BitSet changed = take_bits(core.capacity.contacts);
+    const BitSet parted = take_bits(core.capacity.contacts);
+    const BitSet to_wake = take_bits(core.capacity.bodies);
+
+    // Word by word of the set of awake contacts, each range with its own count.
+    const float fall = fall_in(core, dt);
+    const std::uint32_t words = core.awake_contacts.word_count;
+    std::uint32_t* recycled = arena.take<std::uint32_t>(range_count(words, update_grain));
+    core.report.recycled_contacts = 0;
+    std::memset(recycled, 0, std::size_t{range_count(words, update_grain)} * 4);
+    for_ranges(core, words, update_grain, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t kept = 0;
+        core.awake_contacts.for_each_in(first, end, [&](std::uint32_t i) {
+            const Change change = update(core, i, dt, fall, kept);
+            if (change == Change::none) return;
+            changed.set(i);
+            if (change == Change::parts) parted.set(i);
+        });
+        recycled[first / update_grain] = kept;
+    });
+    for (std::uint32_t i = 0; i < range_count(words, update_grain); ++i) core.report.recycled_contacts += recycled[i];
+
+    // What changes shared state, in index order.
+    changed.for_each([&](std::uint32_t i) {
+        if (parted.test(i)) {
+            destroy_contact(core, i);
+        } else {
+            commit(core, i, to_wake);
+        }
+    });
+    for_ranges(core, core.awake_bodies.word_count, clear_grain, [&](std::uint32_t first, std::uint32_t end) {
+        core.awake_bodies.for_each_in(first, end,
+                                      [&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
+    });
+    to_wake.for_each([&](std::uint32_t body) { wake_island(core, body, arena); });
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,13 @@
+// The narrow phase over all awake contacts: manifolds, begin and end touch.
+#pragma once
+
+#include "../data/core.hpp"
+
+namespace islet::detail {
+
+void update_contacts(Core& core, float dt);
+
+/// After the solve: of contacts made ahead of their time, tells of those that began to touch.
+void tell_touches(Core& core);
+
+}  // namespace islet::detail

@@ -1,0 +1,173 @@
+// What decides is a shape's core, half as thick as the shape: only if that would meet another shape is the body stopped, and then where the surfaces
+// meet. So a body that lies or slides on something, sunk in by a little, or that grazes a corner, is left to its contacts, which see it in the next
+// step; and what does pass a surface passes it by less than half its thickness, and is pushed back the way it came.
+//
+// The body keeps its velocity, and loses what is left of the step. (That a body may be stopped where it hits and go on in the next step, without a
+// solve of its own, is Box2D 3's way too.)
+#include "../exact.hpp"
+
+#include "../step/continuous.hpp"
+
+#include "../bodies/bounds.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../broadphase/tree.hpp"
+#include "../collide/clear_way.hpp"
+#include "../collide/time_of_impact.hpp"
+#include "../data/features.hpp"
+#include "../graph/contacts.hpp"
+#include "../math/boxes.hpp"
+#include "../math/scalar.hpp"
+#include "../graph/hooks.hpp"
+#include "../solver/free_motion.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+inline constexpr float most_tolerance = 0.25f * linear_slop;  // m
+inline constexpr float least_gap = 0.05f * linear_slop;  // m that the middle of a shape keeps from what it must not pass
+
+// Smallest distance of the polygon's faces from its middle.
+float inner_radius(const Polygon& p) {
+    float radius = dot(p.normals[0], p.vertices[0] - p.centroid);
+    for (std::uint32_t i = 1; i < p.count; ++i) radius = min(radius, dot(p.normals[i], p.vertices[i] - p.centroid));
+    return radius;
+}
+
+// Corner i with both its faces moved in by `inset`; where another face is short, and so in the way, half-way to the middle.
+Vec2 inset_corner(const Polygon& p, std::uint32_t i, float inset) {
+    const Vec2 n1 = p.normals[(i == 0 ? p.count : i) - 1], n2 = p.normals[i];
+    const Vec2 corner = p.vertices[i] - inset / (1.0f + dot(n1, n2)) * (n1 + n2);
+    for (std::uint32_t k = 0; k < p.count; ++k)
+        if (!(dot(p.normals[k], p.vertices[k] - corner) >= 0.5f * inset)) return lerp(p.vertices[i], p.centroid, 0.5f);
+    return corner;
+}
+
+float half_thickness(const Geometry& g) {
+    return corners_of(g).radius + (g.shape_type() == ShapeType::polygon ? inner_radius(g.polygon) : 0);
+}
+
+enum class Part { whole, core, middle };
+
+/// What of a shape is swept: all of it, its core, or its middle, a point or a line.
+SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part part) {
+    const Geometry& g = core.geometries[core.shapes[shape].geometry];
+    const Vec2 center = core.bodies[core.shapes[shape].body].local_center;
+    const Corners corners = corners_of(g);
+    const bool inset = part != Part::whole && g.shape_type() == ShapeType::polygon;
+    const float by = inset ? 0.5f * inner_radius(g.polygon) : 0;
+    SweptCore s;
+    s.sweep = sweep;
+    s.core.count = inset && part == Part::middle ? 1 : corners.count;
+    s.core.radius = part == Part::whole ? corners.radius : part == Part::core ? 0.5f * corners.radius : 0;
+    for (std::uint32_t i = 0; i < s.core.count; ++i) {
+        const Vec2 point = !inset ? corners.points[i] : part == Part::core ? inset_corner(g.polygon, i, by) : g.polygon.centroid;
+        s.core.points[i] = point - center;
+        s.reach = max(s.reach, length(s.core.points[i]));
+    }
+    return s;
+}
+
+// A chain is met from its front alone.
+bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep, std::uint32_t other) {
+    const Geometry& g = core.geometries[core.shapes[other].geometry];
+    if (g.shape_type() != ShapeType::chain_segment) return false;
+    const std::uint32_t body = core.shapes[other].body;
+    const Vec2 middle = middle_of(core.geometries[core.shapes[shape].geometry]) - core.bodies[core.shapes[shape].body].local_center;
+    const Vec2 from = inv_transform_point(body_transform(core, body), sweep.center + rotate(sweep.q, middle));
+    const Segment& s = g.chain.segment;
+    return dot(right_perp(s.point2 - s.point1), from - s.point1) < 0;
+}
+
+// Whether the contact of two shapes, one of them one-way or asking the pre_solve hook, holds in this step. The contact of a fast body was made ahead, and the
+// hook, which may not be called from here, was asked about it. Without a contact the shapes pass each other.
+bool is_held(const Core& core, std::uint32_t shape, std::uint32_t other, bool asks) {
+    bool held = false;
+    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t) {
+        const Contact& c = core.contacts[contact];
+        if (c.shape_a + c.shape_b != shape + other || (c.shape_a != shape && c.shape_b != shape)) return;
+        const ContactManifold& m = core.manifolds[contact];
+        held = (m.flags & contact_passes) == 0 && (!asks || m.count() > 0);
+    });
+    return held;
+}
+
+bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
+    const std::uint32_t flags = core.shapes[shape].flags | core.shapes[other].flags;
+    if ((flags & shape_sensor) != 0) return false;
+    if ((flags & (shape_pre_solve | shape_one_way_bits)) != 0 && !is_held(core, shape, other, (flags & shape_pre_solve) != 0)) return false;
+    return may_collide(core, shape, other) && (!has_hooks || core.hooks.filter == nullptr || stops_by_hook(core, shape, other));
+}
+
+}  // namespace
+
+Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_held) {
+    const Motion& motion = core.motions[body];
+    const Vec2 gain = dt * pull_on(core, body);
+    const bool held = may_be_held && length_squared(motion.v) < length_squared(gain);
+    Vec2 v = held ? motion.v : motion.v + gain;
+    if (const float most = core.state->max_speed; !(dot(v, v) <= most * most)) v = limit_speed(v, most);
+    return {core.poses[body].center, core.poses[body].q, dt * v, within_bounds(dt * motion.w, 0.5f * pi)};
+}
+
+float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {
+    constexpr float gap = 0.25f * linear_slop;
+    return time_of_impact(swept(core, shape_a, a, Part::whole), swept(core, shape_b, b, Part::whole), gap, 1);
+}
+
+Sweep sweep_of(const Core& core, std::uint32_t body, const SolverBody& way) {
+    const Pose& pose = core.poses[body];
+    return {pose.center - way.dp, pose.q * inverse(integrate({1, 0}, way.dq)), way.dp, way.dq};
+}
+
+Sweep at_rest(const Core& core, std::uint32_t body) { return {core.poses[body].center, core.poses[body].q, {0, 0}, 0}; }
+
+float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::uint32_t other, const Sweep& other_way, float end) {
+    if (!is_solid(core, shape, other) || comes_from_behind(core, shape, way, other)) return no_impact;
+    const float tolerance = clamp(0.25f * half_thickness(core.geometries[core.shapes[shape].geometry]), 0.1f * linear_slop, most_tolerance);
+    const SweptCore obstacle = swept(core, other, other_way, Part::whole);
+    float passing = time_of_impact(swept(core, shape, way, Part::core), obstacle, 0.5f * tolerance, end);
+    // Where it has been squeezed in so deep already, its middle must at least stay on this side.
+    if (passing <= 0) passing = time_of_impact(swept(core, shape, way, Part::middle), obstacle, least_gap, end);
+    if (passing < 0 || passing == no_impact) return no_impact;
+    const float touching = time_of_impact(swept(core, shape, way, Part::whole), obstacle, tolerance, passing);
+    return touching > 0 && touching < passing ? touching : passing;
+}
+
+Aabb box_of_way(Vec2 start, Vec2 way, float reach) {
+    return expand(box_around(start, start + way), reach);
+}
+
+void place_at_end(Core& core, std::uint32_t body, const Sweep& way, SolverBody& out) {
+    core.poses[body].center = way.center + way.way;
+    core.poses[body].q = integrate(way.q, way.turn);
+    out.dp = way.way;
+    out.dq = way.turn;
+}
+
+void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
+    if (!core.is_dynamic(body)) return;
+    TreeWalk walk(Tree{&core.state->tree, core.tree}, box_of_way(core.poses[body].center - way.dp, way.dp, core.poses[body].max_extent));
+    std::uint32_t other = walk.next();
+    if (other == null_index) return;  // so it is for most that fall or fly
+    Sweep sweep = sweep_of(core, body, way);
+    ClearWay clear_way;
+    if (!is_lean) clear_way = clear_way_of(sweep, core.poses[body].max_extent, core.bodies[body].min_extent, 0.5f * most_tolerance);
+    float end = 1;
+    do {
+        const std::uint32_t wall = core.shapes[other].body;
+        if (core.bodies[wall].type() != BodyType::static_body) continue;
+        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+            if (!is_lean && keeps_clear(clear_way, core.geometries[core.shapes[s].geometry], core.bodies[body].local_center,
+                                        core.geometries[core.shapes[other].geometry], body_transform(core, wall)))
+                continue;
+            end = min(end, stop_time(core, s, sweep, other, at_rest(core, wall), end));
+        }
+    } while ((other = walk.next()) != null_index);
+    if (end >= 1) return;
+    sweep.way = end * sweep.way;
+    sweep.turn = end * sweep.turn;
+    place_at_end(core, body, sweep, way);
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,197 @@
+// What slides over a floor of boxes laid side by side sinks into it by a little, and so meets the side of the next box, or comes near its corner, from
+// where it is. Each pair alone is right to push back; but no body can come to that side, because the box before covers it.
+//
+//        D: sunk in by s                normal n of D with S: the side's, or the corner's on the way to it
+//     +------+                          The line just in front of that side, as far as D reaches along it, is inside T: the side is covered. A normal
+//     |   T  |  S                       that leans towards it is right only as far as T's own surface leans there: not at all if T is flush, more
+//     +------|+-------+ ...             where T falls away (a ridge). If S rises above T, part of the side is bare: it is a wall, and stops D.
+//
+// A contact along a covered side is made anew: along that uncovered face of S in which D is least deep. If D is clear of that face there is no contact, since
+// the neighbour alone holds D.
+//
+// (Bullet, Jolt and bepuphysics2 mend the inner edges of triangle meshes in like ways; here there is no mesh, the neighbours are whatever the body touches.)
+#include "../exact.hpp"
+
+#include "../step/inner_edges.hpp"
+
+#include "../bodies/bounds.hpp"
+#include "../collide/corners.hpp"
+#include "../collide/outline.hpp"
+#include "../graph/contacts.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+inline constexpr float least_lean = 1.0e-4f;           // a normal that leans less does not lean
+inline constexpr float gap_width = 0.2f * linear_slop; // m: a neighbour that covers a side holds what is this far in front of it
+
+// Signed distance of a point from the plane of a face of the core, body frame.
+float height_over(const Polygon& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
+
+// How far the neighbour's own surface near `point` leans towards `side`, as a cosine; 0 if it has none there.
+float lean_of(const Polygon& neighbor, Vec2 point, Vec2 side) {
+    float lean = 0;
+    for (std::uint32_t i = 0; i < neighbor.count; ++i)
+        if (abs(height_over(neighbor, i, point) - neighbor.radius) <= linear_slop) lean = max(lean, dot(neighbor.normals[i], side));
+    return lean;
+}
+
+/// Part of a line, m from its start.
+struct Span {
+    float low, high;
+};
+
+// The part of the line that the polygon holds; empty (low above high) if none.
+Span held_by(const Polygon& p, Vec2 start, Vec2 direction, Span part) {
+    for (std::uint32_t i = 0; i < p.count; ++i) {
+        const float height = height_over(p, i, start) - p.radius;
+        const float slope = dot(p.normals[i], direction);
+        if (abs(slope) < 1.0e-6f) {
+            if (height > 0) return {1, 0};
+        } else if (slope > 0) {
+            part.high = min(part.high, -height / slope);
+        } else {
+            part.low = max(part.low, -height / slope);
+        }
+    }
+    return part;
+}
+
+const Polygon* polygon_of(const Core& core, std::uint32_t shape) {
+    const Geometry& g = core.geometries[core.shapes[shape].geometry];
+    return g.shape_type() == ShapeType::polygon ? &g.polygon : nullptr;
+}
+
+/// A piece of floor and the shape that stands on it. Everything is in the piece's body frame.
+struct Floor {
+    const Core& core;
+    std::uint32_t shape;  // the piece
+    const Polygon& piece;
+    std::uint32_t other;  // the other shape's body
+    Vec2 corners[max_polygon_vertices];  // of the other shape
+    std::uint32_t count;
+    float radius;
+
+    // Calls visit(neighbour, from this body's frame to the neighbour's) for each polygon near the other body that cannot move against the piece.
+    template <class Visit>
+    void for_each_neighbor(Visit&& visit) const {
+        const std::uint32_t body = core.shapes[shape].body;
+        const Transform at = body_transform(core, body);
+        for_each_contact(core, other, [&](std::uint32_t contact, std::uint32_t end) {
+            const Contact& link = core.contacts[contact];
+            const std::uint32_t neighbor = end == 0 ? link.shape_b : link.shape_a;
+            const std::uint32_t its_body = core.shapes[neighbor].body;
+            const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
+            const std::uint32_t flags = core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags;
+            const Polygon* its = polygon_of(core, neighbor);
+            if (neighbor == shape || !fixed || its == nullptr || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
+            visit(*its, inv_mul(body_transform(core, its_body), at));
+        });
+    }
+
+    // True if neighbours cover the face as far as the other shape reaches along it, and their own surface at `point` leans less than `normal`.
+    bool is_covered(std::uint32_t face, Vec2 point, Vec2 normal) const {
+        const Vec2 side = piece.normals[face], along = left_perp(side);
+        const Vec2 start = piece.vertices[face] + (piece.radius + gap_width) * side;
+        const float length = dot(piece.vertices[next(face, piece.count)] - piece.vertices[face], along);
+        const float inset = min(linear_slop, 0.5f * length);
+        Span reach = {dot(corners[0] - start, along), 0};
+        reach.high = reach.low;
+        for (std::uint32_t i = 1; i < count; ++i) {
+            const float place = dot(corners[i] - start, along);
+            reach = {min(reach.low, place), max(reach.high, place)};
+        }
+        const float end = clamp(reach.high + radius, inset, length - inset);
+        float covered = clamp(reach.low - radius, inset, length - inset);
+        float lean = 0;
+        // Each pass goes on where the last one ended. Four passes are enough: a side behind more pieces in a row is no part of a floor.
+        bool found = true;
+        for (std::uint32_t pass = 0; pass < 4 && found; ++pass) {
+            found = false;
+            for_each_neighbor([&](const Polygon& its, const Transform& to_its) {
+                const Span held = held_by(its, transform_point(to_its, start), rotate(to_its.q, along), {covered, end});
+                if (held.low > covered + gap_width || held.high < held.low || (pass != 0 && held.high <= covered)) return;
+                covered = max(covered, held.high);
+                lean = max(lean, lean_of(its, transform_point(to_its, point), rotate(to_its.q, side)));
+                found = true;
+            });
+            if (found && covered >= end - gap_width) return dot(normal, side) > lean + least_lean;
+        }
+        return false;
+    }
+
+    // True if a point of contact is on a face that is covered.
+    bool is_inner(Vec2 point, Vec2 normal) const {
+        for (std::uint32_t i = 0; i < piece.count; ++i) {
+            const bool leans = dot(piece.normals[i], normal) > least_lean;
+            if (leans && height_over(piece, i, point) - piece.radius > -linear_slop && is_covered(i, point, normal)) return true;
+        }
+        return false;
+    }
+
+    // The manifold along that uncovered face in which the other shape is least deep, with the piece as A.
+    Manifold along_bare_face(float margin) const {
+        std::uint32_t best = null_index, deepest = 0;
+        float gap = 0;
+        for (std::uint32_t i = 0; i < piece.count; ++i) {
+            std::uint32_t lowest = 0;
+            float sum = 0;
+            for (std::uint32_t k = 0; k < count; ++k) {
+                sum += height_over(piece, i, corners[k]);
+                if (height_over(piece, i, corners[k]) < height_over(piece, i, corners[lowest])) lowest = k;
+            }
+            const float height = height_over(piece, i, corners[lowest]);
+            if (sum < 0 || (best != null_index && height <= gap) || is_covered(i, corners[lowest] - (height - piece.radius) * piece.normals[i], piece.normals[i])) continue;
+            best = i;
+            deepest = lowest;
+            gap = height;
+        }
+        if (best == null_index || gap > margin + piece.radius + radius) return {};
+        const Face bare = {piece.vertices[best], piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best, next(best, piece.count)};
+        // The incident face: of the two faces at the deepest corner the one that rises less from the piece's face and runs the other way.
+        const std::uint32_t after = next(deepest, count), before = (deepest == 0 ? count : deepest) - 1;
+        const auto rise = [&](std::uint32_t i) { return height_over(piece, best, corners[i]) - gap; };
+        const Vec2 along = left_perp(bare.normal);
+        const float run_after = dot(corners[deepest] - corners[after], along), run_before = dot(corners[before] - corners[deepest], along);
+        const bool forward = run_after > 0 && !(rise(before) * run_after < rise(after) * run_before);
+        const std::uint32_t i1 = forward ? deepest : before, i2 = forward ? after : deepest;
+        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, radius, i1, i2}, false, {0, 0}, margin);
+        if (count == 1 && m.count == 2) m.count = 1;
+        return m;
+    }
+};
+
+}  // namespace
+
+void mend_inner_edges(const Core& core, const Contact& contact, const Transform& b_in_a, float margin, Manifold& manifold) {
+    for (const bool piece_is_a : {true, false}) {
+        const std::uint32_t shape = piece_is_a ? contact.shape_a : contact.shape_b;
+        const std::uint32_t other_shape = piece_is_a ? contact.shape_b : contact.shape_a;
+        const std::uint32_t body = core.shapes[shape].body;
+        const std::uint32_t other = core.shapes[other_shape].body;
+        const Polygon* piece = polygon_of(core, shape);
+        if (core.is_dynamic(body) || piece == nullptr || core.bodies[other].contact_count < 2) continue;
+        const Corners its = corners_of(core.geometries[core.shapes[other_shape].geometry]);
+        Floor floor{core, shape, *piece, other, {}, its.count, its.radius};
+        for (std::uint32_t i = 0; i < its.count; ++i)
+            floor.corners[i] = piece_is_a ? transform_point(b_in_a, its.points[i]) : inv_transform_point(b_in_a, its.points[i]);
+        const Vec2 normal = piece_is_a ? manifold.normal : -inv_rotate(b_in_a.q, manifold.normal);
+        bool inner = true;
+        for (std::uint32_t i = 0; i < manifold.count && inner; ++i) {
+            const Vec2 middle = piece_is_a ? manifold.points[i].point : inv_transform_point(b_in_a, manifold.points[i].point);
+            inner = floor.is_inner(middle - 0.5f * manifold.points[i].separation * normal, normal);
+        }
+        if (!inner) continue;
+        manifold = floor.along_bare_face(margin);
+        if (piece_is_a) continue;
+        manifold.normal = -rotate(b_in_a.q, manifold.normal);
+        for (ManifoldPoint& p : manifold.points) {
+            p.point = transform_point(b_in_a, p.point);
+            p.id = static_cast<std::uint16_t>(p.id << 8 | p.id >> 8);
+        }
+    }
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,139 @@
+#include "../exact.hpp"
+
+#include "../step/move_and_sleep.hpp"
+
+#include "../bodies/bounds.hpp"
+#include "../bodies/sleep.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../data/parallel.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../math/scalar.hpp"
+#include "../step/continuous.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+inline constexpr std::uint32_t finish_grain = 4;  // words of 64 bodies that are worth a task
+
+// Pose and boxes after the way made. The slack says how far the body may go on before a box could be left, so most bodies need no look at their shapes.
+// Returns whether it took that look; then `changed`, if given, says whose box is another.
+bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* changed) {
+    Pose& pose = core.poses[i];
+    Motion& motion = core.motions[i];
+    Body& body = core.bodies[i];
+    const float moved = length_inline(way.dp) + abs(way.dq) * pose.max_extent;
+    if (has_continuous && (moved > swept_fraction * body.min_extent || (pose.flags & pose_deep) != 0) && core.state->continuous != 0) {
+        const bool alone = !is_lean && (pose.flags & pose_alone) != 0 && moved <= surroundings(pose);
+        if (!alone) stop_at_static(core, i, way);
+    }
+    pose.flags &= ~static_cast<std::uint32_t>(pose_alone | pose_leaves | pose_far | pose_deep);
+    body.origin = pose.center - rotate(pose.q, body.local_center);
+
+    motion.slack -= moved;
+    const bool looks = motion.slack < 0;
+    if (looks) fit_boxes(core, i, false, changed);
+
+    // Sleep watches the way made too, so that bodies that are being pushed apart stay awake.
+    const float speed = max(length_inline(motion.v) + abs(motion.w) * pose.max_extent, 0.5f * moved / dt);
+    const bool resting = speed <= body.sleep_threshold && (body.flags & body_may_sleep) != 0;
+    motion.sleep_time = resting ? motion.sleep_time + dt : 0;
+    return looks;
+}
+
+// `rested`, by slot: s that each body has been at rest.
+void move_bodies(Core& core, const Plan& plan, SolverBody* bodies, float* rested, Arena arena, float dt) {
+    if (!has_workers(core)) {
+        for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
+            const std::uint32_t body = plan.body_of[slot];
+            move_body(core, body, bodies[slot], dt, nullptr);
+            rested[slot] = core.motions[body].sleep_time;
+        }
+        return;
+    }
+    const auto words = static_cast<std::uint32_t>(words_for(plan.slot_count));
+    const BitSet looked{arena.take<std::uint64_t>(words), words};  // by slot
+    bool* changed = arena.take<bool>(core.state->shape_pool.high_water);
+    for_ranges(core, words, finish_grain, [&](std::uint32_t first, std::uint32_t end) {
+        const std::uint32_t end_slot = 64 * end < plan.slot_count ? 64 * end : plan.slot_count;
+        for (std::uint32_t w = first; w < end; ++w) looked.words[w] = 0;
+        for (std::uint32_t slot = first == 0 ? 1 : 64 * first; slot < end_slot; ++slot) {
+            const std::uint32_t body = plan.body_of[slot];
+            if (move_body(core, body, bodies[slot], dt, changed)) looked.set(slot);
+            rested[slot] = core.motions[body].sleep_time;
+        }
+    });
+    looked.for_each([&](std::uint32_t slot) { mark_changed(core, plan.body_of[slot], changed); });
+}
+
+// Who moved is reported in slot order of the pool.
+void report_moved(Core& core, Arena arena) {
+    const BitSet awake = core.awake_bodies;
+    core.moved_count = 0;
+    if (!has_workers(core)) {
+        awake.for_each([&](std::uint32_t body) { core.moved_events[core.moved_count++] = core.body_id(body); });
+        return;
+    }
+    const std::uint32_t ranges = range_count(awake.word_count, finish_grain);
+    std::uint32_t* place = arena.take<std::uint32_t>(ranges);  // of a range's first event
+    for (std::uint32_t i = 0; i < ranges; ++i) {
+        place[i] = core.moved_count;
+        const std::uint32_t end = (i + 1) * finish_grain < awake.word_count ? (i + 1) * finish_grain : awake.word_count;
+        core.moved_count += awake.count_in(i * finish_grain, end);
+    }
+    for_ranges(core, awake.word_count, finish_grain, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t at = place[first / finish_grain];
+        awake.for_each_in(first, end, [&](std::uint32_t body) { core.moved_events[at++] = core.body_id(body); });
+    });
+}
+
+// Returns whether any body fell asleep.
+bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena arena) {
+    // The shortest rest of any of its bodies decides for an island; touching an awake kinematic body, or being joined to one, keeps it awake.
+    float* rest = arena.take<float>(plan.island_count);
+    for (std::uint32_t i = 0; i < plan.island_count; ++i) rest[i] = 3.0e38f;
+    for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
+        const std::uint32_t island = plan.island_of[slot];
+        if (island != null_index) {
+            rest[island] = min(rest[island], rested[slot]);
+            continue;
+        }
+        const std::uint32_t body = plan.body_of[slot];
+        for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
+            const std::uint32_t other = plan.slot_of[other_body(core, contact, side)];
+            if (other != 0 && (core.manifolds[contact].flags & contact_touching) != 0) rest[plan.island_of[other]] = 0;
+        });
+        for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t side) {
+            const std::uint32_t joined = other_joined(core, joint, side);
+            const std::uint32_t other = joined != null_index ? plan.slot_of[joined] : 0;
+            if (other != 0 && plan.island_of[other] != null_index) rest[plan.island_of[other]] = 0;
+        });
+    }
+    bool any = false;
+    for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
+        const std::uint32_t island = plan.island_of[slot];
+        const float time = island != null_index ? rest[island] : rested[slot];
+        if (time < time_to_sleep) continue;
+        put_to_sleep(core, plan.body_of[slot]);
+        any = true;
+    }
+    return any;
+}
+
+}  // namespace
+
+void finish_bodies(Core& core, const Plan& plan, SolverBody* bodies, Arena& arena, float dt) {
+    float* rested = arena.take<float>(plan.slot_count);
+    move_bodies(core, plan, bodies, rested, arena, dt);
+    if (has_continuous && core.state->continuous != 0 && core.state->bullet_count != 0) stop_bullets(core, plan.body_of, plan.slot_count, bodies);
+    report_moved(core, arena);
+    if (!has_sleep || core.state->enable_sleep == 0 || !sleep_islands(core, plan, rested, arena)) return;
+    // Who fell asleep is reported in slot order too.
+    for (std::uint32_t i = 0; i < core.moved_count; ++i) {
+        const BodyId id = core.moved_events[i];
+        if (!core.is_awake(id.index1 - 1)) core.slept_events[core.slept_count++] = id;
+    }
+}
+
+}  // namespace islet::detail

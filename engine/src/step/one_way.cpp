@@ -1,0 +1,119 @@
+#include "../exact.hpp"
+
+#include "../step/one_way.hpp"
+
+#include "../bodies/bounds.hpp"
+#include "../collide/corners.hpp"
+#include "../collide/manifold.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+inline constexpr float out_of_reach = 1.0e12f;  // m
+inline constexpr float least_rise = 0.1f;       // cosine between a normal and `up` from which the normal leads up: what slides past an end is not held there
+
+/// The lowest point of a shape along a direction.
+struct Lowest {
+    float height;  // m
+    std::uint32_t corner;
+};
+
+Lowest lowest_of(const Corners& c, Vec2 direction) {
+    Lowest low = {dot(direction, c.points[0]), 0};
+    for (std::uint32_t i = 1; i < c.count; ++i) {
+        const float height = dot(direction, c.points[i]);
+        if (height < low.height) low = {height, i};
+    }
+    low.height -= c.radius;
+    return low;
+}
+
+/// A one-way shape and the other shape, in the one-way shape's body frame. Only the other's corners are in its own body's frame.
+struct Pair {
+    Vec2 up;
+    Corners corners, other;
+    Transform to_shape;
+
+    Pair(const Core& core, std::uint32_t shape, const Transform& shape_pose, const Corners& its, const Transform& pose)
+        : up(direction_of_flags(core.shapes[shape].flags)),
+          corners(corners_of(core.geometries[core.shapes[shape].geometry])),
+          other(its),
+          to_shape(inv_mul(shape_pose, pose)) {}
+    Pair(const Core& core, std::uint32_t shape, std::uint32_t other_shape)
+        : Pair(core, shape, body_transform(core, core.shapes[shape].body), corners_of(core.geometries[core.shapes[other_shape].geometry]), body_transform(core, core.shapes[other_shape].body)) {}
+
+    Lowest lowest() const { return lowest_of(other, inv_rotate(to_shape.q, up)); }
+    float height() const { return lowest().height + dot(up, to_shape.p) + lowest_of(corners, -up).height; }
+};
+
+// Where a body stood a step ago, if it has moved as it moves now.
+Transform pose_before(const Core& core, std::uint32_t body, float dt) {
+    const Rot q = integrate(core.poses[body].q, -dt * core.motions[body].w);
+    return {core.poses[body].center - dt * core.motions[body].v - rotate(q, core.bodies[body].local_center), q};
+}
+
+float height_before(const Core& core, std::uint32_t shape, std::uint32_t other, float dt) {
+    if ((core.shapes[shape].flags & shape_one_way_bits) == 0) return out_of_reach;
+    const Transform shape_pose = pose_before(core, core.shapes[shape].body, dt);
+    return Pair(core, shape, shape_pose, corners_of(core.geometries[core.shapes[other].geometry]), pose_before(core, core.shapes[other].body, dt)).height();
+}
+
+}  // namespace
+
+float height_above(const Core& core, std::uint32_t shape, std::uint32_t other) {
+    return (core.shapes[shape].flags & shape_one_way_bits) == 0 ? out_of_reach : Pair(core, shape, other).height();
+}
+
+float height_above(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose) {
+    return (core.shapes[shape].flags & shape_one_way_bits) == 0 ? out_of_reach : Pair(core, shape, body_transform(core, core.shapes[shape].body), other, pose).height();
+}
+
+void link_one_way() {}
+
+bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flags, float dt) {
+    const Contact& c = core.contacts[contact];
+    const float height = min(height_above(core, c.shape_a, c.shape_b), height_above(core, c.shape_b, c.shape_a));
+    const bool dropped = (flags & contact_dropped) != 0 && height < linear_slop;
+    bool passes = (flags & contact_passes) != 0 && height < -linear_slop;
+    if ((flags & (contact_passes | contact_posed)) == 0) {
+        // A new contact. Before their boxes met, the other may have gone a step's way into the shape: so it also holds if the other was above a step ago.
+        const float before = min(height_before(core, c.shape_a, c.shape_b, dt), height_before(core, c.shape_b, c.shape_a, dt));
+        passes = max(height, before) < -linear_slop;
+    }
+    flags &= ~static_cast<std::uint32_t>(contact_passes | contact_dropped);
+    flags |= (dropped ? std::uint32_t{contact_dropped} : 0u) | (dropped || passes ? std::uint32_t{contact_passes} : 0u);
+    return !(dropped || passes);
+}
+
+void mend_one_way(Core& core, std::uint32_t contact) {
+    const Contact& c = core.contacts[contact];
+    ContactManifold& m = core.manifolds[contact];
+    for (const bool is_a : {true, false}) {
+        const std::uint32_t shape = is_a ? c.shape_a : c.shape_b, other = is_a ? c.shape_b : c.shape_a;
+        if ((core.shapes[shape].flags & shape_one_way_bits) == 0 || m.count() == 0) continue;
+        const Pair pair(core, shape, other);
+        const Vec2 up = rotate(core.poses[is_a ? m.body_a : m.body_b].q, pair.up);
+        const float rise = is_a ? dot(up, m.normal) : -dot(up, m.normal);
+        if (rise >= least_rise) continue;
+        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead);
+        m.separation[0] = m.separation[1] = 0;
+        if (rise > -least_rise) continue;
+        const Lowest low = pair.lowest();
+        const Transform pose = body_transform(core, core.shapes[other].body);
+        const Vec2 corner = transform_point(pose, pair.other.points[low.corner]) - pair.other.radius * up;
+        m.normal = is_a ? up : -up;
+        m.separation[0] = pair.height();
+        m.anchors[0] = corner - 0.5f * m.separation[0] * up - core.poses[m.body_a].center;
+        m.ids = low.corner;
+        m.offset = core.poses[m.body_b].center - core.poses[m.body_a].center;  // what was ahead stands otherwise
+        m.rotation_a = core.poses[m.body_a].q;
+        m.rotation_b = core.poses[m.body_b].q;
+        m.flags |= 1u << contact_count_shift;
+    }
+    // Not above, and no point of contact: the other has left past an end.
+    if (m.count() == 0 && min(height_above(core, c.shape_a, c.shape_b), height_above(core, c.shape_b, c.shape_a)) < -linear_slop) m.flags |= contact_passes;
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,41 @@
+#include "../exact.hpp"
+
+#include "../step/profile.hpp"
+
+#include "../calls/checks.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace detail {
+
+void note_stage(Core& core, Stage stage) {
+    const std::uint64_t now = core.clock(core.clock_context);
+    StepProfile& p = core.profile;
+    const std::uint64_t passed = now - core.last_tick;
+    core.last_tick = now;
+    p.total += passed;
+    switch (stage) {
+        case Stage::begin: p = {}; break;
+        case Stage::pairs: p.pairs = passed; break;
+        case Stage::collide: p.collide = passed; break;
+        case Stage::islands: p.islands = passed; break;
+        case Stage::solve: p.solve = passed; break;
+        case Stage::finish: p.finish = passed; break;
+    }
+}
+
+}  // namespace detail
+
+const StepProfile& World::profile() const { return core().profile; }
+
+void World::set_clock(Clock clock, void* context) {
+    Core& c = core();
+    if (!may_change(c) || !check(c, has_profile || clock == nullptr, Error::feature_cut)) return;
+    c.clock = clock;
+    c.clock_context = context;
+    c.profile = {};
+}
+
+}  // namespace islet

@@ -1,0 +1,61 @@
+// Taking a body out of the world and putting it back, with its shapes and joints. A disabled body is neither awake nor in the tree of resting shapes, so no
+// stage of a step and no query meets it.
+#include "../exact.hpp"
+
+#include "../bodies/bounds.hpp"
+#include "../bodies/impulses.hpp"
+#include "../bodies/sleep.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../graph/joint_graph.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace {
+
+void disable(Core& core, std::uint32_t i) {
+    wake_island(core, i, core.arena());
+    end_contacts(core, i);
+    unrest_shapes(core, i);
+    core.awake_bodies.clear(i);
+    core.bodies[i].flags |= body_disabled;
+    core.motions[i].force = {0, 0};
+    core.motions[i].torque = 0;
+    core.poses[i].flags = 0;
+}
+
+void enable(Core& core, std::uint32_t i) {
+    core.bodies[i].flags &= ~static_cast<std::uint32_t>(body_disabled);
+    core.motions[i].sleep_time = 0;
+    update_boxes(core, i, true);
+    if (core.bodies[i].type() == BodyType::static_body) {
+        rest_shapes(core, i);
+    } else {
+        core.awake_bodies.set(i);
+    }
+    wake_neighbors(core, i, core.arena());
+}
+
+}  // namespace
+
+bool World::is_enabled(BodyId id) const {
+    const std::uint32_t i = find_body(core(), id);
+    return i != null_index && detail::is_enabled(core(), i);
+}
+
+void World::set_enabled(BodyId id, bool enabled) {
+    Core& c = core();
+    note_call<Call::set_enabled>(c, id, enabled);
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || detail::is_enabled(c, i) == enabled) return;
+    if (enabled) {
+        enable(c, i);
+    } else {
+        disable(c, i);
+    }
+    if (c.state->joint_pool.count != 0) refresh_awake_joints(c);
+}
+
+}  // namespace islet

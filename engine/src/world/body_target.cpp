@@ -1,0 +1,42 @@
+// Leading a kinematic body: the velocities that take it to a place in one step.
+#include "../exact.hpp"
+
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../math/float_mode.hpp"
+#include "../solver/free_motion.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+namespace {
+
+// The turn by which integrate() leads from the identity to q. Its series are a little off, so what it makes of the angle is looked at, twice.
+float turn_to(Rot q, float most) {
+    const float angle = clamp(angle_of(q), -most, most);
+    const Rot goal = make_rot(angle);
+    float turn = angle;
+    for (int i = 0; i < 2; ++i) turn = clamp(turn + angle_of(inv_mul(integrate(Rot{}, turn), goal)), -most, most);
+    return turn;
+}
+
+}  // namespace
+
+void World::set_target(BodyId id, const Transform& target, float dt) {
+    Core& c = core();
+    note_call<Call::set_body_target>(c, id, target, dt);
+    const DefaultFloatMode mode;
+    const std::uint32_t i = find_body(c, id);
+    if (i == null_index || !check_position(c, target.p) || !check(c, all_finite(target.q.c, target.q.s), Error::not_finite)) return;
+    if (!check(c, abs(target.q.c * target.q.c + target.q.s * target.q.s - 1.0f) <= 1.0e-3f, Error::out_of_range)) return;
+    if (!check(c, is_time_step(dt), Error::bad_time_step) || c.bodies[i].type() != BodyType::kinematic) return;
+    const Pose& pose = c.poses[i];
+    const Vec2 way = transform_point(target, c.bodies[i].local_center) - pose.center;
+    const float turn = turn_to(inv_mul(pose.q, normalize(target.q)), max_turn_of(dt) * dt);
+    const float inv_dt = 1.0f / dt;
+    set_linear_velocity(id, limit_speed(inv_dt * way, c.state->max_speed));
+    set_angular_velocity(id, inv_dt * turn);
+}
+
+}  // namespace islet

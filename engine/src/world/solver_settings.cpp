@@ -1,0 +1,26 @@
+// In a file of its own: a lean program that never calls it does not link what only its settings ask for (see link_ordering).
+#include "../exact.hpp"
+
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../solver/ordered_sweep.hpp"
+#include "../solver/solver_def.hpp"
+
+namespace islet {
+
+using namespace detail;
+
+void World::set_solver(const SolverDef& solver) {
+    link_ordering();
+    note_call<Call::set_solver>(core(), solver);
+    Error error = Error::none;
+    if (!may_change(core())) return;
+    if (!check_solver(solver, error)) return core().fail(error);
+    State& state = *core().state;
+    const SolverState before = state.solver;
+    state.solver = pack(solver);
+    if (before.joint_trees != state.solver.joint_trees || before.joint_tree_load != state.solver.joint_tree_load) state.trees_stale = 1;
+    forget_residuals(core());
+}
+
+}  // namespace islet
