@@ -52,8 +52,7 @@ struct PairBuffer {
 };
 
 // Least significant digit radix sort; stable, so equal keys stay in slot order.
-std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint32_t* keys2, std::uint32_t* order2, std::uint32_t n,
-                           std::uint32_t* counts) {
+std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint32_t* keys2, std::uint32_t* order2, std::uint32_t n, std::uint32_t* counts) {
     for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
     for (std::uint32_t shift = 0; shift < 32; shift += sort_digit_bits) {
         std::memset(counts, 0, sort_digits * 4);
@@ -124,8 +123,8 @@ Aabb grow(const Aabb& box, const Way& way, float most) {
 
 /// A shape in motion.
 struct Mover {
-    Aabb box;   // its fat box
-    Way way;    // its body's
+    Aabb box;  // its fat box
+    Way way;   // its body's
     std::uint32_t body;
     std::uint32_t shape;
     bool leaves;  // the way may lead out of the box
@@ -210,11 +209,11 @@ struct Scan {
 
 // Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order.
 template <class Visit>
-[[gnu::always_inline]] inline void scan([[maybe_unused]] const Scan& how, const Columns& c, std::uint32_t first, const Columns& from,
-                                        std::uint32_t i, Visit&& visit) {
+[[gnu::always_inline]] inline void scan([[maybe_unused]] const Scan& how, const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i,
+                                        Visit&& visit) {
 #if ISLET_MAX_LANES >= 4
-    const std::uint32_t count = ISLET_MAX_LANES == 8 && how.lanes == 8 ? scan_columns_8(c, first, from, i, how.found)
-                                                                       : scan_columns<Lane4>(c, first, from, i, how.found);
+    const std::uint32_t count =
+        ISLET_MAX_LANES == 8 && how.lanes == 8 ? scan_columns_8(c, first, from, i, how.found) : scan_columns<Lane4>(c, first, from, i, how.found);
     for (std::uint32_t k = 0; k < count; ++k) visit(how.found[k]);
 #else
     for (std::uint32_t j = first; c.lower[j] <= from.upper[i]; ++j)
@@ -241,7 +240,7 @@ void sweep(PairBuffer& out, const Scan& how, const Moving& m) {
     }
 }
 
-inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are worth a task
+inline constexpr std::uint32_t note_grain = 8;                                        // words of 64 bodies that are worth a task
 inline constexpr float leave_way = 0.5f * speculative_distance + 0.4f * linear_slop;  // m: so far ahead of the shapes the boxes' slack ends, and as fast_way
 inline constexpr float alone_fraction = 0.5f;  // of its smallest half-thickness: for who moves more in a step it pays to know whether it is alone
 

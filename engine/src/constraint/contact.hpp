@@ -13,10 +13,10 @@
 #include <cstddef>
 
 #include "../collide/manifold.hpp"
-#include "../math/lanes.hpp"
-#include "../math/scalar.hpp"
 #include "../constraint/contact_rows.hpp"
 #include "../constraint/lane_vectors.hpp"
+#include "../math/lanes.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 
@@ -97,7 +97,10 @@ void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
             r.two_points |= second[i] != 0;
             r.special |= is_live && (m.flags & contact_special) != 0;
             r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
-            r.ahead[i] = is_live && (m.flags & contact_ahead) != 0 && (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0) ? landing_passes : 0;
+            r.ahead[i] =
+                is_live && (m.flags & contact_ahead) != 0 && (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0)
+                    ? landing_passes
+                    : 0;
         }
 
         F m1[8], m2[8], m3[4];  // normal, offset, rotations | anchors, impulses | rolling impulse, separations, friction

@@ -14,12 +14,12 @@
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
+#include "../graph/hooks.hpp"
 #include "../graph/sensors.hpp"
 #include "../math/boxes.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 #include "../step/continuous.hpp"
-#include "../graph/hooks.hpp"
 #include "../step/inner_edges.hpp"
 #include "../step/one_way.hpp"
 
@@ -28,8 +28,8 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the bodies may slip before a manifold is made anew
-inline constexpr std::uint32_t update_grain = 4;                // words of 64 contacts that are worth a task
-inline constexpr std::uint32_t clear_grain = 16;                // words of 64 bodies that are worth a task
+inline constexpr std::uint32_t update_grain = 4;               // words of 64 contacts that are worth a task
+inline constexpr std::uint32_t clear_grain = 16;               // words of 64 bodies that are worth a task
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
 // One of the two is not dynamic.
@@ -81,9 +81,7 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
 }
 
 // The distance of the points that are nearest.
-float least_separation(const Manifold& m) {
-    return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
-}
+float least_separation(const Manifold& m) { return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation; }
 
 // The manifold of two shapes as they stand; points farther apart than `margin` are left out.
 Manifold manifold_at(const Core& core, const Contact& c, const ContactManifold& m, const Stand& stand, float margin, Transform& b_in_a) {
@@ -311,8 +309,7 @@ void update_contacts(Core& core, float dt) {
         }
     });
     for_ranges(core, core.awake_bodies.word_count, clear_grain, [&](std::uint32_t first, std::uint32_t end) {
-        core.awake_bodies.for_each_in(first, end,
-                                      [&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
+        core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
     });
     to_wake.for_each([&](std::uint32_t body) { wake_island(core, body, arena); });
 }
