@@ -1,76 +1,17 @@
 // What the engine's sources must not contain: they have to work without a heap, exceptions, RTTI, threads and most of the C++ library.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
-#include <vector>
+
+#include "support/engine_sources.hpp"
 
 namespace {
 
-namespace fs = std::filesystem;
-
-fs::path engine_folder() { return fs::path(__FILE__).parent_path() / ".." / ".." / "engine"; }
-
-struct Source {
-    std::string name;
-    std::string text;  // without comments and string literals
-};
-
-// Comments and literals become blanks; lines stay where they are, and so do those that include a header.
-std::string code_only(const std::string& text) {
-    std::string out = text;
-    enum class In { code, include, line, block, string, character } in = In::code;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        const char next = i + 1 < text.size() ? text[i + 1] : '\0';
-        if (in == In::code) {
-            const bool digit_separator = i > 0 && std::isxdigit(static_cast<unsigned char>(text[i - 1])) != 0;
-            if (text.compare(i, 8, "#include") == 0) in = In::include;
-            if (c == '/' && next == '/') in = In::line;
-            if (c == '/' && next == '*') in = In::block;
-            if (c == '"') in = In::string;
-            if (c == '\'' && !digit_separator) in = In::character;
-            if (in == In::line || in == In::block) out[i] = ' ';
-            continue;
-        }
-        if (c == '\n' && (in == In::line || in == In::include)) in = In::code;
-        if (in == In::include || c == '\n') continue;
-        out[i] = ' ';
-        if (in == In::block && c == '/' && text[i - 1] == '*') in = In::code;
-        if ((in == In::string || in == In::character) && c == '\\') {
-            out[++i] = ' ';
-        } else if ((in == In::string && c == '"') || (in == In::character && c == '\'')) {
-            in = In::code;
-        }
-    }
-    return out;
-}
-
-std::vector<Source> read_sources() {
-    std::vector<Source> sources;
-    for (const char* folder : {"include", "src"}) {
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(engine_folder() / folder)) {
-            if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
-            std::ifstream file(entry.path());
-            std::stringstream text;
-            text << file.rdbuf();
-            sources.push_back({fs::relative(entry.path(), engine_folder()).generic_string(), code_only(text.str())});
-        }
-    }
-    return sources;
-}
-
-const std::vector<Source>& engine_sources() {
-    static const std::vector<Source> sources = read_sources();
-    return sources;
-}
+using namespace islet::test;
 
 bool belongs_to_lcp(const std::string& name) { return name.rfind("src/lcp/", 0) == 0 || name == "include/islet/lcp.hpp"; }
 
@@ -149,40 +90,12 @@ TEST(CoreRules, TheMatrixSolversAndTheEngineDoNotKnowEachOther) {
     EXPECT_NE(lines_with(theirs, exports), "") << "the export's files are called otherwise now";
 }
 
-TEST(CoreRules, FoldersIncludeOnlyFoldersBelowThem) {
-    const std::vector<std::string> order = {"math", "memory", "data", "calls", "geometry", "collide", "graph", "broadphase", "lcp", "constraint",
-        "island", "solver", "bodies", "step", "world", "state", "query", "mover", "draw", "export"};
-    const auto rank = [&](const std::string& folder) { return std::find(order.begin(), order.end(), folder) - order.begin(); };
-    const std::regex include(R"re(^\s*#\s*include\s*"(?:\.\./)?([a-z]+)/)re");
-    std::string bad;
-    for (const Source& source : engine_sources()) {
-        if (source.name.rfind("src/", 0) != 0) continue;
-        const std::string folder = source.name.substr(4, source.name.find('/', 4) - 4);
-        std::istringstream lines(source.text);
-        std::string line;
-        std::smatch match;
-        while (std::getline(lines, line))
-            if (std::regex_search(line, match, include) && match[1] != "islet" && rank(match[1]) > rank(folder))
-                bad += source.name + ": " + line + '\n';
-    }
-    EXPECT_EQ(bad, "");
-}
-
-// Compiled by hand, objects of one name would overwrite each other.
-TEST(CoreRules, NoTwoFilesMakeObjectsOfOneName) {
-    std::set<std::string> names;
-    for (const Source& source : engine_sources()) {
-        const fs::path path = source.name;
-        if (path.extension() == ".cpp" && !names.insert(path.stem().string()).second) ADD_FAILURE() << source.name;
-    }
-}
-
 // What the same bits need of the compiler holds for all that comes after it.
 TEST(CoreRules, EveryFileBeginsWithWhatTheBitsNeed) {
     const std::regex include(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
     std::string bad;
     for (const Source& source : engine_sources()) {
-        if (fs::path(source.name).extension() != ".cpp") continue;
+        if (std::filesystem::path(source.name).extension() != ".cpp") continue;
         std::istringstream lines(source.text);
         std::string line;
         std::smatch match;
