@@ -59,12 +59,16 @@ DrawColor distinct_color(std::uint32_t n);
 
 /// What a thing drawn belongs to.
 enum class DrawPart : std::uint8_t {
-    shape,           ///< DrawStyle::slot is that of the body (World::body_at)
-    box, fat_box,    ///< of the shape
-    tree_box,        ///< of the node of the tree
-    joint,           ///< of the joint (World::joint_at)
-    contact, normal, impulse,  ///< of the contact (World::contact_at)
-    center, name,    ///< of the body, or of the joint that the name is of
+    shape,     ///< DrawStyle::slot is that of the body (World::body_at)
+    box,       ///< of the shape
+    fat_box,   ///< of the shape
+    tree_box,  ///< of the node of the tree
+    joint,     ///< of the joint (World::joint_at)
+    contact,   ///< of the contact (World::contact_at)
+    normal,    ///< of the contact
+    impulse,   ///< of the contact
+    center,    ///< of the body
+    name,      ///< of the body, or of the joint that the name is of
 };
 
 /// How to draw a thing, and what it is part of. Who only wants a picture needs no more than the colour.

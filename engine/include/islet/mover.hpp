@@ -1,9 +1,9 @@
 // A character mover: an upright capsule that walks, jumps and falls through a world by its queries. It is no body: it goes where it is told, and the world's
 // forces do not push it about.
 //
-// It climbs slopes and steps up to a limit, keeps to the ground going down, rides what it stands on (moving, turning, dynamic, conveyors), slides along walls and into
-// corners without trembling, and pushes dynamic bodies as hard as it may. Its state is a plain value of yours: keep it beside a snapshot of the world, and
-// both go back together. The same calls give the same bits on every machine.
+// It climbs slopes and steps up to a limit, keeps to the ground going down, rides what it stands on (moving, turning, dynamic, conveyors), slides along
+// walls and into corners without trembling, and pushes dynamic bodies as hard as it may. Its state is a plain value of yours: keep it beside a snapshot of the
+// world, and both go back together. The same calls give the same bits on every machine.
 //
 //     MoverState hero{.position = {0, 1}};
 //     ...

@@ -103,8 +103,8 @@ struct PreSolve;  // below
 /// them and no snapshot holds them, so worlds that are to have equal futures must be given equal ones, which answer alike.
 ///
 /// filter and pre_solve are called on the thread that steps, one after another, in an order that does not depend on the number of workers; they may read the
-/// world's bodies and shapes, but not change it (in_step). mix_friction and mix_restitution are called on any worker, as often as the engine likes: they must be
-/// functions of their arguments alone.
+/// world's bodies and shapes, but not change it (in_step). mix_friction and mix_restitution are called on any worker, as often as the engine likes: they must
+/// be functions of their arguments alone.
 struct Hooks {
     /// May these two shapes meet, or may this sensor see that shape? (The one in the lower slot comes first.) Asked when their fat boxes begin to overlap
     /// and whenever that pair is found again, of pairs that their filters allow. A pair once made is not asked about again before it parts.

@@ -220,8 +220,8 @@ public:
     void lock_y(BodyId body, bool lock);
     bool is_enabled(BodyId body) const;
     /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold nobody, it does not
-    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways. (In a lean build, ISLET_LEAN, only programs that call this function have
-    /// disabled bodies; create_body refuses them in others.)
+    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways. (In a lean build, ISLET_LEAN, only programs that call this function
+    /// have disabled bodies; create_body refuses them in others.)
     void set_enabled(BodyId body, bool enabled);
     /// BodyDef::bullet. No effect unless the body is dynamic. (In a lean build, ISLET_LEAN, only programs that call set_bullet have bullets.)
     bool is_bullet(BodyId body) const;
@@ -399,8 +399,8 @@ public:
     //
     // What is where now: poses as of the last step, and what was set since. Queries change nothing, need no memory and are the same whatever order shapes
     // were made and moved in: hits come in the order of their fractions, then of their shapes' slots; overlaps in that of their slots. With good arguments
-    // any number of threads may ask at once, as long as none changes the world. Errors, which find nothing: feature_cut; bad_geometry for a proxy; not_finite and
-    // out_of_range for points and corners beyond max_position, translations beyond max_translation.
+    // any number of threads may ask at once, as long as none changes the world. Errors, which find nothing: feature_cut; bad_geometry for a proxy; not_finite
+    // and out_of_range for points and corners beyond max_position, translations beyond max_translation.
     //
     // Chain segments are met by rays and casts from their outer side only, and are thin lines to overlap and distance queries.
 

@@ -116,6 +116,7 @@ struct RecordingHead {
 //
 // members(visit, value) calls visit with the value's members, in an order that is part of the format.
 
+// clang-format off
 template <class V> constexpr void members(V& v, Vec2& a) { v(a.x, a.y); }
 template <class V> constexpr void members(V& v, Rot& a) { v(a.c, a.s); }
 template <class V> constexpr void members(V& v, Transform& a) { v(a.p, a.q); }
@@ -159,7 +160,9 @@ template <class V> constexpr void members(V& v, JointBase& a) {
 template <class V> constexpr void members(V& v, RevoluteJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction); }
 template <class V> constexpr void members(V& v, PrismaticJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction); }
 template <class V> constexpr void members(V& v, DistanceJointDef& a) { v(a.base, a.length, a.spring, a.limit, a.motor); }
-template <class V> constexpr void members(V& v, WeldJointDef& a) { v(a.base, a.linear_hertz, a.linear_damping_ratio, a.angular_hertz, a.angular_damping_ratio); }
+template <class V> constexpr void members(V& v, WeldJointDef& a) {
+    v(a.base, a.linear_hertz, a.linear_damping_ratio, a.angular_hertz, a.angular_damping_ratio);
+}
 template <class V> constexpr void members(V& v, WheelJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction); }
 template <class V> constexpr void members(V& v, MotorJointDef& a) {
     v(a.base, a.linear_velocity, a.angular_velocity, a.max_force, a.max_torque, a.linear_hertz, a.linear_damping_ratio, a.angular_hertz,
@@ -168,5 +171,6 @@ template <class V> constexpr void members(V& v, MotorJointDef& a) {
 template <class V> constexpr void members(V& v, MouseJointDef& a) { v(a.body, a.target, a.hertz, a.damping_ratio, a.max_force, a.user_data); }
 template <class V> constexpr void members(V& v, PulleyJointDef& a) { v(a.base, a.ground_a, a.ground_b, a.ratio); }
 template <class V> constexpr void members(V& v, GearJointDef& a) { v(a.joint1, a.joint2, a.ratio, a.break_torque, a.user_data); }
+// clang-format on
 
 }  // namespace islet::detail

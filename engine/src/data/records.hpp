@@ -46,7 +46,8 @@ enum BodyFlags : std::uint32_t {
     body_may_sleep = 8u,
     body_bullet = 16u,       // does not pass through moving bodies either
     body_disabled = 32u,     // takes part in nothing
-    body_lock_x = 64u, body_lock_y = 128u,  // its centre of mass does not move along the axis
+    body_lock_x = 64u,       // its centre of mass does not move along the axis
+    body_lock_y = 128u,
     body_all_flags = 255u,
 };
 
@@ -269,6 +270,7 @@ struct SolverState {
     float tolerance = 0;
 };
 
+// clang-format off
 ISLET_SHARED SolverState pack(const SolverDef& d) {
     return {static_cast<std::uint32_t>(d.schedule), d.substeps, d.iterations, d.relax_iterations,
             d.contact_hertz, d.contact_damping_ratio, d.contact_push_speed, d.joint_hertz, d.joint_damping_ratio,
@@ -282,6 +284,7 @@ inline SolverDef unpack(const SolverState& s) {
             s.baumgarte, s.omega, s.warm_start != 0, static_cast<JointTrees>(s.joint_trees), s.joint_tree_load,
             static_cast<SweepOrder>(s.sweep_order), s.block_contacts != 0, s.shock, s.measure_residual != 0, s.tolerance};
 }
+// clang-format on
 
 inline bool is_soft(const SolverState& s) { return static_cast<Schedule>(s.schedule) == Schedule::soft; }
 /// What only some programs ask for: part `tuning` (islet/config.hpp).

@@ -12,7 +12,8 @@ ISLET_OPTIONAL bool is_allowed_by_hook(const Core& core, std::uint32_t shape_1, 
 ISLET_OPTIONAL float friction_by_hook(const Core& core, const Shape& a, const Shape& b);
 ISLET_OPTIONAL float restitution_by_hook(const Core& core, const Shape& a, const Shape& b);
 
-/// Asks the pre_solve hook about a contact that has points; takes over what it changed. If the hook switches it off, the contact has no points until the next step.
+/// Asks the pre_solve hook about a contact that has points; takes over what it changed. If the hook switches it off, the contact has no points until the
+/// next step.
 ISLET_OPTIONAL void ask_pre_solve(Core& core, std::uint32_t contact);
 
 /// True if the filter hook, which is not null, lets `other` stop a fast `shape`. Static shapes are looked at by many workers at once, who must not ask

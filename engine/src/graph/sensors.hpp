@@ -3,8 +3,8 @@
 // A sensor and a shape whose fat boxes overlap have a contact like any other two, marked contact_sensor. It has no points and is never solved:
 // contact_touching, by which islands, sleep and the solver go, is never set. contact_overlap says instead whether the two shapes overlap.
 //
-// A lean program (ISLET_LEAN) that uses no sensors does not link them: what contacts need is referenced weakly, and only the functions of World that read what sensors saw
-// call link_sensors, which takes it all. Where it is missing there are no sensors, so none of it is ever called.
+// A lean program (ISLET_LEAN) that uses no sensors does not link them: what contacts need is referenced weakly, and only the functions of World that read
+// what sensors saw call link_sensors, which takes it all. Where it is missing there are no sensors, so none of it is ever called.
 #pragma once
 
 #include "../data/core.hpp"
