@@ -33,16 +33,16 @@ inline constexpr DrawColor bullet = 0xf08a5d;       // coral: dynamic, awake and
 inline constexpr DrawColor disabled = 0xeceae4;     // nearly white: of a body that takes part in nothing
 inline constexpr DrawColor sensor = 0x7fc8a9;       // mint: the shape is a sensor
 // Joints.
-inline constexpr DrawColor joint = 0x2f7d6b;        // green
-inline constexpr DrawColor idle_joint = 0xb9c2cc;   // grey: acts on no body, as one of its bodies is disabled
-inline constexpr DrawColor limit = 0xb5651d;        // brown: the marks of limits
+inline constexpr DrawColor joint = 0x2f7d6b;       // green
+inline constexpr DrawColor idle_joint = 0xb9c2cc;  // grey: acts on no body, as one of its bodies is disabled
+inline constexpr DrawColor limit = 0xb5651d;       // brown: the marks of limits
 // Contact points.
 inline constexpr DrawColor pressing = 0xc4314b;     // red: with a normal impulse
 inline constexpr DrawColor touching = 0xe59aa8;     // pale red: without
 inline constexpr DrawColor speculative = 0xb9c2cc;  // grey: the surfaces are more than 0.005 m apart; the solver only watches
 inline constexpr DrawColor normal = 0xc4314b;
-inline constexpr DrawColor normal_impulse = 0x7a1fa2;   // purple
-inline constexpr DrawColor friction_impulse = 0x1565c0; // blue
+inline constexpr DrawColor normal_impulse = 0x7a1fa2;    // purple
+inline constexpr DrawColor friction_impulse = 0x1565c0;  // blue
 // The rest.
 inline constexpr DrawColor box = 0x5b8c5a;
 inline constexpr DrawColor fat_box = 0xa8b820;
@@ -51,7 +51,7 @@ inline constexpr DrawColor center = 0x2c3440;
 inline constexpr DrawColor x_axis = 0xd1352b;
 inline constexpr DrawColor y_axis = 0x2e8b3d;
 inline constexpr DrawColor name = 0x2c3440;
-inline constexpr DrawColor overflow = 0x111111;     // constraint_colors: constraints that found no colour and are solved one by one
+inline constexpr DrawColor overflow = 0x111111;  // constraint_colors: constraints that found no colour and are solved one by one
 }  // namespace draw_color
 
 /// Colour number n of an endless row in which neighbours are easy to tell apart: what islands and constraint colours are drawn in.
@@ -104,19 +104,19 @@ struct DebugDraw {
 
     /// m. What lies outside is left out. All is drawn by default.
     Aabb view = {{-1.0e30f, -1.0e30f}, {1.0e30f, 1.0e30f}};
-    float size = 0.25f;           ///< m, > 0: of the marks of joints and of normals and axes
-    float impulse_scale = 1.0f;   ///< m for each N s, >= 0
+    float size = 0.25f;          ///< m, > 0: of the marks of joints and of normals and axes
+    float impulse_scale = 1.0f;  ///< m for each N s, >= 0
 
     bool shapes = true;
     bool joints = true;
-    bool contacts = false;        ///< a point for each point of each contact
-    bool normals = false;         ///< of contacts, from A to B
-    bool impulses = false;        ///< of contacts over the last substep, on B: along the normal, and of friction along the surface
-    bool boxes = false;           ///< the tight box of each shape
-    bool fat_boxes = false;       ///< the box by which each shape's pairs are found; it is kept until the shape leaves it
-    bool tree = false;            ///< the boxes of the tree that holds the shapes at rest, but for its leaves, which are fat boxes
-    bool centers = false;         ///< the centre of mass and the axes of each body that is not static
-    bool names = false;           ///< the slot of each body that is not static at its centre, the type of each joint at its place
+    bool contacts = false;   ///< a point for each point of each contact
+    bool normals = false;    ///< of contacts, from A to B
+    bool impulses = false;   ///< of contacts over the last substep, on B: along the normal, and of friction along the surface
+    bool boxes = false;      ///< the tight box of each shape
+    bool fat_boxes = false;  ///< the box by which each shape's pairs are found; it is kept until the shape leaves it
+    bool tree = false;       ///< the boxes of the tree that holds the shapes at rest, but for its leaves, which are fat boxes
+    bool centers = false;    ///< the centre of mass and the axes of each body that is not static
+    bool names = false;      ///< the slot of each body that is not static at its centre, the type of each joint at its place
     BodyColors body_colors = BodyColors::state;
     bool constraint_colors = false;  ///< joints, contact points and normals in distinct_color of the constraint colour (0 to 31) they are solved with
 };

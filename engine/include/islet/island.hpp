@@ -55,8 +55,8 @@ struct IslandRow {
     std::uint32_t index = 0;      ///< point of the contact, 0 or 1; row of the joint, from 0
     std::uint32_t end_count = 0;  ///< 1 to 4; no two ends are of the same body of the island
     RowEnd ends[4] = {};
-    float bias = 0;               ///< m/s or rad/s: all of w that is not of the island's bodies, the motion of kinematic ends included
-    float softness = 0;           ///< 1/kg or 1/(kg m^2); 0: rigid
+    float bias = 0;      ///< m/s or rad/s: all of w that is not of the island's bodies, the motion of kinematic ends included
+    float softness = 0;  ///< 1/kg or 1/(kg m^2); 0: rigid
 };
 
 /// One body.

@@ -119,22 +119,22 @@ struct WeldJointDef {
 struct WheelJointDef {
     JointBase base = {};
     JointSpring spring = {.enable = true, .hertz = 4, .damping_ratio = 0.7f};  ///< of the strut
-    JointLimit limit = {};                                                    ///< of the strut
-    JointMotor motor = {};                                                    ///< turns the wheel
-    float friction = 0;                                                       ///< N m, >= 0: resists the wheel's turning
+    JointLimit limit = {};                                                     ///< of the strut
+    JointMotor motor = {};                                                     ///< turns the wheel
+    float friction = 0;                                                        ///< N m, >= 0: resists the wheel's turning
 };
 
 /// Drives B relative to A: to a velocity, or, where a frequency is given, to the pose in which frame B lies on frame A. With velocity 0 it is the
 /// friction of a body sliding on A, seen from above.
 struct MotorJointDef {
     JointBase base = {};
-    Vec2 linear_velocity = {};  ///< m/s in frame A, of B's point relative to A's
-    float angular_velocity = 0; ///< rad/s
-    float max_force = 0;        ///< N, >= 0
-    float max_torque = 0;       ///< N m, >= 0
-    float linear_hertz = 0;     ///< Hz, >= 0; 0 drives the velocity, more the position
+    Vec2 linear_velocity = {};   ///< m/s in frame A, of B's point relative to A's
+    float angular_velocity = 0;  ///< rad/s
+    float max_force = 0;         ///< N, >= 0
+    float max_torque = 0;        ///< N m, >= 0
+    float linear_hertz = 0;      ///< Hz, >= 0; 0 drives the velocity, more the position
     float linear_damping_ratio = 1;
-    float angular_hertz = 0;    ///< Hz, >= 0; as above, for the angle
+    float angular_hertz = 0;  ///< Hz, >= 0; as above, for the angle
     float angular_damping_ratio = 1;
 };
 
@@ -153,7 +153,7 @@ struct PulleyJointDef {
     JointBase base = {};
     Vec2 ground_a = {};  ///< m, world; must be at least 0.005 m from the bodies' points
     Vec2 ground_b = {};
-    float ratio = 1;     ///< > 0, at most max_ratio
+    float ratio = 1;  ///< > 0, at most max_ratio
 };
 
 /// Couples the coordinates of two revolute or prismatic joints: c1 + ratio * c2 stays what it is when the gear is made. Two hinges whose bodies
@@ -162,7 +162,7 @@ struct PulleyJointDef {
 struct GearJointDef {
     JointId joint1 = {};
     JointId joint2 = {};
-    float ratio = 1;  ///< not 0, between -max_ratio and max_ratio
+    float ratio = 1;         ///< not 0, between -max_ratio and max_ratio
     float break_torque = 0;  ///< N m (N for a prismatic joint 1), >= 0; 0: never breaks
     std::uint64_t user_data = 0;
 };
@@ -178,8 +178,8 @@ struct JointBreakEvent {
     JointId joint = {};  ///< stale
     BodyId body_a = {};
     BodyId body_b = {};
-    Vec2 force = {};     ///< N, on B, that it broke at
-    float torque = 0;    ///< N m
+    Vec2 force = {};   ///< N, on B, that it broke at
+    float torque = 0;  ///< N m
     std::uint64_t user_data = 0;
 };
 

@@ -59,18 +59,18 @@ inline constexpr std::size_t image_header_bytes = 80;
 inline constexpr std::size_t delta_header_bytes = 48;
 inline constexpr std::size_t solver_body_bytes = 32;
 inline constexpr std::size_t solver_motion_bytes = 32;
-inline constexpr std::size_t row_bytes = 128;     // per contact, in a block of rows
+inline constexpr std::size_t row_bytes = 128;  // per contact, in a block of rows
 inline constexpr std::size_t joint_bytes = 232;
 inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
 inline constexpr std::uint32_t joint_kernel_count = 9;
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t tree_link_bytes = 140;  // per body of a tree of joints
 inline constexpr std::size_t batch_bytes = 168;
-inline constexpr std::uint32_t max_plan_parts = 8;  // that the touching contacts are cut into while they are planned
-inline constexpr std::size_t sweep_bytes = 72;    // per shape, while pairs are found
+inline constexpr std::uint32_t max_plan_parts = 8;                           // that the touching contacts are cut into while they are planned
+inline constexpr std::size_t sweep_bytes = 72;                               // per shape, while pairs are found
 inline constexpr std::uint32_t sort_digit_bits = layout_lanes > 1 ? 11 : 8;  // of the sort by which pairs are found: three passes, or four in little memory
 inline constexpr std::uint32_t sort_digits = 1u << sort_digit_bits;
-inline constexpr std::uint32_t color_count = 32;  // constraint colours: bits of a body's mask
+inline constexpr std::uint32_t color_count = 32;    // constraint colours: bits of a body's mask
 inline constexpr std::uint32_t batch_bodies = 704;  // a batch of islands closes at this many bodies: with their rows they still fit a core's own cache
 
 constexpr std::uint32_t next_power_of_two(std::uint32_t n) {
@@ -83,9 +83,7 @@ constexpr std::size_t words_for(std::uint32_t bits) { return (std::size_t{bits} 
 
 constexpr std::uint32_t geometry_capacity(const Capacity& c) { return c.geometries != 0 ? c.geometries : c.shapes; }
 
-constexpr std::uint32_t hit_capacity(const Capacity& c) {
-    return c.hits != 0 ? c.hits : c.contacts / 8 > 8 ? c.contacts / 8 : 8;
-}
+constexpr std::uint32_t hit_capacity(const Capacity& c) { return c.hits != 0 ? c.hits : c.contacts / 8 > 8 ? c.contacts / 8 : 8; }
 
 /// Batches that the islands of a world can make, at most.
 constexpr std::uint32_t batch_capacity(const Capacity& c) { return c.bodies / batch_bodies + 2; }
@@ -135,8 +133,8 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_kernel_count) * 4 + 5 * 64;
     const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * 64;
     const std::size_t planning = bodies * 4 * 2 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 4 * 64 + max_of(tables, trees);
-    const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 +
-                             tree_capacity(c) * tree_link_bytes + 5 * 64;
+    const std::size_t rows =
+        row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 + tree_capacity(c) * tree_link_bytes + 5 * 64;
     const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * 64;
     const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + c.contacts * std::size_t{4} + max_of(rows, finish) + 4 * 64;
     return max_of(plan + max_of(planning, solve), max_of(pairs, collide));

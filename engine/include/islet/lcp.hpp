@@ -144,22 +144,22 @@ constexpr std::size_t workspace_bytes(Method method, std::size_t rows) {
     std::uint64_t numbers = n;  // the diagonal
     std::uint64_t indices = 0;
     switch (method) {
-    case Method::pgs:
-    case Method::psor:
-    case Method::symmetric_pgs:
-    case Method::red_black:
-    case Method::block_pgs: break;
-    case Method::jacobi:
-    case Method::l1_jacobi: numbers = 2 * n; break;
-    case Method::nncg: numbers = 3 * n; break;
-    case Method::newton:
-        numbers = n * n + 6 * n;
-        indices = 4 * n;
-        break;
-    case Method::lemke:
-        numbers = n * (n + 1) + 4 * n;
-        indices = 6 * n + 2;
-        break;
+        case Method::pgs:
+        case Method::psor:
+        case Method::symmetric_pgs:
+        case Method::red_black:
+        case Method::block_pgs: break;
+        case Method::jacobi:
+        case Method::l1_jacobi: numbers = 2 * n; break;
+        case Method::nncg: numbers = 3 * n; break;
+        case Method::newton:
+            numbers = n * n + 6 * n;
+            indices = 4 * n;
+            break;
+        case Method::lemke:
+            numbers = n * (n + 1) + 4 * n;
+            indices = 6 * n + 2;
+            break;
     }
     const std::uint64_t bytes = numbers * sizeof(T) + indices * sizeof(std::uint32_t) + alignof(T);
     return bytes > static_cast<std::size_t>(-1) ? static_cast<std::size_t>(-1) : static_cast<std::size_t>(bytes);

@@ -27,28 +27,28 @@ using MoverFilter = bool (*)(const Surface& surface, void* context);
 /// What a mover is like.
 struct MoverDef {
     Capsule capsule = {{0, 0.3f}, {0, 1.5f}, 0.3f};  ///< From the mover's position; by default that is between its feet, and it is 1.8 m tall.
-    Vec2 up = {0, 1};                  ///< Unit; where the ground is not.
-    float gravity_scale = 1;           ///< Of the world's gravity, while it is in the air.
-    float max_slope = 0.9f;            ///< rad, 0 to 1.5. Steeper ground cannot be walked up or stood on.
-    float step_height = 0.35f;         ///< m, >= 0. Edges up to so much above the feet are climbed, as far as there is room above.
-    float snap_distance = 0.35f;       ///< m, >= 0. Walking, the feet keep to ground that sinks away by no more than this in a step.
-    float ground_acceleration = 60;    ///< m/s^2, >= 0. To the walking speed asked for, and to a halt.
-    float air_acceleration = 20;       ///< m/s^2, >= 0. The same in the air, sideways.
-    float mass = 70;                   ///< kg, >= 0. Its weight on dynamic bodies, which stay awake under it, and how much of its speed it can give them.
-    float max_push_force = 400;        ///< N, >= 0. With which it pushes dynamic bodies in its way: what slides or rolls more easily gives way.
+    Vec2 up = {0, 1};                                ///< Unit; where the ground is not.
+    float gravity_scale = 1;                         ///< Of the world's gravity, while it is in the air.
+    float max_slope = 0.9f;                          ///< rad, 0 to 1.5. Steeper ground cannot be walked up or stood on.
+    float step_height = 0.35f;                       ///< m, >= 0. Edges up to so much above the feet are climbed, as far as there is room above.
+    float snap_distance = 0.35f;                     ///< m, >= 0. Walking, the feet keep to ground that sinks away by no more than this in a step.
+    float ground_acceleration = 60;                  ///< m/s^2, >= 0. To the walking speed asked for, and to a halt.
+    float air_acceleration = 20;                     ///< m/s^2, >= 0. The same in the air, sideways.
+    float mass = 70;             ///< kg, >= 0. Its weight on dynamic bodies, which stay awake under it, and how much of its speed it can give them.
+    float max_push_force = 400;  ///< N, >= 0. With which it pushes dynamic bodies in its way: what slides or rolls more easily gives way.
     QueryFilter filter = {};
-    MoverFilter collides = nullptr;    ///< Asked of each surface that the filter finds; null: all stand in the way.
+    MoverFilter collides = nullptr;  ///< Asked of each surface that the filter finds; null: all stand in the way.
     void* context = nullptr;
 };
 
 /// Where a mover is and how it moves.
 struct MoverState {
-    Vec2 position = {};            ///< m, world
-    Vec2 velocity = {};            ///< m/s; relative to the ground while it stands on it
-    BodyId ground = {};            ///< What it stands on; null in the air.
-    Vec2 ground_normal = {};       ///< unit
-    Vec2 ground_point = {};        ///< m, in the ground body's frame: what is carried along with it
-    std::uint32_t squeezed = 0;    ///< 1: what surrounds it left no room for it in the last step
+    Vec2 position = {};          ///< m, world
+    Vec2 velocity = {};          ///< m/s; relative to the ground while it stands on it
+    BodyId ground = {};          ///< What it stands on; null in the air.
+    Vec2 ground_normal = {};     ///< unit
+    Vec2 ground_point = {};      ///< m, in the ground body's frame: what is carried along with it
+    std::uint32_t squeezed = 0;  ///< 1: what surrounds it left no room for it in the last step
 };
 
 /// What it is to do in a step.

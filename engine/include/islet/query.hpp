@@ -69,7 +69,7 @@ struct Separation {
     float distance = 0;  ///< m; below 0 when they overlap: then minus the length of the shortest way that parts them
     Vec2 point_a = {};   ///< m, the closest points of the surfaces; of overlapping shapes the deepest
     Vec2 point_b = {};
-    Vec2 normal = {};    ///< unit, from a to b. For coinciding points (0, -1), on a line across it.
+    Vec2 normal = {};  ///< unit, from a to b. For coinciding points (0, -1), on a line across it.
 };
 
 /// Distance and closest points of two shapes in one frame. Of shapes that are not valid: distance 3.4e38, no normal.
@@ -92,8 +92,8 @@ struct QueryFilter {
 /// A shape that a ray or a cast meets; as CastHit. Null if there is none.
 struct QueryHit {
     ShapeId shape = {};
-    Vec2 point = {};       ///< m, world
-    Vec2 normal = {};      ///< unit, world
+    Vec2 point = {};   ///< m, world
+    Vec2 normal = {};  ///< unit, world
     float fraction = 0;
     float separation = 0;  ///< m, 0 or, if it overlapped at the start, minus the depth
     explicit constexpr operator bool() const { return bool(shape); }

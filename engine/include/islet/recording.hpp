@@ -28,11 +28,11 @@ inline constexpr std::size_t recording_alignment = 8;
 
 /// What a recording says of itself.
 struct RecordingInfo {
-    Capacity capacity = {};      ///< of the world it was made of, as the recording claims: a forged one may claim any
-    Capacity needed = {};        ///< what a world needs to replay it alike: the capacity claimed, but no more than the recording's snapshots and calls could
-                                 ///< ever fill. (That is at most one shape for each byte of the recording, and the square of the shapes in contacts.)
-    std::uint64_t bytes = 0;     ///< of the whole recording
-    bool bodies = false;         ///< whether each step tells body from body
+    Capacity capacity = {};   ///< of the world it was made of, as the recording claims: a forged one may claim any
+    Capacity needed = {};     ///< what a world needs to replay it alike: the capacity claimed, but no more than the recording's snapshots and calls could
+                              ///< ever fill. (That is at most one shape for each byte of the recording, and the square of the shapes in contacts.)
+    std::uint64_t bytes = 0;  ///< of the whole recording
+    bool bodies = false;      ///< whether each step tells body from body
 };
 
 /// Reads the head of a recording, and goes through its calls without making them. Errors, on which `out` stays as it was: image_misaligned;
@@ -50,11 +50,11 @@ enum class ReplayEnd : std::uint8_t {
 
 struct ReplayResult {
     ReplayEnd end = ReplayEnd::complete;
-    Error error = Error::none;     ///< refused: what read_recording or World::load says, or corrupt_recording
-    std::uint64_t steps = 0;       ///< steps replayed, the one that differs included
+    Error error = Error::none;                  ///< refused: what read_recording or World::load says, or corrupt_recording
+    std::uint64_t steps = 0;                    ///< steps replayed, the one that differs included
     std::uint64_t recorded_hash = 0, hash = 0;  ///< differs: after that step
-    BodyId body = {};              ///< differs: the first body, by slot, that came out differently, if the recording tells body from body; null too where
-                                   ///< so far no body but a contact or a joint differs
+    BodyId body = {};  ///< differs: the first body, by slot, that came out differently, if the recording tells body from body; null too where
+                       ///< so far no body but a contact or a joint differs
 };
 
 class World;

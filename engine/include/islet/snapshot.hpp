@@ -30,9 +30,9 @@ constexpr std::size_t max_snapshot_bytes(const Capacity& capacity) {
 
 /// What an image says about itself.
 struct SnapshotInfo {
-    std::uint64_t bytes = 0;     ///< of the whole image
-    Capacity capacity = {};      ///< of the world it was taken of, as the image claims: a forged image may claim any that holds its records
-    Capacity used = {};          ///< the least capacity that can hold it: as many records as the image has
+    std::uint64_t bytes = 0;  ///< of the whole image
+    Capacity capacity = {};   ///< of the world it was taken of, as the image claims: a forged image may claim any that holds its records
+    Capacity used = {};       ///< the least capacity that can hold it: as many records as the image has
 };
 
 /// Reads the head of an image; the rest is not looked at. Errors: not_an_image, other_byte_order, other_version, truncated_image, and corrupt_image if
@@ -40,9 +40,7 @@ struct SnapshotInfo {
 Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out);
 
 /// Most bytes that delta() can need, whatever it starts from, when it leads to an image of this size.
-constexpr std::size_t max_delta_bytes(std::size_t to_bytes) {
-    return detail::delta_header_bytes + detail::image_header_bytes + to_bytes + to_bytes / 8 + 64;
-}
+constexpr std::size_t max_delta_bytes(std::size_t to_bytes) { return detail::delta_header_bytes + detail::image_header_bytes + to_bytes + to_bytes / 8 + 64; }
 
 /// Packs what changed between two images, for sending or for long histories: apply(from, delta) gives `to` again. Returns the bytes written to
 /// `out`, or 0 with *error set if given: what read_snapshot finds wrong with either image, or image_too_small if `out` is. `out` may not

@@ -12,7 +12,7 @@
 
 namespace islet {
 
-struct DebugDraw;      // debug_draw.hpp
+struct DebugDraw;  // debug_draw.hpp
 struct DrawStyle;
 struct IslandProblem;  // island.hpp
 
@@ -22,7 +22,7 @@ namespace detail {
 struct Core;
 /// StaticWorld::create: for a valid capacity, its layout, and a block of that size.
 World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& def);
-}
+}  // namespace detail
 
 /// A world lives at the start of the block of memory it was created in and never moves, allocates or frees. Not copyable.
 ///
@@ -477,9 +477,7 @@ class StaticWorld {
 public:
     /// Makes the world anew, dropping whatever it held. A definition that breaks its rules falls back to the default one with the error set:
     /// see World::last_error. If the engine was compiled in a way that changes the bits (inexact_build), the world takes no step.
-    World& create(const WorldDef& def = {}) {
-        return detail::create_static(block_, C, layout, def);
-    }
+    World& create(const WorldDef& def = {}) { return detail::create_static(block_, C, layout, def); }
     static constexpr std::size_t bytes = world_bytes(C);
 
 private:

@@ -12,7 +12,7 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float box_margin_fraction = 0.125f; // of the shape's size: small things get small margins
+inline constexpr float box_margin_fraction = 0.125f;  // of the shape's size: small things get small margins
 
 ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
     if (g.shape_type() == ShapeType::polygon) {
@@ -160,9 +160,8 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
 
     if (b.local_center != mass.center) {
         // Manifolds keep lever arms from the centre of mass, so they must be made anew.
-        for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) {
-            core.manifolds[contact].flags &= ~static_cast<std::uint32_t>(contact_posed);
-        });
+        for_each_contact(core, body,
+                         [&](std::uint32_t contact, std::uint32_t) { core.manifolds[contact].flags &= ~static_cast<std::uint32_t>(contact_posed); });
     }
     const Vec2 old_center = pose.center;
     b.local_center = mass.center;

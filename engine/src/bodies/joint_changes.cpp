@@ -65,9 +65,7 @@ void remove_joints(Core& core, std::uint32_t body) {
     while (core.bodies[body].joint_head != 0) remove_joint(core, edge_of_key(core.bodies[body].joint_head));
 }
 
-std::uint32_t moving_body(const Core& core, const Joint& j) {
-    return core.bodies[j.body_b].type() >= core.bodies[j.body_a].type() ? j.body_b : j.body_a;
-}
+std::uint32_t moving_body(const Core& core, const Joint& j) { return core.bodies[j.body_b].type() >= core.bodies[j.body_a].type() ? j.body_b : j.body_a; }
 
 // So that islands join and bodies share their sleep, a gear hangs on a moving body of each of its joints; where one body moves for both, on the other
 // body of joint 2 too, which the gear's row may act on as well.

@@ -1,8 +1,8 @@
 // Boxes as columns of numbers, sorted along an axis, so that many can be compared with one at once.
 #pragma once
 
-#include "islet/layout.hpp"
 #include "../math/lanes.hpp"
+#include "islet/layout.hpp"
 
 namespace islet::detail {
 

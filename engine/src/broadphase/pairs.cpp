@@ -52,8 +52,7 @@ struct PairBuffer {
 };
 
 // Least significant digit radix sort; stable, so equal keys stay in slot order.
-std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint32_t* keys2, std::uint32_t* order2, std::uint32_t n,
-                           std::uint32_t* counts) {
+std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint32_t* keys2, std::uint32_t* order2, std::uint32_t n, std::uint32_t* counts) {
     for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
     for (std::uint32_t shift = 0; shift < 32; shift += sort_digit_bits) {
         std::memset(counts, 0, sort_digits * 4);
@@ -152,11 +151,11 @@ struct Scan {
 
 // Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order.
 template <class Visit>
-[[gnu::always_inline]] inline void scan([[maybe_unused]] const Scan& how, const Columns& c, std::uint32_t first, const Columns& from,
-                                        std::uint32_t i, Visit&& visit) {
+[[gnu::always_inline]] inline void scan([[maybe_unused]] const Scan& how, const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i,
+                                        Visit&& visit) {
 #if ISLET_MAX_LANES >= 4
-    const std::uint32_t count = ISLET_MAX_LANES == 8 && how.lanes == 8 ? scan_columns_8(c, first, from, i, how.found)
-                                                                       : scan_columns<Lane4>(c, first, from, i, how.found);
+    const std::uint32_t count =
+        ISLET_MAX_LANES == 8 && how.lanes == 8 ? scan_columns_8(c, first, from, i, how.found) : scan_columns<Lane4>(c, first, from, i, how.found);
     for (std::uint32_t k = 0; k < count; ++k) visit(how.found[k]);
 #else
     for (std::uint32_t j = first; c.lower[j] <= from.upper[i]; ++j)
@@ -178,7 +177,7 @@ void sweep(PairBuffer& out, const Scan& how, const Columns& all, const Columns& 
 }
 
 inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are worth a task
-inline constexpr float fast_fraction = 0.5f;  // of its smallest half-thickness: who may move more in a step looks ahead for contacts
+inline constexpr float fast_fraction = 0.5f;    // of its smallest half-thickness: who may move more in a step looks ahead for contacts
 
 Aabb surroundings_of(const Pose& pose) {
     const float reach = pose.max_extent + surroundings(pose);

@@ -36,9 +36,7 @@ ISLET_SHARED bool all_finite(Floats... a) {
 inline bool check_finite(const Core& core, float a) { return check(core, is_finite(a), Error::not_finite); }
 inline bool check_finite(const Core& core, Vec2 a) { return check(core, is_finite(a), Error::not_finite); }
 /// Finite and lo <= a <= hi.
-inline bool check_range(const Core& core, float a, float lo, float hi) {
-    return check_finite(core, a) && check(core, a >= lo && a <= hi, Error::out_of_range);
-}
+inline bool check_range(const Core& core, float a, float lo, float hi) { return check_finite(core, a) && check(core, a >= lo && a <= hi, Error::out_of_range); }
 inline constexpr float no_limit = 3.402823466e38f;  // the largest float
 
 inline bool check_position(const Core& core, Vec2 p) {

@@ -12,7 +12,8 @@ const char* describe(Error e) {
         case Error::not_finite: return "A number is NaN or infinite: check the arguments of the call.";
         case Error::out_of_range: return "A number is outside its range: the comment on the field or function gives the range.";
         case Error::bad_time_step: return "The time step must be from a microsecond to a second: 1/60 is usual.";
-        case Error::bad_geometry: return "The geometry breaks its rules (size above 0, convex, counter-clockwise): make polygons with make_polygon or make_box.";
+        case Error::bad_geometry:
+            return "The geometry breaks its rules (size above 0, convex, counter-clockwise): make polygons with make_polygon or make_box.";
         case Error::bad_chain: return "A chain needs at least 2 points (3 for a loop), neighbours more than 0.005 m apart.";
         case Error::bodies_full: return "No room for another body: raise Capacity::bodies.";
         case Error::shapes_full: return "No room for another shape: raise Capacity::shapes.";
@@ -36,13 +37,18 @@ const char* describe(Error e) {
         case Error::unsound_image: return "The image has a right checksum but holds no sound world: whoever made it is not to be trusted.";
         case Error::image_too_large: return "The world is too small for the image: read_snapshot says which capacity it needs.";
         case Error::wrong_delta: return "The delta does not start from the image given: apply it to the one it was made from.";
-        case Error::feature_cut: return "This program's engine has no such part: build it without the switch that leaves it out (islet/config.hpp), or call the function that links it.";
+        case Error::feature_cut:
+            return "This program's engine has no such part: build it without the switch that leaves it out (islet/config.hpp), or call the function that links "
+                   "it.";
         case Error::not_a_sensor: return "The shape is no sensor: ShapeDef::sensor makes one.";
         case Error::recording_full: return "The memory for the recording is used up: it holds everything before this call. Give more, or move it in time.";
         case Error::not_a_recording: return "These bytes are no recording, or nothing is being recorded: start_recording begins one.";
         case Error::corrupt_recording: return "The recording is not as it was made: its sums are wrong. Get it again.";
-        case Error::in_step: return "A hook, the error hook or a drawing function must not change, step, save, hash or draw the world that calls it: note what to do, and do it after.";
-        case Error::inexact_build: return "The engine's floats are not IEEE's: compile it without -ffast-math and -ffp-contract=fast, for a unit that keeps denormal numbers.";
+        case Error::in_step:
+            return "A hook, the error hook or a drawing function must not change, step, save, hash or draw the world that calls it: note what to do, and do it "
+                   "after.";
+        case Error::inexact_build:
+            return "The engine's floats are not IEEE's: compile it without -ffast-math and -ffp-contract=fast, for a unit that keeps denormal numbers.";
         case Error::hits_full: return "More hits in one step than there is room to report: raise Capacity::hits or the hit threshold.";
     }
     return "Unknown error.";

@@ -2,8 +2,8 @@
 
 #include "../calls/recorder.hpp"
 
-#include "islet/recording.hpp"
 #include "../calls/checks.hpp"
+#include "islet/recording.hpp"
 
 namespace islet {
 

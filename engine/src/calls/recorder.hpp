@@ -29,8 +29,8 @@ struct Signature {};
 template <Call call>
 struct SignatureOf;
 #define ISLET_SIGNATURE(name, function, ...) \
-    template <> \
-    struct SignatureOf<Call::name> { \
+    template <>                              \
+    struct SignatureOf<Call::name> {         \
         using Type = Signature<__VA_ARGS__>; \
     };
 ISLET_CALLS(ISLET_SIGNATURE)
@@ -41,7 +41,8 @@ template <Call call, class... Args>
 [[gnu::always_inline]] inline void note_call(Core& core, const Args&... args) {
     static_assert(__is_same(typename SignatureOf<call>::Type, Signature<Args...>));
     if constexpr (has_recorder) {
-        if (core.recording == nullptr) [[likely]] return;
+        if (core.recording == nullptr) [[likely]]
+            return;
         const void* const arguments[] = {&args...};
         write_call(core, call, arguments);
     }

@@ -44,8 +44,7 @@ struct View {
 enum class Outcome { decided, needs_corners };
 
 // Clips the other box's face to the reference's face across axis0 or axis1. `bound` is the gap along the best axis.
-ISLET_COPIED Outcome clip_boxes(const Box ref, const Box inc, View v, bool second_axis, bool reference_is_b, float bound,
-                                                 float margin, Manifold& m) {
+ISLET_COPIED Outcome clip_boxes(const Box ref, const Box inc, View v, bool second_axis, bool reference_is_b, float bound, float margin, Manifold& m) {
     // Turn the view so that the reference face's normal is the x axis: by a quarter for axis1, by a half if the other box is behind.
     Vec2 n = ref.axis0;
     float h_n = ref.h0;
@@ -88,18 +87,14 @@ ISLET_COPIED Outcome clip_boxes(const Box ref, const Box inc, View v, bool secon
     const float gap_low = middle_gap + slope * (low - middle);
     const float least = min(gap_high, gap_low);
     const float radii = ref.radius + inc.radius;
-    if (low > high || least > margin + radii || (bound > separation_tie && least > bound + separation_tie)) {
-        return Outcome::needs_corners;
-    }
+    if (low > high || least > margin + radii || (bound > separation_tie && least > bound + separation_tie)) { return Outcome::needs_corners; }
 
     const Vec2 t = left_perp(n);
     const Vec2 base = ref.center + (h_n + 0.5f * (ref.radius - inc.radius)) * n;
     const std::uint32_t ref2 = (ref1 + 1u) & 3u;
     const std::uint32_t inc2 = (inc1 + 1u) & 3u;
-    const ManifoldPoint at_low = {base + low * t + (0.5f * gap_low) * n, gap_low - radii,
-                                  reference_is_b ? feature_id(inc2, ref1) : feature_id(ref1, inc2)};
-    const ManifoldPoint at_high = {base + high * t + (0.5f * gap_high) * n, gap_high - radii,
-                                   reference_is_b ? feature_id(inc1, ref2) : feature_id(ref2, inc1)};
+    const ManifoldPoint at_low = {base + low * t + (0.5f * gap_low) * n, gap_low - radii, reference_is_b ? feature_id(inc2, ref1) : feature_id(ref1, inc2)};
+    const ManifoldPoint at_high = {base + high * t + (0.5f * gap_high) * n, gap_high - radii, reference_is_b ? feature_id(inc1, ref2) : feature_id(ref2, inc1)};
     m.normal = reference_is_b ? -n : n;
     m.points[0] = reference_is_b ? at_high : at_low;
     m.count = m.points[0].separation <= margin ? 1 : 0;
@@ -116,8 +111,8 @@ bool is_box(const Polygon& p) {
     const Vec2 n2 = p.normals[2];
     const Vec2 n3 = p.normals[3];
     // One sum instead of six comparisons: it is zero only if every term is.
-    const float skew = magnitude(n1.x + n0.y) + magnitude(n1.y - n0.x) + magnitude(n2.x + n0.x) + magnitude(n2.y + n0.y) +
-                       magnitude(n3.x + n1.x) + magnitude(n3.y + n1.y);
+    const float skew =
+        magnitude(n1.x + n0.y) + magnitude(n1.y - n0.x) + magnitude(n2.x + n0.x) + magnitude(n2.y + n0.y) + magnitude(n3.x + n1.x) + magnitude(n3.y + n1.y);
     return p.count == 4 && skew == 0.0f;
 }
 

@@ -88,14 +88,13 @@ Manifold collide_apart(const Link& k, const Outline& b, const DistanceResult& ne
         n = -b.normals[face];
     }
     switch (judge(k, n)) {
-    case Verdict::neighbours: return {};
-    case Verdict::replace: return contact_on_link(k, b, origin, margin);
-    case Verdict::own: break;
+        case Verdict::neighbours: return {};
+        case Verdict::replace: return contact_on_link(k, b, origin, margin);
+        case Verdict::own: break;
     }
     if (b_edge) { return contact_on_face(k, b, face, origin, margin); }
     if (near.distance - b.radius > margin) { return {}; }
-    return point_manifold(near.point_a + origin, 0, near.point_b + origin, b.radius, n, near.distance,
-                          feature_id(near.index_a[0], near.index_b[0]));
+    return point_manifold(near.point_a + origin, 0, near.point_b + origin, b.radius, n, near.distance, feature_id(near.index_a[0], near.index_b[0]));
 }
 
 // B's core touches or crosses the link: least overlap among the link's normal, its convex neighbours' and those of B it may use.

@@ -68,8 +68,8 @@ bool keeps_clear(const ClearWay& way, const Geometry& shape, Vec2 center, const 
     const Vec2 normal = rotate(wall_pose.q, line.normal);
     const float at_start = dot(line.normal, start - line.from);
     const float at_end = at_start + dot(normal, way.way);
-    const float apart = min(at_start + nearest_along(inv_rotate(way.q_start, normal), moving, center),
-                            at_end + nearest_along(inv_rotate(way.q_end, normal), moving, center));
+    const float apart =
+        min(at_start + nearest_along(inv_rotate(way.q_start, normal), moving, center), at_end + nearest_along(inv_rotate(way.q_end, normal), moving, center));
     // The core's radius is half of the shape's, and its corners are moved in from all faces by a quarter at least of what is within them (mostly by half).
     const float core_radius = moving.radius - 0.25f * (way.min_extent + moving.radius);
     return apart > way.needed + core_radius + fixed.radius + rounding * (sum(wall_pose.p) + sum(start) + sum(line.from));

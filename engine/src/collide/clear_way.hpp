@@ -8,9 +8,9 @@ namespace islet::detail {
 
 /// What is asked of a body's way again and again.
 struct ClearWay {
-    Vec2 start, way;   // m, of the centre of mass
+    Vec2 start, way;  // m, of the centre of mass
     Rot q_start, q_end;
-    float needed = 0;  // m, that a core must stay away from a wall's line to be clear of it
+    float needed = 0;      // m, that a core must stay away from a wall's line to be clear of it
     float min_extent = 0;  // m, smallest half-thickness of the body's shapes
 };
 

@@ -32,8 +32,8 @@ namespace islet::detail {
 
 struct Difference {
     static constexpr std::uint32_t max_count = 2 * max_polygon_vertices;
-    Vec2 points[max_count];  // m, counter-clockwise
-    Vec2 edges[max_count];   // m, from each corner to the next, made of the shapes' own edges
+    Vec2 points[max_count];           // m, counter-clockwise
+    Vec2 edges[max_count];            // m, from each corner to the next, made of the shapes' own edges
     std::uint8_t index_a[max_count];  // the corners of A and B that each is made of
     std::uint8_t index_b[max_count];
     std::uint32_t count = 0;

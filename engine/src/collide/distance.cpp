@@ -76,8 +76,7 @@ Vec2 towards_origin(const Feature& f) {
 }
 
 bool is_among(const Corner& c, const Feature& f) {
-    return (c.index_a == f.corner[0].index_a && c.index_b == f.corner[0].index_b) ||
-           (c.index_a == f.corner[1].index_a && c.index_b == f.corner[1].index_b);
+    return (c.index_a == f.corner[0].index_a && c.index_b == f.corner[0].index_b) || (c.index_a == f.corner[1].index_a && c.index_b == f.corner[1].index_b);
 }
 
 // Where on the edge the point closest to the origin is; 0 for a vertex.

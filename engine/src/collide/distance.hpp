@@ -20,8 +20,8 @@ struct ConvexProxy {
 struct DistanceResult {
     Vec2 point_a;  // m, frame A: the closest points, on the rounded surfaces
     Vec2 point_b;
-    Vec2 normal;         // unit, from A to B; the zero vector when the cores touch or overlap
-    float distance = 0;  // m, between the rounded surfaces; negative when only the rounding overlaps, -(sum of the radii) when the cores do
+    Vec2 normal;                   // unit, from A to B; the zero vector when the cores touch or overlap
+    float distance = 0;            // m, between the rounded surfaces; negative when only the rounding overlaps, -(sum of the radii) when the cores do
     std::uint32_t count = 0;       // corners that carry the closest points: 1, 2, or 3 when the cores overlap
     std::uint8_t index_a[3] = {};  // those corners; the same index twice means that a vertex, not an edge, is closest
     std::uint8_t index_b[3] = {};

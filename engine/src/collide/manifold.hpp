@@ -6,25 +6,25 @@
 
 #include <cstdint>
 
+#include "../data/features.hpp"
 #include "../geometry/convex.hpp"
 #include "islet/geometry.hpp"
-#include "../data/features.hpp"
 
 namespace islet::detail {
 
-inline constexpr float linear_slop = min_length;                  // m: a length that is numerically large and visually small
+inline constexpr float linear_slop = min_length;                   // m: a length that is numerically large and visually small
 inline constexpr float speculative_distance = 4.0f * linear_slop;  // m: contacts are made this long before surfaces meet
 
 struct ManifoldPoint {
-    Vec2 point;              // m, frame A, midway between the two surfaces
-    float separation = 0;    // m, along the normal; negative when overlapping
-    std::uint16_t id = 0;    // feature id: which vertex or edge of A and of B; stable from step to step while the features are the same
+    Vec2 point;            // m, frame A, midway between the two surfaces
+    float separation = 0;  // m, along the normal; negative when overlapping
+    std::uint16_t id = 0;  // feature id: which vertex or edge of A and of B; stable from step to step while the features are the same
 };
 
 struct Manifold {
-    Vec2 normal;             // unit, frame A, from A to B
+    Vec2 normal;  // unit, frame A, from A to B
     ManifoldPoint points[2];
-    std::uint32_t count = 0; // 0: no contact closer than the margin
+    std::uint32_t count = 0;  // 0: no contact closer than the margin
 };
 
 // Each returns the manifold of shapes a and b, where b_in_a is the pose of B's body frame in A's body frame. Points with separation above

@@ -54,12 +54,10 @@ Manifold clip_faces(const Face& reference, const Face& incident, bool reference_
     const Vec2 base = origin + reference.v1;
     const float gap_lower = dot(lower, n);
     const float gap_upper = dot(upper, n);
-    const ManifoldPoint at_lower = {
-        base + lower + (lift - 0.5f * gap_lower) * n, gap_lower - radii,
-        reference_is_b ? feature_id(incident.index2, reference.index1) : feature_id(reference.index1, incident.index2)};
-    const ManifoldPoint at_upper = {
-        base + upper + (lift - 0.5f * gap_upper) * n, gap_upper - radii,
-        reference_is_b ? feature_id(incident.index1, reference.index2) : feature_id(reference.index2, incident.index1)};
+    const ManifoldPoint at_lower = {base + lower + (lift - 0.5f * gap_lower) * n, gap_lower - radii,
+                                    reference_is_b ? feature_id(incident.index2, reference.index1) : feature_id(reference.index1, incident.index2)};
+    const ManifoldPoint at_upper = {base + upper + (lift - 0.5f * gap_upper) * n, gap_upper - radii,
+                                    reference_is_b ? feature_id(incident.index1, reference.index2) : feature_id(reference.index2, incident.index1)};
 
     // In the order of A's corners whichever shape is the reference.
     m.normal = reference_is_b ? -n : n;

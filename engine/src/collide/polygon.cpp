@@ -40,15 +40,12 @@ Manifold deepest_corner(const Reference& reference, const Axis& axis, const Othe
     const Vec2 corner = other.vertices[deepest] + origin;
     const Vec2 foot = corner - axis.separation * face.normal;
     if (reference_is_b) {
-        return point_manifold(corner, other.radius, foot, reference.radius, -face.normal, axis.separation,
-                              feature_id(deepest, face.index1));
+        return point_manifold(corner, other.radius, foot, reference.radius, -face.normal, axis.separation, feature_id(deepest, face.index1));
     }
     return point_manifold(foot, reference.radius, corner, other.radius, face.normal, axis.separation, feature_id(face.index1, deepest));
 }
 
-ISLET_SHARED float least_separation(const Manifold& m) {
-    return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation;
-}
+ISLET_SHARED float least_separation(const Manifold& m) { return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation; }
 
 template <class A, class B>
 ISLET_COPIED Manifold collide_cores(const A& a, const B& b, Vec2 origin, float margin) {
@@ -72,8 +69,7 @@ ISLET_COPIED Manifold collide_cores(const A& a, const B& b, Vec2 origin, float m
     const DistanceResult near = core_distance(a.vertices, a.count, b.vertices, b.count);
     if (near.distance <= 1e-5f) {  // m; overlapping, or too close for a direction between corners
         if (clipped.count > 0) { return clipped; }
-        return axis_b.separation > axis_a.separation ? deepest_corner(b, axis_b, a, true, origin)
-                                                     : deepest_corner(a, axis_a, b, false, origin);
+        return axis_b.separation > axis_a.separation ? deepest_corner(b, axis_b, a, true, origin) : deepest_corner(a, axis_a, b, false, origin);
     }
     if (clipped.count > 0 && least_separation(clipped) <= near.distance - radii + separation_tie) { return clipped; }
     if (near.distance > limit) { return {}; }

@@ -10,10 +10,10 @@
 // Velocities of the two bodies are projected onto the contact's frame once and updated there row by row; the bodies get the summed impulse.
 #pragma once
 
-#include "../math/lanes.hpp"
-#include "../math/scalar.hpp"
 #include "../constraint/contact_rows.hpp"
 #include "../constraint/lane_vectors.hpp"
+#include "../math/lanes.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

@@ -15,12 +15,12 @@ namespace islet::detail {
 template <std::uint32_t W>
 struct alignas(W * 4) ContactRows {
     struct Point {
-        float an[W], at[W];       // m
-        float separation[W];      // m, at the start of the step
-        float normal_mass[W];     // kg, times the relaxation factor
-        float tangent_mass[W];    // kg, times the relaxation factor
-        float normal_impulse[W];  // N s
-        float tangent_impulse[W]; // N s
+        float an[W], at[W];        // m
+        float separation[W];       // m, at the start of the step
+        float normal_mass[W];      // kg, times the relaxation factor
+        float tangent_mass[W];     // kg, times the relaxation factor
+        float normal_impulse[W];   // N s
+        float tangent_impulse[W];  // N s
     };
     std::uint32_t body_a[W], body_b[W];  // solver slots; 0 in the padding
     std::uint32_t contact[W];            // null_index in the padding
@@ -30,7 +30,7 @@ struct alignas(W * 4) ContactRows {
     Point points[2];
     float rolling_mass[W], rolling_impulse[W], rolling_resistance[W], tangent_speed[W];  // if special
     float restitution[W], approach[2][W], peak[2][W];  // if bouncy (or to tell of hits): normal velocity as the surfaces meet, largest impulse
-    bool two_points, special, bouncy;  // ask the last two by is_special and is_bouncy
+    bool two_points, special, bouncy;                  // ask the last two by is_special and is_bouncy
     std::uint8_t pad[W * 4 - 3];
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }
@@ -43,7 +43,7 @@ static_assert(sizeof(ContactRows<1>) == row_bytes && sizeof(ContactRows<4>) == 4
 /// contacts bias_rate already includes mass_scale.
 struct SweepNumbers {
     float inv_h = 0;
-    float bias_rate = 0;    // 1/s; 0 in a relax sweep
+    float bias_rate = 0;  // 1/s; 0 in a relax sweep
     float mass_scale = 1;
     float impulse_scale = 0;
     float push_speed = 0;

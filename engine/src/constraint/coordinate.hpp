@@ -24,10 +24,10 @@ enum CoordinateParts : std::uint32_t { part_spring = 1u, part_motor = 2u, part_f
 template <std::uint32_t W>
 struct CoordinateRows {
     float spring_rate[W], spring_mass_scale[W], spring_impulse_scale[W], target[W];  // rate < 0: no spring
-    float speed[W], max_motor[W];  // max_motor, max_friction: N s, N m s over a substep
+    float speed[W], max_motor[W];                                                    // max_motor, max_friction: N s, N m s over a substep
     float max_friction[W];
     float lower[W], upper[W];
-    float load[W];  // on the limits, N s or N m s over a substep: positive on the lower, negative on the upper one
+    float load[W];                                            // on the limits, N s or N m s over a substep: positive on the lower, negative on the upper one
     float spring[W], motor[W], friction[W], low[W], high[W];  // accumulated impulses
     std::uint32_t parts;
     std::uint8_t pad[W * 4 - 4];
@@ -93,9 +93,7 @@ ISLET_SHARED void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane,
 }
 
 /// The sum of the impulses so far.
-inline float coordinate_impulse(const Joint& j) {
-    return j.spring_impulse + j.motor_impulse + j.friction_impulse + j.lower_impulse - j.upper_impulse;
-}
+inline float coordinate_impulse(const Joint& j) { return j.spring_impulse + j.motor_impulse + j.friction_impulse + j.lower_impulse - j.upper_impulse; }
 template <class L>
 ISLET_LANE_SHARED typename L::F coordinate_impulse(const CoordinateRows<L::width>& r) {
     return L::load(r.spring) + L::load(r.motor) + L::load(r.friction) + L::load(r.low) - L::load(r.high);
@@ -103,8 +101,8 @@ ISLET_LANE_SHARED typename L::F coordinate_impulse(const CoordinateRows<L::width
 
 /// Solves the spring and the limits. x is the coordinate, k its K, speed its rate, bend its q; returns the impulse to apply.
 template <class L>
-ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, typename L::F x, typename L::F k,
-                                                 typename L::F speed, typename L::F bend, const JointSweep& n) {
+ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, typename L::F x, typename L::F k, typename L::F speed, typename L::F bend,
+                                                 const JointSweep& n) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F m = L::splat(n.omega) * inverse_or_zero<L>(k);
@@ -143,8 +141,7 @@ ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, ty
 
 /// Solves the motor and the friction.
 template <class L>
-ISLET_LANE typename L::F solve_motor_and_friction(CoordinateRows<L::width>& r, typename L::F k, typename L::F speed,
-                                                  const JointSweep& n) {
+ISLET_LANE typename L::F solve_motor_and_friction(CoordinateRows<L::width>& r, typename L::F k, typename L::F speed, const JointSweep& n) {
     using F = typename L::F;
     const F m = L::splat(n.omega) * inverse_or_zero<L>(k);
     F sum = L::splat(0.0f);

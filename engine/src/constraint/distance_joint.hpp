@@ -64,8 +64,7 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, DistanceRows<
 
     const F rigid = L::load(r.rigid);
     const F residual = speed() + curve<L>(bend, n) + L::splat(n.soft.rate) * (x - L::load(r.length));
-    const F delta =
-        -(rigid * L::splat(n.omega * n.soft.mass_scale) * inverse_or_zero<L>(k) * residual) - L::splat(n.omega * n.soft.impulse_scale) * rod;
+    const F delta = -(rigid * L::splat(n.omega * n.soft.mass_scale) * inverse_or_zero<L>(k) * residual) - L::splat(n.omega * n.soft.impulse_scale) * rod;
     L::store(r.rod, rod + delta);
     push(delta);
 }

@@ -16,17 +16,17 @@ template <std::uint32_t W>
 struct GearRows {
     static_assert(W == 1, "gears are solved one by one");
     JointEnds<W> ends;         // only the joint is used
-    std::uint32_t slots[4];  // A and B of joint 1, A and B of joint 2; 0 where a body came before
+    std::uint32_t slots[4];    // A and B of joint 1, A and B of joint 2; 0 where a body came before
     float ux[4], uy[4], s[4];  // the row's entries for each
-    float c;                 // m or rad, when the step began
-    float mass;              // 1 / K
+    float c;                   // m or rad, when the step began
+    float mass;                // 1 / K
     float impulse;
 };
 
 /// A joint's coordinate when a step begins, and its row.
 struct GearSide {
     float c;
-    Vec2 u;        // 0 for a hinge
+    Vec2 u;  // 0 for a hinge
     float sa, sb;
 };
 

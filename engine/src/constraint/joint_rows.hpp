@@ -29,13 +29,13 @@ namespace islet::detail {
 
 /// Which kernel solves a joint.
 enum class JointKernel : std::uint32_t {
-    point,     ///< revolute joints without spring, limit, motor and friction
-    hinge,     ///< other revolute joints
-    slider,    ///< prismatic joints
+    point,   ///< revolute joints without spring, limit, motor and friction
+    hinge,   ///< other revolute joints
+    slider,  ///< prismatic joints
     distance,
     weld,
     wheel,
-    drive,     ///< motor and mouse joints
+    drive,  ///< motor and mouse joints
     pulley,
     gear,
 };
@@ -59,10 +59,10 @@ constexpr bool has_kernel(JointKernel kernel) {
 /// How one sweep treats joints.
 struct JointSweep {
     float h = 0, inv_h = 0;
-    float omega = 1;       // relaxation factor
-    bool biased = false;   // false: velocities only
-    Softness soft;         // of what is rigid; in a relax sweep (0, 1, 0)
-    float tree_rate = 0;   // 1/s, at which hinges solved exactly mend their error
+    float omega = 1;      // relaxation factor
+    bool biased = false;  // false: velocities only
+    Softness soft;        // of what is rigid; in a relax sweep (0, 1, 0)
+    float tree_rate = 0;  // 1/s, at which hinges solved exactly mend their error
 };
 
 /// Where joints find their inputs.
@@ -82,7 +82,7 @@ struct JointEnds {
     std::uint32_t joint[W];              // null_index in the padding
     float rax[W], ray[W];                // m, anchor from A's centre when the step began
     float rbx[W], rby[W];
-    float dx[W], dy[W];                  // m, from A's centre to B's when the step began
+    float dx[W], dy[W];  // m, from A's centre to B's when the step began
 };
 
 /// J^T lambda as last applied: px, py and tb on B, their opposite and -ta on A.
@@ -94,9 +94,9 @@ struct Applied {
 
 /// Where a joint's two frames are in the world, seen from the bodies' centres.
 struct JointPose {
-    Vec2 ra, rb;       // m
-    Vec2 d;            // m, from A's centre to B's
-    Rot qa, qb;        // of the frames, world
+    Vec2 ra, rb;  // m
+    Vec2 d;       // m, from A's centre to B's
+    Rot qa, qb;   // of the frames, world
 };
 
 inline JointPose pose_of(const Joint& j, const Pose* poses, const Body* bodies) {

@@ -92,9 +92,7 @@ ISLET_LANE std::uint32_t known_lane(std::uint32_t lane) {
 template <std::uint32_t W, class Body>
 void over_rows(JointKernel kernel, Body&& body) {
     if constexpr (W > 1) {
-        visit_rows<W>(kernel, nullptr, [&](auto* r) {
-            body([](std::byte* row, auto&& visit) { return visit(reinterpret_cast<decltype(r)>(row)); });
-        });
+        visit_rows<W>(kernel, nullptr, [&](auto* r) { body([](std::byte* row, auto&& visit) { return visit(reinterpret_cast<decltype(r)>(row)); }); });
     } else {
         body([kernel](std::byte* row, auto&& visit) { return visit_rows<W>(kernel, row, visit); });
     }

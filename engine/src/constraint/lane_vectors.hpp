@@ -95,13 +95,13 @@ ISLET_LANE void scatter_pushed(float* bodies, const std::uint32_t* body_a, const
 template <class L>
 struct JointBodies {
     using F = typename L::F;
-    LaneVec<F> va, vb;    // m/s
-    F wa, wb;          // rad/s
-    F ma, mb, ia, ib;  // inverse masses and inertias
-    LaneVec<F> dp;        // m that B's centre has gone since the step began, less A's
-    F dqa, dqb;        // rad turned since the step began
-    LaneVec<F> p;      // N s: what the joint has applied so far, p and tb to B, -p and -ta to A
-    F ta, tb;          // N m s
+    LaneVec<F> va, vb;  // m/s
+    F wa, wb;           // rad/s
+    F ma, mb, ia, ib;   // inverse masses and inertias
+    LaneVec<F> dp;      // m that B's centre has gone since the step began, less A's
+    F dqa, dqb;         // rad turned since the step began
+    LaneVec<F> p;       // N s: what the joint has applied so far, p and tb to B, -p and -ta to A
+    F ta, tb;           // N m s
 
     ISLET_LANE void gather(const SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) {
         constexpr std::uint32_t words = sizeof(SolverBody) / 4;

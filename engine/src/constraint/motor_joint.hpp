@@ -14,10 +14,10 @@ template <std::uint32_t W>
 struct alignas(W * 4) DriveRows {
     JointEnds<W> ends;
     Applied<W> applied;
-    float angle[W];                     // rad, when the step began
-    float turning[W];                   // N m s; the linear impulse is what is applied
-    float vx[W], vy[W], spin[W];        // m/s in the world, rad/s
-    float max_p[W], max_turning[W];     // N s, N m s over a substep
+    float angle[W];                  // rad, when the step began
+    float turning[W];                // N m s; the linear impulse is what is applied
+    float vx[W], vy[W], spin[W];     // m/s in the world, rad/s
+    float max_p[W], max_turning[W];  // N s, N m s over a substep
     float linear_rate[W], linear_mass_scale[W], linear_impulse_scale[W];
     float angular_rate[W], angular_mass_scale[W], angular_impulse_scale[W];
 };

@@ -12,7 +12,7 @@
 namespace islet::detail {
 
 struct Softness {
-    float rate = 0;           // 1/s
+    float rate = 0;  // 1/s
     float mass_scale = 1;
     float impulse_scale = 0;
 };
@@ -20,9 +20,9 @@ struct Softness {
 inline constexpr Softness no_spring = {0, 0, 1};  // gives way at once
 
 // Beyond these a spring is rigid, or a damper stands still, or nothing can be felt: the products would leave the range of float.
-inline constexpr float stiffest = 1.0e9f;       // Hz
+inline constexpr float stiffest = 1.0e9f;  // Hz
 inline constexpr float most_damped = 1.0e9f;
-inline constexpr float least_soft = 1.0e-30f;   // a2
+inline constexpr float least_soft = 1.0e-30f;  // a2
 
 inline Softness softness_of(float omega, float a1, float a2) {
     if (!(a2 > least_soft)) return no_spring;

@@ -15,9 +15,9 @@ template <std::uint32_t W>
 struct alignas(W * 4) WeldRows {
     JointEnds<W> ends;
     Applied<W> applied;
-    float angle[W];                               // rad, when the step began
-    float turning[W];                             // N m s; the linear impulse is what is applied
-    float linear_soft[W], linear_rate[W], linear_give[W];     // soft: 1 or 0; give: 1 / a2
+    float angle[W];                                        // rad, when the step began
+    float turning[W];                                      // N m s; the linear impulse is what is applied
+    float linear_soft[W], linear_rate[W], linear_give[W];  // soft: 1 or 0; give: 1 / a2
     float angular_soft[W], angular_rate[W], angular_give[W];
 };
 

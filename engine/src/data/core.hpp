@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-#include "islet/world.hpp"
 #include "../data/records.hpp"
 #include "../memory/arena.hpp"
 #include "../memory/bit_set.hpp"
 #include "../memory/pair_set.hpp"
+#include "islet/world.hpp"
 
 namespace islet::detail {
 
@@ -29,8 +29,8 @@ struct Core {
     Capacity capacity;
     std::uint32_t lanes = 1;
     Error last_error = Error::none;
-    std::uint32_t inside = 0;            // Inside
-    bool exact = true;  // false: no step is taken (Error::inexact_build)
+    std::uint32_t inside = 0;  // Inside
+    bool exact = true;         // false: no step is taken (Error::inexact_build)
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     TaskSystem tasks;
@@ -44,7 +44,7 @@ struct Core {
     Motion* motions = nullptr;
     Body* bodies = nullptr;
     Shape* shapes = nullptr;
-    Aabb* boxes = nullptr;            // fat boxes, by shape
+    Aabb* boxes = nullptr;  // fat boxes, by shape
     Geometry* geometries = nullptr;
     std::uint32_t* geometry_buckets = nullptr;
     TreeNode* tree = nullptr;
@@ -52,10 +52,10 @@ struct Core {
     ContactManifold* manifolds = nullptr;
     PairSet pairs;
     Joint* joints = nullptr;
-    BitSet awake_bodies;              // dynamic and kinematic bodies that move or may move
-    BitSet awake_contacts;            // contacts of an awake body
-    BitSet awake_joints;              // joints of an awake body
-    BitSet moved_shapes;              // shapes whose fat box changed since pairs were last found
+    BitSet awake_bodies;    // dynamic and kinematic bodies that move or may move
+    BitSet awake_contacts;  // contacts of an awake body
+    BitSet awake_joints;    // joints of an awake body
+    BitSet moved_shapes;    // shapes whose fat box changed since pairs were last found
 
     TouchEvent* begin_events = nullptr;
     TouchEvent* end_events = nullptr;
@@ -64,7 +64,7 @@ struct Core {
     BodyId* moved_events = nullptr;
     BodyId* slept_events = nullptr;
     JointBreakEvent* break_events = nullptr;
-    float* residuals = nullptr;       // m/s, by body: of its island in the last step, if measured
+    float* residuals = nullptr;  // m/s, by body: of its island in the last step, if measured
     std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0, break_count = 0;
     std::uint32_t sensor_ends_reported = 0, hit_count = 0;
 

@@ -64,8 +64,8 @@ constexpr bool has_joint(JointType type) {
 }
 
 inline constexpr bool has_joints = has_joint(JointType::revolute) || has_joint(JointType::prismatic) || has_joint(JointType::distance) ||
-                                   has_joint(JointType::weld) || has_joint(JointType::wheel) || has_joint(JointType::motor) ||
-                                   has_joint(JointType::mouse) || has_joint(JointType::pulley) || has_joint(JointType::gear);
+                                   has_joint(JointType::weld) || has_joint(JointType::wheel) || has_joint(JointType::motor) || has_joint(JointType::mouse) ||
+                                   has_joint(JointType::pulley) || has_joint(JointType::gear);
 
 inline constexpr bool has_all_shapes = has_polygons && has_capsules && has_segments && has_chains;
 inline constexpr bool has_all_joints = has_joint(JointType::revolute) && has_joint(JointType::prismatic) && has_joint(JointType::distance) &&

@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "../data/features.hpp"
+#include "../math/inlining.hpp"
+#include "../memory/pool.hpp"
 #include "islet/geometry.hpp"
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/types.hpp"
-#include "../data/features.hpp"
-#include "../math/inlining.hpp"
-#include "../memory/pool.hpp"
 
 namespace islet::detail {
 
@@ -22,65 +22,65 @@ enum PoseFlags : std::uint32_t {
 
 /// Where a body is and how heavy: eight words, loaded at once by the narrow phase and the solver.
 struct Pose {
-    Vec2 center;             // m, centre of mass in the world
+    Vec2 center;  // m, centre of mass in the world
     Rot q;
-    float inv_mass = 0;      // 1/kg, 0 unless dynamic
-    float inv_inertia = 0;   // 1/(kg m^2)
-    float max_extent = 0;    // m, from the centre of mass to the farthest point of the body's shapes
-    std::uint32_t flags = 0; // PoseFlags
+    float inv_mass = 0;       // 1/kg, 0 unless dynamic
+    float inv_inertia = 0;    // 1/(kg m^2)
+    float max_extent = 0;     // m, from the centre of mass to the farthest point of the body's shapes
+    std::uint32_t flags = 0;  // PoseFlags
 };
 
 /// How a body moves.
 struct Motion {
-    Vec2 v;                  // m/s, of the centre of mass
-    float w = 0;             // rad/s
-    float slack = 0;         // m the body may still move before one of its shapes could leave its fat box
-    Vec2 force;              // N, for the next step
-    float torque = 0;        // N m
-    float sleep_time = 0;    // s at rest
+    Vec2 v;                // m/s, of the centre of mass
+    float w = 0;           // rad/s
+    float slack = 0;       // m the body may still move before one of its shapes could leave its fat box
+    Vec2 force;            // N, for the next step
+    float torque = 0;      // N m
+    float sleep_time = 0;  // s at rest
 };
 
 enum BodyFlags : std::uint32_t {
-    body_type_mask = 3u,     // BodyType
+    body_type_mask = 3u,  // BodyType
     body_fixed_rotation = 4u,
     body_may_sleep = 8u,
-    body_bullet = 16u,       // does not pass through moving bodies either
-    body_disabled = 32u,     // takes part in nothing
-    body_lock_x = 64u,       // its centre of mass does not move along the axis
+    body_bullet = 16u,    // does not pass through moving bodies either
+    body_disabled = 32u,  // takes part in nothing
+    body_lock_x = 64u,    // its centre of mass does not move along the axis
     body_lock_y = 128u,
     body_all_flags = 255u,
 };
 
 struct Body {
-    Vec2 origin;             // m, of the body frame in the world
-    Vec2 local_center;       // m
+    Vec2 origin;        // m, of the body frame in the world
+    Vec2 local_center;  // m
     float linear_damping = 0, angular_damping = 0, gravity_scale = 1, sleep_threshold = 0;
     float mass = 0, inertia = 0;  // kg, kg m^2 about the centre of mass
-    float min_extent = 0;    // m, smallest half-thickness of its shapes
+    float min_extent = 0;         // m, smallest half-thickness of its shapes
     std::uint32_t flags = 0;
     std::uint32_t shape_head = null_index;
     std::uint32_t contact_head = 0;  // contact key: contact * 2 + side + 1; 0 ends the list
     std::uint32_t shape_count = 0;
     std::uint32_t contact_count = 0;
-    std::uint32_t colors = 0;        // bit i: one of its constraints has colour i
+    std::uint32_t colors = 0;  // bit i: one of its constraints has colour i
     std::uint32_t generation = 0;
     std::uint64_t user_data = 0;
     std::uint32_t next_free = null_index;
-    std::uint32_t joint_head = 0;    // joint key, as contact_head
+    std::uint32_t joint_head = 0;  // joint key, as contact_head
     std::uint32_t joint_count = 0;
-    float stretch = 0;               // kg m^2: h^2 times the geometric stiffness of the joints that pull at it (free_motion.hpp)
+    float stretch = 0;  // kg m^2: h^2 times the geometric stiffness of the joints that pull at it (free_motion.hpp)
 
     BodyType type() const { return static_cast<BodyType>(flags & body_type_mask); }
     bool has_locks() const { return (flags & (body_lock_x | body_lock_y)) != 0; }
 };
 
 enum ShapeFlags : std::uint32_t {
-    shape_sensor = 1u,         // reports overlaps, collides with nothing
-    shape_unseen = 2u,         // sensors do not see it
+    shape_sensor = 1u,  // reports overlaps, collides with nothing
+    shape_unseen = 2u,  // sensors do not see it
     shape_hit_events = 4u,
-    shape_pre_solve = 8u,      // the pre-solve hook is asked about its contacts
-    shape_all_flags = 15u,     // all flags that State::asked keeps
-    asked_one_way = 16u,       // in State::asked alone: some shape was one-way
+    shape_pre_solve = 8u,        // the pre-solve hook is asked about its contacts
+    shape_all_flags = 15u,       // all flags that State::asked keeps
+    asked_one_way = 16u,         // in State::asked alone: some shape was one-way
     shape_one_way_bits = ~255u,  // ShapeDef::one_way, x and y of 12 bits each (flags_of_direction); 0: no one-way shape
 };
 
@@ -92,11 +92,11 @@ struct Shape {
     float friction = 0, restitution = 0, rolling_resistance = 0, tangent_speed = 0, density = 0;
     Filter filter;
     std::uint32_t generation = 0;
-    float margin = 0;                                    // m, by which the fat box exceeds the tight one
+    float margin = 0;  // m, by which the fat box exceeds the tight one
     std::uint32_t next_free = null_index;
     std::uint64_t user_data = 0;
-    std::uint32_t flags = 0;                             // ShapeFlags
-    std::uint32_t material = 0;                          // the user's id
+    std::uint32_t flags = 0;     // ShapeFlags
+    std::uint32_t material = 0;  // the user's id
 };
 
 /// What State::asked keeps of a shape's flags.
@@ -115,7 +115,7 @@ inline Vec2 direction_of_flags(std::uint32_t flags) {
 
 /// A geometry, stored once however many shapes share it.
 struct Geometry {
-    std::uint32_t type = 0;       // ShapeType
+    std::uint32_t type = 0;  // ShapeType
     std::uint32_t references = 0;
     std::uint32_t hash = 0;
     std::uint32_t next = null_index;  // in its bucket; in the free list while unused
@@ -134,15 +134,15 @@ struct Geometry {
 
 enum ContactFlags : std::uint32_t {
     contact_touching = 1u,
-    contact_posed = 2u,        // the manifold was made once: it may be recycled
-    contact_special = 4u,      // has rolling resistance or a tangent speed
-    contact_bouncy = 8u,       // has restitution
-    contact_count_shift = 4,   // 2 bits: manifold points
-    contact_sensor = 64u,      // one of the shapes is a sensor: no points, never solved
-    contact_overlap = 128u,    // the sensor and the other shape overlap
-    contact_color_shift = 8,   // 8 bits: colour, or no_color
-    contact_hits = 1u << 16,   // tells of hits
-    contact_asks = 1u << 17,   // the pre_solve hook is asked
+    contact_posed = 2u,          // the manifold was made once: it may be recycled
+    contact_special = 4u,        // has rolling resistance or a tangent speed
+    contact_bouncy = 8u,         // has restitution
+    contact_count_shift = 4,     // 2 bits: manifold points
+    contact_sensor = 64u,        // one of the shapes is a sensor: no points, never solved
+    contact_overlap = 128u,      // the sensor and the other shape overlap
+    contact_color_shift = 8,     // 8 bits: colour, or no_color
+    contact_hits = 1u << 16,     // tells of hits
+    contact_asks = 1u << 17,     // the pre_solve hook is asked
     contact_one_way = 1u << 18,  // one of the shapes is a one-way shape
     contact_passes = 1u << 19,   // it lets the other shape pass
     contact_dropped = 1u << 20,  // it lets the other shape pass because the hook said so
@@ -165,14 +165,14 @@ struct Contact {
 /// loaded in lanes.
 struct ContactManifold {
     std::uint32_t body_a = 0, body_b = 0;
-    std::uint32_t flags = 0;       // ContactFlags
-    std::uint32_t ids = 0;         // feature ids of the two points, 16 bits each
+    std::uint32_t flags = 0;  // ContactFlags
+    std::uint32_t ids = 0;    // feature ids of the two points, 16 bits each
 
-    Vec2 normal;                   // unit, from A to B
-    Vec2 offset;                   // m, from A's centre to B's
+    Vec2 normal;  // unit, from A to B
+    Vec2 offset;  // m, from A's centre to B's
     Rot rotation_a, rotation_b;
 
-    Vec2 anchors[2];               // m, contact points relative to A's centre
+    Vec2 anchors[2];  // m, contact points relative to A's centre
     float normal_impulse[2] = {0, 0};
     float tangent_impulse[2] = {0, 0};
 
@@ -190,34 +190,34 @@ enum JointFlags : std::uint32_t {
     joint_spring = 1u,
     joint_limit = 2u,
     joint_motor = 4u,
-    joint_collide = 8u,        // the two bodies' shapes collide with each other
-    joint_exact = 16u,         // solved exactly, in a tree of hinges
-    joint_color_shift = 8,     // 8 bits: colour, or no_color
+    joint_collide = 8u,     // the two bodies' shapes collide with each other
+    joint_exact = 16u,      // solved exactly, in a tree of hinges
+    joint_color_shift = 8,  // 8 bits: colour, or no_color
 };
 
 /// A joint. Which fields mean something depends on its type.
 struct Joint {
-    std::uint32_t type = 0;        // JointType
-    std::uint32_t flags = 0;       // JointFlags
+    std::uint32_t type = 0;                                  // JointType
+    std::uint32_t flags = 0;                                 // JointFlags
     std::uint32_t body_a = null_index, body_b = null_index;  // a mouse joint has no A
     std::uint32_t next[2] = {0, 0}, prev[2] = {0, 0};        // joint keys (joint * 2 + side + 1), in the lists of the two bodies
     std::uint32_t generation = 0;
     std::uint32_t next_free = null_index;
     std::uint32_t joint1 = null_index, joint2 = null_index;  // gear
 
-    Vec2 local_a, local_b;         // m from the bodies' origins; a mouse joint's A: the target, world
+    Vec2 local_a, local_b;  // m from the bodies' origins; a mouse joint's A: the target, world
     Rot frame_a, frame_b;
     float break_force = 0, break_torque = 0;  // 0: never
     float spring_hertz = 0, spring_damping_ratio = 0, target = 0;
     float lower = 0, upper = 0;
-    float motor_speed = 0, motor_max = 0;     // of a motor joint: angular velocity, greatest force
+    float motor_speed = 0, motor_max = 0;  // of a motor joint: angular velocity, greatest force
     float friction = 0;
-    float length = 0;              // distance: of the rod; pulley, gear: the constant
-    float ratio = 0;               // pulley, gear; of a joint with a limit: limit_load()
+    float length = 0;                                                                                // distance: of the rod; pulley, gear: the constant
+    float ratio = 0;                                                                                 // pulley, gear; of a joint with a limit: limit_load()
     float linear_hertz = 0, linear_damping_ratio = 0, angular_hertz = 0, angular_damping_ratio = 0;  // weld, motor, mouse
-    Vec2 velocity;                 // motor
-    float max_torque = 0;          // motor
-    Vec2 ground_a, ground_b;       // pulley
+    Vec2 velocity;                                                                                   // motor
+    float max_torque = 0;                                                                            // motor
+    Vec2 ground_a, ground_b;                                                                         // pulley
 
     float coordinate = 0;          // rad, revolute: near its angle after the last step, past full turns
     std::uint32_t gear_count = 0;  // gears that use it
@@ -226,8 +226,8 @@ struct Joint {
     Vec2 impulse;
     float angular_impulse = 0;
     float spring_impulse = 0, motor_impulse = 0, friction_impulse = 0, lower_impulse = 0, upper_impulse = 0;
-    Vec2 force_impulse;            // N s on B, for readers
-    float torque_impulse = 0;      // N m s on B about its anchor
+    Vec2 force_impulse;        // N s on B, for readers
+    float torque_impulse = 0;  // N m s on B about its anchor
     std::uint64_t user_data = 0;
 
     JointType joint_type() const { return known(static_cast<JointType>(type)); }
@@ -299,22 +299,22 @@ inline bool needs_tuning(const SolverDef& d) { return needs_ordering(d) || d.mea
 /// Everything persistent that is not in an array.
 struct State {
     PoolState body_pool, shape_pool, contact_pool, geometry_pool, joint_pool;  // 60
-    TreeState tree;                                                // 16
+    TreeState tree;                                                            // 16
     Vec2 gravity;
     float restitution_threshold = 1;
-    float max_speed = 400;                                         // 16
-    SolverState solver;                                            // 76
+    float max_speed = 400;  // 16
+    SolverState solver;     // 76
     std::uint32_t enable_sleep = 1;
-    std::uint32_t moved_count = 0;                                 // shapes whose fat box changed since pairs were last found
+    std::uint32_t moved_count = 0;  // shapes whose fat box changed since pairs were last found
     std::uint64_t steps = 0;
-    float last_substep = 0;                                        // s; impulses kept for warm starting belong to a substep of this length
-    std::uint32_t trees_stale = 0;                                 // 1: something that decides which joints are solved exactly has changed
-    std::uint32_t exact_joints = 0;                                // how many are
-    std::uint32_t continuous = 1;                                  // 1: fast bodies are swept
-    std::uint32_t bullet_count = 0;                                // bodies that are bullets
-    float hit_threshold = 1;                                       // m/s
-    std::uint32_t locked_count = 0;                                // bodies with a lock
-    std::uint32_t asked = 0;                                       // asked_of the flags that any shape ever had
+    float last_substep = 0;          // s; impulses kept for warm starting belong to a substep of this length
+    std::uint32_t trees_stale = 0;   // 1: something that decides which joints are solved exactly has changed
+    std::uint32_t exact_joints = 0;  // how many are
+    std::uint32_t continuous = 1;    // 1: fast bodies are swept
+    std::uint32_t bullet_count = 0;  // bodies that are bullets
+    float hit_threshold = 1;         // m/s
+    std::uint32_t locked_count = 0;  // bodies with a lock
+    std::uint32_t asked = 0;         // asked_of the flags that any shape ever had
     std::uint32_t pad[10] = {};
 };
 

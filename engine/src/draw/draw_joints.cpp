@@ -26,9 +26,9 @@ namespace {
 
 /// Where a joint is, in the world.
 struct JointPlace {
-    Vec2 a, b;                 // m, its points
-    Rot qa, qb;                // its frames
-    Vec2 center_a, center_b;   // m, of mass
+    Vec2 a, b;                // m, its points
+    Rot qa, qb;               // its frames
+    Vec2 center_a, center_b;  // m, of mass
     bool moves_a, moves_b;
 };
 

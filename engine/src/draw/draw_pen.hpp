@@ -1,8 +1,8 @@
 // What the parts of World::draw share: a pen that skips what the user has no function for.
 #pragma once
 
-#include "islet/debug_draw.hpp"
 #include "../data/core.hpp"
+#include "islet/debug_draw.hpp"
 
 namespace islet::detail {
 

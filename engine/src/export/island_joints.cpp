@@ -168,38 +168,38 @@ void add_joint_rows(IslandRows& to, std::uint32_t joint) {
     const JointPose& p = rows.p;
     const Vec2 u = {p.qa.c, p.qa.s};
     switch (type) {
-    case JointType::revolute: {
-        const IslandRow free = rows.turning();
-        rows.motor_and_friction(free);
-        rows.spring_and_limits(free, coordinate_of(j, p), j.target);
-        return rows.point();
-    }
-    case JointType::prismatic: {
-        const IslandRow free = rows.along_line(u);
-        rows.motor_and_friction(free);
-        rows.spring_and_limits(free, coordinate_of(j, p), j.target);
-        rows.add_rigid(rows.along_line(left_perp(u)), j.impulse.x);
-        return rows.add_rigid(rows.turning(), j.angular_impulse);
-    }
-    case JointType::distance: {
-        const Vec2 d = gap_of(p);
-        const float x = length(d);
-        if (!(x > least_distance)) return;  // no direction
-        const IslandRow free = rows.along({d.x / x, d.y / x}, p.ra);
-        rows.motor_and_friction(free);
-        rows.spring_and_limits(free, x, j.length);
-        if (is_rod(j)) rows.add_rigid(free, j.impulse.x);
-        return;
-    }
-    case JointType::weld: return rows.weld();
-    case JointType::wheel:
-        rows.motor_and_friction(rows.turning());
-        rows.spring_and_limits(rows.along_line(u), coordinate_of(j, p), j.target);
-        return rows.add_rigid(rows.along_line(left_perp(u)), j.impulse.x);
-    case JointType::motor:
-    case JointType::mouse: return rows.drive();
-    case JointType::pulley: return rows.pulley();
-    case JointType::gear: return;
+        case JointType::revolute: {
+            const IslandRow free = rows.turning();
+            rows.motor_and_friction(free);
+            rows.spring_and_limits(free, coordinate_of(j, p), j.target);
+            return rows.point();
+        }
+        case JointType::prismatic: {
+            const IslandRow free = rows.along_line(u);
+            rows.motor_and_friction(free);
+            rows.spring_and_limits(free, coordinate_of(j, p), j.target);
+            rows.add_rigid(rows.along_line(left_perp(u)), j.impulse.x);
+            return rows.add_rigid(rows.turning(), j.angular_impulse);
+        }
+        case JointType::distance: {
+            const Vec2 d = gap_of(p);
+            const float x = length(d);
+            if (!(x > least_distance)) return;  // no direction
+            const IslandRow free = rows.along({d.x / x, d.y / x}, p.ra);
+            rows.motor_and_friction(free);
+            rows.spring_and_limits(free, x, j.length);
+            if (is_rod(j)) rows.add_rigid(free, j.impulse.x);
+            return;
+        }
+        case JointType::weld: return rows.weld();
+        case JointType::wheel:
+            rows.motor_and_friction(rows.turning());
+            rows.spring_and_limits(rows.along_line(u), coordinate_of(j, p), j.target);
+            return rows.add_rigid(rows.along_line(left_perp(u)), j.impulse.x);
+        case JointType::motor:
+        case JointType::mouse: return rows.drive();
+        case JointType::pulley: return rows.pulley();
+        case JointType::gear: return;
     }
 }
 

@@ -1,8 +1,8 @@
 // The stages of World::export_island: find the island, count its rows, write them, couple them. What is needed on the way is in the world's scratch.
 #pragma once
 
-#include "islet/island.hpp"
 #include "../data/core.hpp"
+#include "islet/island.hpp"
 
 namespace islet::detail {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "islet/geometry.hpp"
 #include "../math/inlining.hpp"
+#include "islet/geometry.hpp"
 
 namespace islet::detail {
 

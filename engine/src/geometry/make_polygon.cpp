@@ -56,9 +56,7 @@ Polygon make_rounded_box(float hx, float hy, float radius) {
     return checked(p);
 }
 
-Polygon make_offset_box(float hx, float hy, const Transform& pose, float radius) {
-    return transform_polygon(pose, make_rounded_box(hx, hy, radius));
-}
+Polygon make_offset_box(float hx, float hy, const Transform& pose, float radius) { return transform_polygon(pose, make_rounded_box(hx, hy, radius)); }
 
 Polygon transform_polygon(const Transform& t, const Polygon& p) {
     if (p.count > max_polygon_vertices) return {};

@@ -26,9 +26,7 @@ ISLET_OPTIONAL void make_room(const Core& core, TouchEvent* array, std::uint32_t
 /// Does nothing, but whoever refers to it links the functions above.
 void link_sensors();
 /// True if anybody did.
-inline bool sensors_are_linked() {
-    return ISLET_IS_LINKED(begin_overlap);
-}
+inline bool sensors_are_linked() { return ISLET_IS_LINKED(begin_overlap); }
 
 /// True of a sensor.
 inline bool is_sensor(const Core& core, std::uint32_t shape) { return has_sensors && (core.shapes[shape].flags & shape_sensor) != 0; }

@@ -18,10 +18,10 @@ inline MixedSurface surface_of(const Core& core, std::uint32_t contact) {
     const auto radius = [&](const Shape& shape) {
         const Geometry& g = core.geometries[shape.geometry];
         switch (g.shape_type()) {
-        case ShapeType::circle: return g.circle.radius;
-        case ShapeType::capsule: return g.capsule.radius;
-        case ShapeType::polygon: return g.polygon.radius;
-        default: return 0.0f;
+            case ShapeType::circle: return g.circle.radius;
+            case ShapeType::capsule: return g.capsule.radius;
+            case ShapeType::polygon: return g.polygon.radius;
+            default: return 0.0f;
         }
     };
     const auto rolling_arm = [&] {

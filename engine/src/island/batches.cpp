@@ -40,8 +40,8 @@ inline constexpr std::uint32_t word_grain = 16;  // words of 64 bodies that are 
 struct EdgeList {
     Edge* edges = nullptr;
     std::uint32_t parts_with_threads = 1;
-    std::uint32_t words = 0;                      // of the set of awake contacts, in a part
-    std::uint32_t first[max_plan_parts] = {};     // edge of each part
+    std::uint32_t words = 0;                   // of the set of awake contacts, in a part
+    std::uint32_t first[max_plan_parts] = {};  // edge of each part
     std::uint32_t end[max_plan_parts] = {};
 
     std::uint32_t parts() const { return has_threads ? parts_with_threads : 1; }
@@ -61,8 +61,7 @@ EdgeList list_edges(const Core& core, Edge* edges) {
     if (has_workers(core) && !is_ordered(core.state->solver) && !has_shock(core.state->solver)) {
         list.words = range_count(awake.word_count, plan_parts(core.capacity));
         list.parts_with_threads = range_count(awake.word_count, list.words);
-        for (std::uint32_t p = 1; p < list.parts(); ++p)
-            list.first[p] = list.first[p - 1] + awake.count_in((p - 1) * list.words, p * list.words);
+        for (std::uint32_t p = 1; p < list.parts(); ++p) list.first[p] = list.first[p - 1] + awake.count_in((p - 1) * list.words, p * list.words);
     }
     for_ranges(core, awake.word_count, list.words, [&](std::uint32_t first, std::uint32_t end) {
         const std::uint32_t part = first / list.words;
@@ -167,8 +166,8 @@ void plan_joints(const Core& core, Plan& plan, Edge* edges, BatchOf&& batch_of, 
             const bool overflow = place < joint_kernel_count;
             const std::uint32_t lanes = overflow ? 1 : core.lanes;
             const std::uint32_t blocks = (count + lanes - 1) / lanes;
-            plan.runs[plan.run_count++] = {static_cast<JointKernel>(place % joint_kernel_count),
-                                           overflow ? no_color : place / joint_kernel_count - 1, at, blocks, 0};
+            plan.runs[plan.run_count++] = {static_cast<JointKernel>(place % joint_kernel_count), overflow ? no_color : place / joint_kernel_count - 1, at,
+                                           blocks, 0};
             for (std::uint32_t i = count; i < blocks * lanes; ++i) plan.joints[at + i] = null_index;
             at += blocks * lanes;
         }

@@ -30,7 +30,7 @@ struct Batch {
 struct JointRun {
     JointKernel kernel = JointKernel::point;
     std::uint32_t color = no_color;
-    std::uint32_t first = 0;   // in Plan::joints
+    std::uint32_t first = 0;  // in Plan::joints
     std::uint32_t blocks = 0;
     std::uint64_t offset = 0;  // bytes: of its rows, given by the solve
 };
@@ -39,28 +39,28 @@ static_assert(sizeof(Batch) == batch_bytes && sizeof(JointRun) == joint_run_byte
 
 /// The plan of one solve, in scratch.
 struct Plan {
-    std::uint32_t slot_count = 0;             // slot 0 included
-    std::uint32_t* body_of = nullptr;         // by slot
-    std::uint32_t* slot_of = nullptr;         // by body; 0 for those at rest
-    std::uint32_t* island_of = nullptr;       // by slot; null_index for kinematic bodies
+    std::uint32_t slot_count = 0;        // slot 0 included
+    std::uint32_t* body_of = nullptr;    // by slot
+    std::uint32_t* slot_of = nullptr;    // by body; 0 for those at rest
+    std::uint32_t* island_of = nullptr;  // by slot; null_index for kinematic bodies
     std::uint32_t island_count = 0;
     Batch* batches = nullptr;
     std::uint32_t batch_count = 0;
-    std::uint32_t* contacts = nullptr;        // by row: blocks first, then overflow; null_index in the padding
+    std::uint32_t* contacts = nullptr;  // by row: blocks first, then overflow; null_index in the padding
     std::uint32_t block_count = 0;
     std::uint32_t overflow_count = 0;
-    std::uint32_t* joints = nullptr;          // run by run; null_index in the padding
+    std::uint32_t* joints = nullptr;  // run by run; null_index in the padding
     JointRun* runs = nullptr;
     std::uint32_t run_count = 0;
-    std::uint32_t joint_count = 0;            // in runs
-    std::uint32_t awake_joints = 0;           // in runs or trees
+    std::uint32_t joint_count = 0;   // in runs
+    std::uint32_t awake_joints = 0;  // in runs or trees
     bool has_trees = false;
     std::uint32_t overflow_joints = 0;
-    TreeBody* tree_bodies = nullptr;          // of each batch leaves first
-    std::uint32_t* tree_parents = nullptr;    // where in the batch's trees the parent stands; null_index if it cannot be pushed, or there is none
+    TreeBody* tree_bodies = nullptr;        // of each batch leaves first
+    std::uint32_t* tree_parents = nullptr;  // where in the batch's trees the parent stands; null_index if it cannot be pushed, or there is none
     std::uint32_t tree_count = 0;
-    float* lightness = nullptr;               // by body: how many times less it weighs, for the solve, than it does; null: all as they are (shock)
-    std::uint32_t colors = 0;                 // in use
+    float* lightness = nullptr;  // by body: how many times less it weighs, for the solve, than it does; null: all as they are (shock)
+    std::uint32_t colors = 0;    // in use
     std::uint32_t touching_count = 0;
 };
 

@@ -95,8 +95,7 @@ std::uint32_t update_block(const Task<T>& task, const T* divisors, Range range) 
 template <class T>
 Result<T> run_blocks(Task<T> task) {
     T* const divisors = task.memory.template take<T>(task.size());
-    if (const Verdict v = find_divisors(task.problem, task.options.regularisation, false, divisors); !v.good())
-        return finish(task, v.status, v.row, 0);
+    if (const Verdict v = find_divisors(task.problem, task.options.regularisation, false, divisors); !v.good()) return finish(task, v.status, v.row, 0);
     if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
     const std::uint32_t blocks = task.options.blocks.empty() ? task.rows : static_cast<std::uint32_t>(task.options.blocks.size());
     for (std::uint32_t done = 0; done < task.options.max_iterations; ++done) {

@@ -62,9 +62,7 @@ bool row_is_finite(const Problem<T>& problem, std::uint32_t i, const T* x) {
     return true;
 }
 
-bool takes_order(Method method) {
-    return method == Method::pgs || method == Method::psor || method == Method::symmetric_pgs || method == Method::nncg;
-}
+bool takes_order(Method method) { return method == Method::pgs || method == Method::psor || method == Method::symmetric_pgs || method == Method::nncg; }
 
 Verdict check_blocks(std::span<const std::uint32_t> blocks, std::size_t rows) {
     if (blocks.empty()) return {};
@@ -93,8 +91,7 @@ Verdict check(const Problem<T>& problem, std::span<const T> x) {
 
 template <class T>
 Verdict check(const Options<T>& options, std::size_t rows) {
-    if (!is_finite(options.tolerance) || !is_finite(options.omega) || !is_finite(options.regularisation))
-        return {Status::not_finite, no_row};
+    if (!is_finite(options.tolerance) || !is_finite(options.omega) || !is_finite(options.regularisation)) return {Status::not_finite, no_row};
     if (options.method > Method::lemke || options.check_every == 0 || options.tolerance < T(0) || options.regularisation < T(0) ||
         !(options.omega > T(0) && options.omega < T(2)))
         return {Status::bad_option, no_row};

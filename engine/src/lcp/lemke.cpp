@@ -17,12 +17,7 @@
 namespace islet::lcp {
 namespace {
 
-enum class Kind : std::uint32_t {
-    at_lo,
-    at_hi,
-    fixed,
-    unbounded
-};  // a row while its x is nonbasic; fixed: lo = hi; the last two are never at odds
+enum class Kind : std::uint32_t { at_lo, at_hi, fixed, unbounded };  // a row while its x is nonbasic; fixed: lo = hi; the last two are never at odds
 
 constexpr std::uint32_t most_friction_rounds = 200;
 
@@ -162,8 +157,7 @@ Stop<T> find_stop(const Lemke<T>& s, std::uint32_t column, T direction, T own_ro
         if (!first && after <= stop.after + rounding) {
             // At the same time: z ends the search, so it goes first; then rows by the rule that forbids cycles; a variable's own bound last.
             const bool z_waits = stop.row != no_row && d.basic[stop.row] == d.z();
-            first = d.basic[r] == d.z() || stop.row == no_row ||
-                    (!z_waits && comes_first(d, r, rate, stop.row, d.row(stop.row)[column] * direction));
+            first = d.basic[r] == d.z() || stop.row == no_row || (!z_waits && comes_first(d, r, rate, stop.row, d.row(stop.row)[column] * direction));
         }
         if (first) stop = {after, r};
     }
@@ -298,8 +292,7 @@ Result<T> run_lemke(Task<T> task) {
         }
         fill(task, s);
         const std::uint32_t singular = settle_unbounded(task, s);
-        if (singular != no_row)
-            return finish(task, s.pivots == task.options.max_iterations ? Status::iteration_limit : Status::singular, singular, s.pivots);
+        if (singular != no_row) return finish(task, s.pivots == task.options.max_iterations ? Status::iteration_limit : Status::singular, singular, s.pivots);
         status = follow(task, s);
         if (status != Status::converged) return finish(task, status, no_row, s.pivots);
         read_off(task, s);

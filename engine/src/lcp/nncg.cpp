@@ -37,8 +37,7 @@ Result<T> run_nncg(Task<T> task) {
     T* const divisors = task.memory.template take<T>(task.size());
     T* const old = task.memory.template take<T>(task.size());
     T* const direction = task.memory.template take<T>(task.size());
-    if (const Verdict v = find_divisors(task.problem, o.regularisation, false, divisors); !v.good())
-        return finish(task, v.status, v.row, 0);
+    if (const Verdict v = find_divisors(task.problem, o.regularisation, false, divisors); !v.good()) return finish(task, v.status, v.row, 0);
     if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
     for (std::uint32_t i = 0; i < task.rows; ++i) direction[i] = T(0);
     T last_square = T(0);  // of the gradient before; 0: there is none

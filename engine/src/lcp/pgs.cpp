@@ -33,8 +33,7 @@ std::uint32_t one_iteration(const Task<T>& task, const T* divisors) {
 template <class T>
 Result<T> run_sweeps(Task<T> task) {
     T* const divisors = task.memory.template take<T>(task.size());
-    if (const Verdict v = find_divisors(task.problem, task.options.regularisation, false, divisors); !v.good())
-        return finish(task, v.status, v.row, 0);
+    if (const Verdict v = find_divisors(task.problem, task.options.regularisation, false, divisors); !v.good()) return finish(task, v.status, v.row, 0);
     if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
     for (std::uint32_t done = 0; done < task.options.max_iterations; ++done) {
         const std::uint32_t failed = one_iteration(task, divisors);

@@ -37,8 +37,7 @@ T overflowing_row_value(const Problem<T>& problem, std::uint32_t i, const T* x) 
 template <class T>
 T natural_residual(const Problem<T>& problem, const T* x) {
     T most = T(0);
-    for (std::uint32_t i = 0; i < row_count(problem); ++i)
-        most = worse(most, magnitude(natural_map(x[i], row_value(problem, i, x), bounds_of(problem, i, x))));
+    for (std::uint32_t i = 0; i < row_count(problem); ++i) most = worse(most, magnitude(natural_map(x[i], row_value(problem, i, x), bounds_of(problem, i, x))));
     return most;
 }
 

@@ -1,8 +1,8 @@
 // A row of a problem: its w, its entries, its bounds.
 #pragma once
 
-#include "islet/lcp.hpp"
 #include "../lcp/arithmetic.hpp"
+#include "islet/lcp.hpp"
 
 namespace islet::lcp {
 

@@ -1,8 +1,8 @@
 // What is asked of boxes in many places: a build for size keeps one copy of each.
 #pragma once
 
-#include "islet/math.hpp"
 #include "../math/inlining.hpp"
+#include "islet/math.hpp"
 
 namespace islet::detail {
 

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <cstring>
 
-#include "islet/config.hpp"
-#include "islet/math.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
+#include "islet/config.hpp"
+#include "islet/math.hpp"
 
 #if defined(__SSE2__)
 #include <immintrin.h>

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "islet/math.hpp"
 #include "../math/inlining.hpp"
+#include "islet/math.hpp"
 
 namespace islet::detail {
 

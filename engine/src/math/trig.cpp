@@ -11,8 +11,8 @@
 
 #include <cstdint>
 
-#include "islet/math.hpp"
 #include "../math/scalar.hpp"
+#include "islet/math.hpp"
 
 namespace islet {
 namespace {
@@ -75,10 +75,10 @@ Rot make_rot(float radians) {
     const float sine = r + r * z * (-1.666665077e-1f + z * (8.331974968e-3f + z * -1.949444268e-4f));
     const float cosine = 1.0f - (0.5f * z - z * z * (4.166664556e-2f + z * (-1.388730365e-3f + z * 2.443120320e-5f)));
     switch (a.quadrant & 3) {
-    case 0: return {cosine, sine};
-    case 1: return {-sine, cosine};
-    case 2: return {-cosine, -sine};
-    default: return {sine, -cosine};
+        case 0: return {cosine, sine};
+        case 1: return {-sine, cosine};
+        case 2: return {-cosine, -sine};
+        default: return {sine, -cosine};
     }
 }
 

@@ -1,8 +1,8 @@
 // Lengths and unit vectors, and the integration of a rotation: what math.hpp declares but does not define, trigonometry apart.
 #include "../exact.hpp"
 
-#include "islet/math.hpp"
 #include "../math/scalar.hpp"
+#include "islet/math.hpp"
 
 namespace islet {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "islet/layout.hpp"
 #include "../math/inlining.hpp"
+#include "islet/layout.hpp"
 
 namespace islet::detail {
 
@@ -27,9 +27,7 @@ struct BitSet {
     void assign(std::uint32_t i, bool on) const { on ? set(i) : clear(i); }
     void clear_all() const { std::memset(words, 0, std::size_t{word_count} * 8); }
 
-    std::uint32_t count() const {
-        return count_in(0, word_count);
-    }
+    std::uint32_t count() const { return count_in(0, word_count); }
     /// Bits set in the words first <= w < end.
     std::uint32_t count_in(std::uint32_t first, std::uint32_t end) const {
         std::uint32_t n = 0;

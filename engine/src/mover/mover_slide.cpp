@@ -9,9 +9,9 @@ namespace islet::detail {
 namespace {
 
 constexpr std::uint32_t slide_passes = 8;
-constexpr float no_way = 1e-6f;          // m: not worth moving
+constexpr float no_way = 1e-6f;            // m: not worth moving
 constexpr float least_edge_slope = 0.05f;  // an edge whose normal points up less than this is a wall
-constexpr float edge_probe = 0.03f;      // m, from an edge inwards, to see what it is the edge of
+constexpr float edge_probe = 0.03f;        // m, from an edge inwards, to see what it is the edge of
 
 ShapeProxy capsule_of(const Mover& m, float growth) {
     ShapeProxy p;

@@ -15,22 +15,22 @@ ShapeProxy proxy_of(const Geometry& g) {
         p.radius = radius;
     };
     switch (g.shape_type()) {
-    case ShapeType::circle:
-        p.points[0] = g.circle.center;
-        p.count = 1;
-        p.radius = g.circle.radius;
-        break;
-    case ShapeType::capsule: line({g.capsule.point1, g.capsule.point2}, g.capsule.radius); break;
-    case ShapeType::segment: line(g.segment, 0); break;
-    case ShapeType::chain_segment:
-        line(g.chain.segment, 0);
-        p.one_sided = true;
-        break;
-    case ShapeType::polygon:
-        for (std::uint32_t i = 0; i < g.polygon.count; ++i) p.points[i] = g.polygon.vertices[i];
-        p.count = g.polygon.count;
-        p.radius = g.polygon.radius;
-        break;
+        case ShapeType::circle:
+            p.points[0] = g.circle.center;
+            p.count = 1;
+            p.radius = g.circle.radius;
+            break;
+        case ShapeType::capsule: line({g.capsule.point1, g.capsule.point2}, g.capsule.radius); break;
+        case ShapeType::segment: line(g.segment, 0); break;
+        case ShapeType::chain_segment:
+            line(g.chain.segment, 0);
+            p.one_sided = true;
+            break;
+        case ShapeType::polygon:
+            for (std::uint32_t i = 0; i < g.polygon.count; ++i) p.points[i] = g.polygon.vertices[i];
+            p.count = g.polygon.count;
+            p.radius = g.polygon.radius;
+            break;
     }
     return p;
 }
@@ -50,8 +50,7 @@ bool check_proxy(const Core& core, const ShapeProxy& p) {
 }
 
 bool check_translation(const Core& core, Vec2 translation) {
-    return check_range(core, translation.x, -max_translation, max_translation) &&
-           check_range(core, translation.y, -max_translation, max_translation);
+    return check_range(core, translation.x, -max_translation, max_translation) && check_range(core, translation.y, -max_translation, max_translation);
 }
 
 Aabb box_of(const ShapeProxy& p) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../broadphase/tree.hpp"
-#include "islet/query.hpp"
 #include "../calls/checks.hpp"
+#include "islet/query.hpp"
 
 namespace islet::detail {
 
@@ -41,9 +41,7 @@ bool check_translation(const Core& core, Vec2 translation);
 Aabb box_of(const ShapeProxy& p);
 
 /// Rounding in boxes and in what is inside them, m, for numbers up to those in `box`: what is within it of a box may touch what is in the box.
-inline float rounding_of(const Aabb& box) {
-    return 1e-6f * max(max(abs(box.lower.x), abs(box.lower.y)), max(abs(box.upper.x), abs(box.upper.y)));
-}
+inline float rounding_of(const Aabb& box) { return 1e-6f * max(max(abs(box.lower.x), abs(box.lower.y)), max(abs(box.upper.x), abs(box.upper.y))); }
 
 /// As overlaps, without branches: most boxes that a search looks at are beside the question, and no processor could guess on which side.
 ISLET_INLINE bool boxes_meet(const Aabb& a, const Aabb& b) {

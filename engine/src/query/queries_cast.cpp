@@ -34,9 +34,9 @@ struct Cast {
     const ShapeProxy& moving;
     Vec2 d;
     QueryFilter filter;
-    Aabb box;     // at the start, and a little more
-    Aabb swept;   // around the whole way
-    Vec2 inv_d;   // 0 where d is as good as 0
+    Aabb box;    // at the start, and a little more
+    Aabb swept;  // around the whole way
+    Vec2 inv_d;  // 0 where d is as good as 0
 
     Cast(const Core& c, const ShapeProxy& p, Vec2 translation, const QueryFilter& f) : core(c), moving(p), d(translation), filter(f) {
         const Aabb start = box_of(p);
@@ -158,13 +158,9 @@ void World::cast_ray_each(Vec2 origin, Vec2 translation, const QueryFilter& filt
     if (check_position(core(), origin)) each_hit(core(), point_proxy(origin), translation, filter, visit, context);
 }
 
-QueryHit World::cast_shape(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter) const {
-    return first_hit(core(), shape, translation, filter);
-}
+QueryHit World::cast_shape(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter) const { return first_hit(core(), shape, translation, filter); }
 
-bool World::cast_shape_any(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter) const {
-    return any_hit(core(), shape, translation, filter);
-}
+bool World::cast_shape_any(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter) const { return any_hit(core(), shape, translation, filter); }
 
 std::uint32_t World::cast_shape_all(const ShapeProxy& shape, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter) const {
     return all_hits(core(), shape, translation, out, filter);

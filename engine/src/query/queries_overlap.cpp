@@ -118,19 +118,21 @@ ClosestHit World::closest(Vec2 point, float max_distance, const QueryFilter& fil
         const Vec2 outside = max(max(box.lower - point, point - box.upper), Vec2{0, 0});
         return max(0.0f, length(outside) - rounding_of(at));
     };
-    search_shapes(c, [&](const Aabb& box) { return gap(box) <= within; }, [&](std::uint32_t shape) {
-        if (!is_queried(c, shape, filter)) return;
-        const Transform t = body_transform(c, c.shapes[shape].body);
-        const ShapeProxy other = proxy_of(c.geometries[c.shapes[shape].geometry]);
-        const Difference w = difference_of(seen_from(t, proxy), other);
-        const Nearest n = nearest(w);
-        const float distance = max(n.distance, gap(c.boxes[shape]));  // not less than its box: so it never matters when a search comes to the box
-        const bool closer = distance < within || (distance == within && (!best || shape + 1 < best.shape.index1));
-        if (!closer) return;
-        const Vec2 surface = transform_point(t, point_of(w, w.index_b, other.points, n.place) + other.radius * n.normal);
-        best = {c.shape_id(shape), n.distance > 0 ? surface : point, rotate(t.q, n.normal), distance};
-        within = distance;
-    });
+    search_shapes(
+        c, [&](const Aabb& box) { return gap(box) <= within; },
+        [&](std::uint32_t shape) {
+            if (!is_queried(c, shape, filter)) return;
+            const Transform t = body_transform(c, c.shapes[shape].body);
+            const ShapeProxy other = proxy_of(c.geometries[c.shapes[shape].geometry]);
+            const Difference w = difference_of(seen_from(t, proxy), other);
+            const Nearest n = nearest(w);
+            const float distance = max(n.distance, gap(c.boxes[shape]));  // not less than its box: so it never matters when a search comes to the box
+            const bool closer = distance < within || (distance == within && (!best || shape + 1 < best.shape.index1));
+            if (!closer) return;
+            const Vec2 surface = transform_point(t, point_of(w, w.index_b, other.points, n.place) + other.radius * n.normal);
+            best = {c.shape_id(shape), n.distance > 0 ? surface : point, rotate(t.q, n.normal), distance};
+            within = distance;
+        });
     return best;
 }
 

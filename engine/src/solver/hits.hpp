@@ -18,8 +18,6 @@ ISLET_OPTIONAL void report_hits(Core& core, const float* speeds);
 
 /// Does nothing, but whoever refers to it links the function above.
 void link_hits();
-inline bool hits_are_linked() {
-    return ISLET_IS_LINKED(report_hits);
-}
+inline bool hits_are_linked() { return ISLET_IS_LINKED(report_hits); }
 
 }  // namespace islet::detail

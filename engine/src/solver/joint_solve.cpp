@@ -39,18 +39,12 @@ void prepare_joint_run(const JointRun& run, std::uint32_t lanes, std::byte* rows
 
 void solve_joint_run(const JointRun& run, std::uint32_t lanes, SolverBody* bodies, std::byte* rows, const JointSweep& sweep) {
     with_width(run, lanes, [&](auto w) {
-        if constexpr (w == 1) {
-            solve_joints<Lane1>(run.kernel, bodies, rows, run.blocks, sweep);
-        }
+        if constexpr (w == 1) { solve_joints<Lane1>(run.kernel, bodies, rows, run.blocks, sweep); }
 #if ISLET_MAX_LANES >= 4
-        if constexpr (w == 4) {
-            solve_joints<Lane4>(run.kernel, bodies, rows, run.blocks, sweep);
-        }
+        if constexpr (w == 4) { solve_joints<Lane4>(run.kernel, bodies, rows, run.blocks, sweep); }
 #endif
 #if ISLET_MAX_LANES >= 8
-        if constexpr (w == 8) {
-            solve_joints_8(run.kernel, bodies, rows, run.blocks, sweep);
-        }
+        if constexpr (w == 8) { solve_joints_8(run.kernel, bodies, rows, run.blocks, sweep); }
 #endif
     });
 }

@@ -22,8 +22,6 @@ ISLET_OPTIONAL void store_joint_run(const JointRun& run, std::uint32_t lanes, st
 /// Does nothing, but whoever refers to it links the functions above.
 void link_joint_solve();
 /// True if anybody did.
-inline bool joint_solve_is_linked() {
-    return ISLET_IS_LINKED(solve_joint_run);
-}
+inline bool joint_solve_is_linked() { return ISLET_IS_LINKED(solve_joint_run); }
 
 }  // namespace islet::detail

@@ -16,9 +16,7 @@ void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, cons
 void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, float threshold) {
     ContactKernel<Lane8>::restitute(bodies, rows, count, threshold);
 }
-void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count) {
-    ContactKernel<Lane8>::store(manifolds, rows, count);
-}
+void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count) { ContactKernel<Lane8>::store(manifolds, rows, count); }
 void solve_joints_8(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
     solve_joints<Lane8>(kernel, bodies, rows, blocks, sweep);
 }

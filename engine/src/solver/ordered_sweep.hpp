@@ -16,6 +16,7 @@ namespace islet::detail {
 void link_ordering();
 
 /// One sweep over the rows in their order. `ground`: for contacts of bodies that cannot be pushed.
-ISLET_OPTIONAL void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground, bool block);
+ISLET_OPTIONAL void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground,
+                                   bool block);
 
 }  // namespace islet::detail

@@ -49,11 +49,11 @@ struct Solve {
     bool is_ordered = false;
     std::byte* joint_rows;
     TreeLink* trees;
-    std::byte* blocks;                     // ContactRows of the core's lanes
+    std::byte* blocks;  // ContactRows of the core's lanes
     ContactRows<1>* overflow;
-    float* residuals;                      // m/s, by island; null if not wanted
-    float tolerance;                       // m/s; 0: as many sweeps as there are to be
-    float* hits = nullptr;                 // m/s, by contact: how fast the shapes came together (hits.hpp); null if not wanted
+    float* residuals;       // m/s, by island; null if not wanted
+    float tolerance;        // m/s; 0: as many sweeps as there are to be
+    float* hits = nullptr;  // m/s, by contact: how fast the shapes came together (hits.hpp); null if not wanted
 };
 
 SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, float h) {
@@ -238,7 +238,7 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
 }
 
 inline constexpr std::uint32_t wide_contacts = 4096;  // from so many contacts and joints on all workers solve a batch together
-inline constexpr std::uint32_t contact_grain = 192;                 // contacts of a colour, joints of a run and bodies that are worth a task
+inline constexpr std::uint32_t contact_grain = 192;   // contacts of a colour, joints of a run and bodies that are worth a task
 inline constexpr std::uint32_t joint_grain = 128;
 inline constexpr std::uint32_t slot_grain = 512;
 
@@ -279,8 +279,7 @@ struct BatchSolve {
     void over_colors(Work&& work) {
         for (std::uint32_t c = 0; c < color_count; ++c) {
             const std::uint32_t begin = batch.first_block[c];
-            over(batch.first_block[c + 1] - begin, contact_grain / W,
-                 [&](std::uint32_t first, std::uint32_t end) { work(begin + first, begin + end, c); });
+            over(batch.first_block[c + 1] - begin, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { work(begin + first, begin + end, c); });
         }
     }
 
@@ -356,8 +355,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const std::uint32_t count = batch.first_block[c + 1] - begin;
         if (count == 0) continue;
         const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
-        over(count, contact_grain / W,
-             [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, row(begin + first), end - first, numbers); });
+        over(count, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, row(begin + first), end - first, numbers); });
     }
     if (has_tuning && s.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
     if (tree_count() != 0) solve_trees(s.bodies, s.trees + batch.first_tree, tree_count(), joints);
@@ -436,11 +434,10 @@ void BatchSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, cons
 template <class K>
 void BatchSolve<K>::store() {
     const std::uint32_t begin = batch.first_block[0];
-    over(batch.first_block[color_count] - begin, 4 * contact_grain / W,
-         [&](std::uint32_t first, std::uint32_t end) {
-             K::store(s.core.manifolds, row(begin + first), end - first);
-             if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, row(begin + first), end - first, s.hits);
-         });
+    over(batch.first_block[color_count] - begin, 4 * contact_grain / W, [&](std::uint32_t first, std::uint32_t end) {
+        K::store(s.core.manifolds, row(begin + first), end - first);
+        if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, row(begin + first), end - first, s.hits);
+    });
     ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });

@@ -1,8 +1,8 @@
 // The solve: batches side by side, the substeps of each one after another.
 #pragma once
 
-#include "../island/batches.hpp"
 #include "../constraint/contact_rows.hpp"
+#include "../island/batches.hpp"
 
 namespace islet::detail {
 

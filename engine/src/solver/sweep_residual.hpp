@@ -31,7 +31,7 @@ inline constexpr float no_residual = 3.0e38f;
 
 /// What a block of rows and the bodies it may push are, before it is solved on trial.
 struct Trial {
-    std::byte* rows;         // all that solving changes besides the bodies
+    std::byte* rows;  // all that solving changes besides the bodies
     std::size_t bytes;
     std::uint32_t slots[most_trial_slots];  // in any order and number
     std::uint32_t count = 0;

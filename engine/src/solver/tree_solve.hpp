@@ -46,12 +46,12 @@ struct TreeLink {
     Vec2 dv;                              // m/s, what all hinges of the tree have made of the child's velocity in this substep
     float dw = 0;                         // rad/s
     // Factors of this sweep.
-    Vec2 arm_c, arm_p;                    // m, rc and rp as they are now
-    Sym3 m;                               // what hangs here: its mass, then the inverse of that
-    Sym2 s;                               // S^-1
-    Vec2 b;                               // m/s
-    Vec2 f;                               // N s gathered from the children
-    float t = 0;                          // N m s
+    Vec2 arm_c, arm_p;  // m, rc and rp as they are now
+    Sym3 m;             // what hangs here: its mass, then the inverse of that
+    Sym2 s;             // S^-1
+    Vec2 b;             // m/s
+    Vec2 f;             // N s gathered from the children
+    float t = 0;        // N m s
 };
 
 static_assert(sizeof(TreeLink) == tree_link_bytes);

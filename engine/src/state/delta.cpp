@@ -223,8 +223,7 @@ std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> de
             std::memcpy(image.data() + place, &word, 4);
         },
         [&] { return !unpacker.broken; });
-    const bool sound = !unpacker.broken && unpacker.at == delta.size() && unpacker.zeros == 0 &&
-                       image_checksum(image) == new_header.head.checksum;
+    const bool sound = !unpacker.broken && unpacker.at == delta.size() && unpacker.zeros == 0 && image_checksum(image) == new_header.head.checksum;
     return sound ? image.size() : failed(error, Error::corrupt_image);
 }
 

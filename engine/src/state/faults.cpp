@@ -111,9 +111,8 @@ const char* fault_in_records(const Core& c) {
     for (std::uint32_t i = 0; bad == nullptr && i < s.geometry_pool.high_water; ++i)
         if (c.geometries[i].references != 0) bad = fault_in_numbers(c.geometries[i]);
     if (bad != nullptr) return bad;
-    bad = first_fault(s.shape_pool, c.shapes, [&](std::uint32_t i) {
-        return live_body(c, c.shapes[i].body) ? fault_in_numbers(c.shapes[i], c.boxes[i]) : "a shape's body is gone";
-    });
+    bad = first_fault(s.shape_pool, c.shapes,
+                      [&](std::uint32_t i) { return live_body(c, c.shapes[i].body) ? fault_in_numbers(c.shapes[i], c.boxes[i]) : "a shape's body is gone"; });
     if (bad != nullptr) return bad;
     bad = first_fault(s.contact_pool, c.contacts, [&](std::uint32_t i) -> const char* {
         const Contact& contact = c.contacts[i];
@@ -273,7 +272,8 @@ const char* fault_in_told(const Core& c, const Contact& contact, const ContactMa
     if (!sensor && (m.flags & contact_overlap) != 0) return "a contact that is no sensor's has an overlap";
     if (!sensor && (m.flags & contact_hits) != 0 && (flags & shape_hit_events) == 0) return "a contact tells of hits unasked";
     if (!sensor && (m.flags & contact_asks) != 0 && (flags & shape_pre_solve) == 0) return "a contact asks the hook unasked";
-    if (((m.flags & contact_one_way) != 0) != (!sensor && has_one_way && (flags & shape_one_way_bits) != 0)) return "a contact of a one-way shape is not marked as one, or the reverse";
+    if (((m.flags & contact_one_way) != 0) != (!sensor && has_one_way && (flags & shape_one_way_bits) != 0))
+        return "a contact of a one-way shape is not marked as one, or the reverse";
     if ((m.flags & contact_one_way) == 0 && (m.flags & (contact_passes | contact_dropped)) != 0) return "a contact passes unasked";
     if (!contact.has_own_speed()) return nullptr;
     const float speed = contact.own_speed();

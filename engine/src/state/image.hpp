@@ -22,10 +22,10 @@ struct ImageHead {
 
 struct ImageHeader {
     ImageHead head{image_magic};
-    Capacity capacity;           // of the world that was saved
+    Capacity capacity;  // of the world that was saved
     // Records in use.
     std::uint32_t bodies = 0, shapes = 0, contacts = 0, joints = 0, geometries = 0, tree_nodes = 0;
-    std::uint32_t ended = 0;     // touches that ended since the last step, not yet reported
+    std::uint32_t ended = 0;           // touches that ended since the last step, not yet reported
     std::uint32_t ended_overlaps = 0;  // of sensors
 };
 

@@ -6,9 +6,9 @@
 
 #include "islet/recording.hpp"
 
-#include "islet/snapshot.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
+#include "islet/snapshot.hpp"
 
 namespace islet {
 
@@ -270,8 +270,7 @@ Error read_recording(std::span<const std::byte> recording, RecordingInfo& out) {
     Contents contents;
     contents.add(recording.subspan(sizeof head, static_cast<std::size_t>(head.image_bytes)));
     CallReader reader(recording.data(), calls_at(head.image_bytes), static_cast<std::size_t>(head.used));
-    while (!reader.at_end() && contents.add_call(reader)) {
-    }
+    while (!reader.at_end() && contents.add_call(reader)) {}
     out = {info.capacity, contents.bounded(info.capacity), head.used, head.bodies != 0};
     return Error::none;
 }

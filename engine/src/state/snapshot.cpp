@@ -9,6 +9,7 @@
 #include "../calls/recorder.hpp"
 #include "../collide/manifold.hpp"
 #include "../graph/contacts.hpp"
+#include "../graph/hooks.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../graph/sensors.hpp"
 #include "../math/checksum.hpp"
@@ -18,7 +19,6 @@
 #include "../state/faults.hpp"
 #include "../state/image.hpp"
 #include "../step/continuous.hpp"
-#include "../graph/hooks.hpp"
 #include "../step/one_way.hpp"
 
 namespace islet {
@@ -134,7 +134,8 @@ bool needs_what_is_cut(const Core& c) {
         if (!has_one_way && (shape.flags & shape_one_way_bits) != 0) return true;
     }
     for (std::uint32_t i = 0; !has_sleep && i < s.body_pool.high_water; ++i)
-        if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (c.bodies[i].flags & body_disabled) == 0) return true;
+        if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (c.bodies[i].flags & body_disabled) == 0)
+            return true;
     return (!has_sleep && s.enable_sleep != 0) || (!has_continuous && s.continuous != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
 }
 
@@ -235,9 +236,7 @@ std::size_t World::save(std::span<std::byte> out) const {
     if (!may_change(c) || !check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
     Writer writer(out.data());
     writer.write(reinterpret_cast<const std::byte*>(&h) + sizeof h.head, sizeof h - sizeof h.head);
-    for_each_part(c, h, [&](const auto* from, std::uint64_t bytes) {
-        writer.write(waiting(c, from), bytes);
-    });
+    for_each_part(c, h, [&](const auto* from, std::uint64_t bytes) { writer.write(waiting(c, from), bytes); });
     h.head.checksum = writer.checksum();
     std::memcpy(out.data(), &h.head, sizeof h.head);
     return static_cast<std::size_t>(h.head.length);

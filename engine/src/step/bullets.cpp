@@ -41,8 +41,8 @@ void find_impact(const Core& core, std::uint32_t body, const Sweep& way, std::ui
 
 bool is_stopped(const Core& core, std::uint32_t body) { return (core.bodies[body].flags & body_bullet) != 0 && core.is_dynamic(body); }
 
-WayImpact first_impact(const Core& core, std::uint32_t body, const Sweep& way, const std::uint32_t* body_of, std::uint32_t slot_count,
-                    const SolverBody* bodies, std::uint32_t slot, bool last_round) {
+WayImpact first_impact(const Core& core, std::uint32_t body, const Sweep& way, const std::uint32_t* body_of, std::uint32_t slot_count, const SolverBody* bodies,
+                       std::uint32_t slot, bool last_round) {
     WayImpact first;
     const Pose& pose = core.poses[body];
     const float far_enough = swept_fraction * core.bodies[body].min_extent;

@@ -14,12 +14,12 @@
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
+#include "../graph/hooks.hpp"
 #include "../graph/sensors.hpp"
 #include "../math/boxes.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 #include "../step/continuous.hpp"
-#include "../graph/hooks.hpp"
 #include "../step/inner_edges.hpp"
 #include "../step/one_way.hpp"
 
@@ -28,8 +28,8 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the bodies may slip before a manifold is made anew
-inline constexpr std::uint32_t update_grain = 4;                // words of 64 contacts that are worth a task
-inline constexpr std::uint32_t clear_grain = 16;                // words of 64 bodies that are worth a task
+inline constexpr std::uint32_t update_grain = 4;               // words of 64 contacts that are worth a task
+inline constexpr std::uint32_t clear_grain = 16;               // words of 64 bodies that are worth a task
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
 
 // One of the two is not dynamic.
@@ -99,8 +99,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, bool ahead, float dt) 
     const Stand stand = stand_of(core, m, c.shape_a, c.shape_b, ahead, dt);
     const Vec2 center_a = core.bodies[m.body_a].local_center;
     const Transform b_in_a = pose_between(core, m.body_a, m.body_b, stand);
-    Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a,
-                              speculative_distance);
+    Manifold fresh = dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a, speculative_distance);
     if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) mend_inner_edges(core, c, b_in_a, fresh);
 
     const ContactManifold old = m;
@@ -246,8 +245,7 @@ void update_contacts(Core& core, float dt) {
         }
     });
     for_ranges(core, core.awake_bodies.word_count, clear_grain, [&](std::uint32_t first, std::uint32_t end) {
-        core.awake_bodies.for_each_in(first, end,
-                                      [&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
+        core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
     });
     to_wake.for_each([&](std::uint32_t body) { wake_island(core, body, arena); });
 }

@@ -14,16 +14,16 @@
 #include "../collide/time_of_impact.hpp"
 #include "../data/features.hpp"
 #include "../graph/contacts.hpp"
+#include "../graph/hooks.hpp"
 #include "../math/boxes.hpp"
 #include "../math/scalar.hpp"
-#include "../graph/hooks.hpp"
 
 namespace islet::detail {
 
 namespace {
 
 inline constexpr float most_tolerance = 0.25f * linear_slop;  // m
-inline constexpr float least_gap = 0.05f * linear_slop;  // m that the middle of a shape keeps from what it must not pass
+inline constexpr float least_gap = 0.05f * linear_slop;       // m that the middle of a shape keeps from what it must not pass
 
 // Smallest distance of the polygon's faces from its middle.
 float inner_radius(const Polygon& p) {
@@ -41,9 +41,7 @@ Vec2 inset_corner(const Polygon& p, std::uint32_t i, float inset) {
     return corner;
 }
 
-float half_thickness(const Geometry& g) {
-    return corners_of(g).radius + (g.shape_type() == ShapeType::polygon ? inner_radius(g.polygon) : 0);
-}
+float half_thickness(const Geometry& g) { return corners_of(g).radius + (g.shape_type() == ShapeType::polygon ? inner_radius(g.polygon) : 0); }
 
 enum class Part { whole, core, middle };
 
@@ -128,9 +126,7 @@ float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::ui
     return touching > 0 && touching < passing ? touching : passing;
 }
 
-Aabb box_of_way(Vec2 start, Vec2 way, float reach) {
-    return expand(box_around(start, start + way), reach);
-}
+Aabb box_of_way(Vec2 start, Vec2 way, float reach) { return expand(box_around(start, start + way), reach); }
 
 void place_at_end(Core& core, std::uint32_t body, const Sweep& way, SolverBody& out) {
     core.poses[body].center = way.center + way.way;

@@ -24,8 +24,8 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float least_lean = 1.0e-4f;           // a normal that leans less does not lean
-inline constexpr float gap_width = 0.2f * linear_slop; // m: a neighbour that covers a side holds what is this far in front of it
+inline constexpr float least_lean = 1.0e-4f;            // a normal that leans less does not lean
+inline constexpr float gap_width = 0.2f * linear_slop;  // m: a neighbour that covers a side holds what is this far in front of it
 
 // Signed distance of a point from the plane of a face of the core, body frame.
 float height_over(const Polygon& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
@@ -69,7 +69,7 @@ struct Floor {
     const Core& core;
     std::uint32_t shape;  // the piece
     const Polygon& piece;
-    std::uint32_t other;  // the other shape's body
+    std::uint32_t other;                 // the other shape's body
     Vec2 corners[max_polygon_vertices];  // of the other shape
     std::uint32_t count;
     float radius;
@@ -86,7 +86,8 @@ struct Floor {
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
             const std::uint32_t flags = core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags;
             const Polygon* its = polygon_of(core, neighbor);
-            if (neighbor == shape || !fixed || its == nullptr || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
+            if (neighbor == shape || !fixed || its == nullptr || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0)
+                return;  // it holds nothing, or may not
             visit(*its, inv_mul(body_transform(core, its_body), at));
         });
     }
@@ -143,7 +144,9 @@ struct Floor {
                 if (height_over(piece, i, corners[k]) < height_over(piece, i, corners[lowest])) lowest = k;
             }
             const float height = height_over(piece, i, corners[lowest]);
-            if (sum < 0 || (best != null_index && height <= gap) || is_covered(i, corners[lowest] - (height - piece.radius) * piece.normals[i], piece.normals[i])) continue;
+            if (sum < 0 || (best != null_index && height <= gap) ||
+                is_covered(i, corners[lowest] - (height - piece.radius) * piece.normals[i], piece.normals[i]))
+                continue;
             best = i;
             deepest = lowest;
             gap = height;

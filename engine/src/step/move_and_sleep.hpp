@@ -1,8 +1,8 @@
 // The end of a step: poses, fat boxes, sleep and events.
 #pragma once
 
-#include "../island/batches.hpp"
 #include "../constraint/contact_rows.hpp"
+#include "../island/batches.hpp"
 
 namespace islet::detail {
 

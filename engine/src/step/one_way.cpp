@@ -42,7 +42,8 @@ struct Pair {
           other(its),
           to_shape(inv_mul(shape_pose, pose)) {}
     Pair(const Core& core, std::uint32_t shape, std::uint32_t other_shape)
-        : Pair(core, shape, body_transform(core, core.shapes[shape].body), corners_of(core.geometries[core.shapes[other_shape].geometry]), body_transform(core, core.shapes[other_shape].body)) {}
+        : Pair(core, shape, body_transform(core, core.shapes[shape].body), corners_of(core.geometries[core.shapes[other_shape].geometry]),
+               body_transform(core, core.shapes[other_shape].body)) {}
 
     Lowest lowest() const { return lowest_of(other, inv_rotate(to_shape.q, up)); }
     float height() const { return lowest().height + dot(up, to_shape.p) + lowest_of(corners, -up).height; }
@@ -67,7 +68,8 @@ float height_above(const Core& core, std::uint32_t shape, std::uint32_t other) {
 }
 
 float height_above(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose) {
-    return (core.shapes[shape].flags & shape_one_way_bits) == 0 ? out_of_reach : Pair(core, shape, body_transform(core, core.shapes[shape].body), other, pose).height();
+    return (core.shapes[shape].flags & shape_one_way_bits) == 0 ? out_of_reach
+                                                                : Pair(core, shape, body_transform(core, core.shapes[shape].body), other, pose).height();
 }
 
 void link_one_way() {}

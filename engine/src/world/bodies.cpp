@@ -25,7 +25,8 @@ bool check_def(const Core& core, const BodyDef& d) {
                                    d.angular_damping, d.gravity_scale, d.sleep_threshold);
     return may_change(core) && check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
-           check(core, has_sleep || d.awake, Error::feature_cut) && check(core, !d.bullet || (has_continuous && ISLET_IS_LINKED(stop_bullets)), Error::feature_cut) &&
+           check(core, has_sleep || d.awake, Error::feature_cut) &&
+           check(core, !d.bullet || (has_continuous && ISLET_IS_LINKED(stop_bullets)), Error::feature_cut) &&
            check(core, d.enabled || disabling_is_linked(), Error::feature_cut);
 }
 
@@ -113,10 +114,10 @@ BodyId World::body_at(std::uint32_t slot) const {
 }
 
 // Reading: value if the id is good, else the type's zero.
-#define ISLET_READ_BODY(value)                            \
-    const Core& c = core();                               \
-    const std::uint32_t i = find_body(c, id);             \
-    if (i == null_index) return {};                       \
+#define ISLET_READ_BODY(value)                \
+    const Core& c = core();                   \
+    const std::uint32_t i = find_body(c, id); \
+    if (i == null_index) return {};           \
     return value
 
 Transform World::transform(BodyId id) const { ISLET_READ_BODY(body_transform(c, i)); }

@@ -1,8 +1,8 @@
 // World::counters: what is counted only when asked for.
 #include "../exact.hpp"
 
-#include "islet/layout.hpp"
 #include "../data/core.hpp"
+#include "islet/layout.hpp"
 
 namespace islet {
 

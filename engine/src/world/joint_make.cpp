@@ -156,9 +156,8 @@ JointId make(Core& core, Joint& j, const JointBase& base) {
     if (j.body_a == null_index) return {};
     j.body_b = find_body(core, base.body_b);
     if (j.body_b == null_index) return {};
-    if (!check(core, j.body_a != j.body_b, Error::same_body) ||
-        !check(core, core.is_dynamic(j.body_a) || core.is_dynamic(j.body_b), Error::no_dynamic_body) || !check_frame(core, base.frame_a) ||
-        !check_frame(core, base.frame_b) || !check_numbers(core, j))
+    if (!check(core, j.body_a != j.body_b, Error::same_body) || !check(core, core.is_dynamic(j.body_a) || core.is_dynamic(j.body_b), Error::no_dynamic_body) ||
+        !check_frame(core, base.frame_a) || !check_frame(core, base.frame_b) || !check_numbers(core, j))
         return {};
     j.frame_a = make_rot(base.frame_a.angle);
     j.frame_b = make_rot(base.frame_b.angle);

@@ -98,11 +98,11 @@ std::uint32_t World::joints(BodyId id, std::span<JointId> out) const {
 }
 
 // Reading: value if the id is good and the joint of one of the types, else the value's zero.
-#define ISLET_READ_JOINT(types, value)                      \
-    const Core& c = core();                                 \
-    const std::uint32_t i = find_joint(c, id, types);       \
-    if (i == null_index) return {};                         \
-    const Joint& j = c.joints[i];                           \
+#define ISLET_READ_JOINT(types, value)                \
+    const Core& c = core();                           \
+    const std::uint32_t i = find_joint(c, id, types); \
+    if (i == null_index) return {};                   \
+    const Joint& j = c.joints[i];                     \
     return value
 
 JointType World::joint_type(JointId id) const { ISLET_READ_JOINT(~0u, type_of(j)); }
@@ -157,9 +157,7 @@ JointError World::joint_error(JointId id) const {
     }
     const JointPose p = pose_of(j, c.poses, c.bodies);
     const Vec2 d = gap_of(p);
-    const auto beyond_limit = [&](float x) {
-        return (j.flags & joint_limit) != 0 ? max(0.0f, max(j.lower - x, x - j.upper)) : 0.0f;
-    };
+    const auto beyond_limit = [&](float x) { return (j.flags & joint_limit) != 0 ? max(0.0f, max(j.lower - x, x - j.upper)) : 0.0f; };
     const float across = abs(dot(left_perp({p.qa.c, p.qa.s}), d));
     switch (type_of(j)) {
         case JointType::revolute: return {length(d), beyond_limit(joint_coordinate(c, j))};

@@ -109,9 +109,9 @@ namespace detail {
 
 bool check_shape_def(const Core& core, const ShapeDef& d) {
     const bool finite = all_finite(d.friction, d.restitution, d.rolling_resistance, d.tangent_speed, d.density);
-    return check(core, finite, Error::not_finite) && check_finite(core, d.one_way) && check(core, d.one_way == Vec2{} || (has_one_way && one_way_is_linked()), Error::feature_cut) &&
-           check_range(core, d.friction, 0, max_coefficient) && check_range(core, d.restitution, 0, 1) &&
-           check_range(core, d.rolling_resistance, 0, max_coefficient) &&
+    return check(core, finite, Error::not_finite) && check_finite(core, d.one_way) &&
+           check(core, d.one_way == Vec2{} || (has_one_way && one_way_is_linked()), Error::feature_cut) && check_range(core, d.friction, 0, max_coefficient) &&
+           check_range(core, d.restitution, 0, 1) && check_range(core, d.rolling_resistance, 0, max_coefficient) &&
            check_range(core, d.tangent_speed, -max_speed_limit, max_speed_limit) && check_range(core, d.density, 0, no_limit) &&
            check(core, has_restitution || d.restitution == 0, Error::feature_cut) &&
            check(core, has_surfaces || (d.rolling_resistance == 0 && d.tangent_speed == 0), Error::feature_cut) &&
@@ -213,10 +213,10 @@ bool World::is_valid(ShapeId id) const {
 std::uint32_t World::shape_count() const { return core().state->shape_pool.count; }
 
 // Reading: value if the id is good, else the type's zero.
-#define ISLET_READ_SHAPE(value)                            \
-    const Core& c = core();                                \
-    const std::uint32_t i = find_shape(c, id);             \
-    if (i == null_index) return {};                        \
+#define ISLET_READ_SHAPE(value)                \
+    const Core& c = core();                    \
+    const std::uint32_t i = find_shape(c, id); \
+    if (i == null_index) return {};            \
     return value
 
 BodyId World::body(ShapeId id) const { ISLET_READ_SHAPE(c.body_id(c.shapes[i].body)); }

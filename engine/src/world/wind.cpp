@@ -20,8 +20,8 @@ using namespace detail;
 namespace {
 
 struct Stream {
-    Vec2 along;           // unit
-    float pressure = 0;   // N/m
+    Vec2 along;          // unit
+    float pressure = 0;  // N/m
     float drag = 0, lift = 0;
 };
 
