@@ -105,6 +105,23 @@ TEST(CoreRules, EveryFileBeginsWithWhatTheBitsNeed) {
     EXPECT_EQ(bad, "");
 }
 
+// What the formatter does not break, such as comments.
+TEST(CoreRules, NoLineIsLongerThanTheFormatHasIt) {
+    std::ifstream format(engine_folder() / ".." / ".clang-format");
+    const std::string text{std::istreambuf_iterator<char>(format), {}};
+    const std::size_t place = text.find("ColumnLimit: ");
+    ASSERT_NE(place, std::string::npos);
+    const std::size_t most = std::stoul(text.substr(place + 13));
+    std::string bad;
+    for (const Source& source : engine_sources()) {
+        std::istringstream lines(source.text);
+        std::string line;
+        for (int number = 1; std::getline(lines, line); ++number)
+            if (line.size() > most) bad += source.name + ':' + std::to_string(number) + '\n';
+    }
+    EXPECT_EQ(bad, "");
+}
+
 // Without CMake nothing says -I engine/src.
 TEST(CoreRules, FilesOfTheEngineAreIncludedByWhereTheyLie) {
     const auto is_source = [](const std::string& name) { return name.rfind("src/", 0) == 0; };
