@@ -148,23 +148,27 @@ TEST(JointTrees, AFreeChainKeepsItsMomenta) {
     EXPECT_LT(chain.gap(), 1e-3);
 }
 
-TEST(JointTrees, ABallDroppedOnAStackWithItsChainComesToRest) {
+// The ball may go on rolling slowly, which nothing hinders: but of the energy of its fall less than a thousandth is left.
+TEST(JointTrees, ABallDroppedOnAStackWithItsChainComesToLieOnTheGround) {
     const Filter meets_all{.category = 2, .mask = 1};  // but not itself
-    WorldDef def;
-    ChainBall chain(30, 100, def, false, meets_all);
-    const BodyId ground = chain.world.add(make_box(100, 1), {0, -25}, {}, BodyType::static_body);
-    (void)ground;
-    for (int i = 0; i < 10; ++i)
-        for (int k = 0; k < 3; ++k) chain.world.add(make_box(0.5f, 0.5f), {-3 + 1.01f * static_cast<float>(k), -23.5f + static_cast<float>(i)});
-    double gap = 0;
-    for (int i = 0; i < 1800; ++i) {
-        chain.world.step();
-        gap = std::max(gap, chain.gap());
+    for (int start = 0; start < 8; ++start) {
+        WorldDef def;
+        ChainBall chain(30, 100, def, false, meets_all);
+        chain.world.add(make_box(100, 1), {0, -25}, {}, BodyType::static_body);
+        for (int i = 0; i < 10; ++i)
+            for (int k = 0; k < 3; ++k)
+                chain.world.add(make_box(0.5f, 0.5f), {-3 + 0.004f * static_cast<float>(start) + 1.01f * static_cast<float>(k), -23.5f + static_cast<float>(i)});
+        const double height = double(chain.world->position(chain.ball).y) + 24 - 1.5;
+        double gap = 0;
+        for (int i = 0; i < 1800; ++i) {
+            chain.world.step();
+            gap = std::max(gap, chain.gap());
+        }
+        EXPECT_LT(gap, 0.02) << "start " << start;  // swept: 0.07
+        EXPECT_LT(std::abs(double(chain.world->position(chain.ball).y) + 24 - 1.5), 0.02) << "start " << start << ": the ball does not lie on the ground";
+        EXPECT_LT(double(length_squared(chain.world->linear_velocity(chain.ball))) / 2, 1e-3 * 10 * height) << "start " << start;
+        EXPECT_EQ(chain.world->validate(), nullptr);
     }
-    EXPECT_LT(gap, 0.02);  // swept: 0.07
-    EXPECT_LT(std::abs(double(chain.world->position(chain.ball).y) + 24 - 1.5), 0.02) << "the ball does not lie on the ground";
-    EXPECT_LT(double(length(chain.world->linear_velocity(chain.ball))), 0.05);
-    EXPECT_EQ(chain.world->validate(), nullptr);
 }
 
 }  // namespace

@@ -250,7 +250,7 @@ std::vector<SolverFault> solver_faults() {
         {"omega 0", [](SolverDef& d) { d.omega = 0; }, Error::out_of_range},
         {"omega 2", [](SolverDef& d) { d.omega = 2; }, Error::out_of_range},
         {"negative shock", [](SolverDef& d) { d.shock = -0.1f; }, Error::out_of_range},
-        {"shock above 0.7", [](SolverDef& d) { d.shock = 0.75f; }, Error::out_of_range},
+        {"shock above the most", [](SolverDef& d) { d.shock = 1.01f * max_shock; }, Error::out_of_range},
         {"negative tolerance", [](SolverDef& d) { d.tolerance = -1e-6f; }, Error::out_of_range},
         {"no such order of sweeps", [](SolverDef& d) { d.sweep_order = static_cast<SweepOrder>(4); }, Error::out_of_range},
         {"no such schedule", [](SolverDef& d) { d.schedule = static_cast<Schedule>(7); }, Error::out_of_range},

@@ -92,7 +92,7 @@ private:
         d.joint_trees = static_cast<JointTrees>(draw_.below(3));
         d.sweep_order = draw_.one_in(3) ? static_cast<SweepOrder>(draw_.below(4)) : SweepOrder::colored;
         d.block_contacts = draw_.one_in(5);
-        d.shock = draw_.one_in(5) ? draw_.between(0, 0.7f) : 0;
+        d.shock = draw_.one_in(5) ? draw_.between(0, max_shock) : 0;
         d.measure_residual = draw_.one_in(5);
         d.tolerance = draw_.one_in(5) ? draw_.between(0, 0.1f) : 0;
         return d;

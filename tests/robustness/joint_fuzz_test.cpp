@@ -194,7 +194,7 @@ private:
         d.joint_trees = static_cast<JointTrees>(random_.below(3));
         d.sweep_order = static_cast<SweepOrder>(random_.below(4));
         d.block_contacts = random_.one_in(4);
-        d.shock = random_.one_in(3) ? number(0, 0.7f) : 0;
+        d.shock = random_.one_in(3) ? number(0, max_shock) : 0;
         d.measure_residual = random_.one_in(3);
         d.tolerance = random_.one_in(4) ? number(0, 1e-2f) : 0;
         w_->set_solver(d);

@@ -148,6 +148,9 @@ enum class SweepOrder : std::uint8_t {
     downward,  ///< one by one, from the highest to the lowest
 };
 
+/// The most of SolverDef::shock: with more of it piles of loose bodies gain energy (from 0.6 on, in 2 of 40 starts of 60 boxes and balls).
+inline constexpr float max_shock = 0.5f;
+
 /// How the solver works. Change it at any time with World::set_solver.
 struct SolverDef {
     Schedule schedule = Schedule::soft;
@@ -171,7 +174,7 @@ struct SolverDef {
                                     ///< the two bodies it joins. Lower: more trees. (Not for masses above 1e18 kg: their squares overflow.)
     SweepOrder sweep_order = SweepOrder::colored;  ///< With block_contacts, colored stands for as_found.
     bool block_contacts = false;                   ///< Solve the two normal impulses of a contact together, exactly.
-    float shock = 0;                ///< 0 to 0.7. Shock propagation: by this share a body is taken for lighter than what it lies on. For what stands: blows
+    float shock = 0;                ///< 0 to max_shock. Shock propagation: by this share a body is taken for lighter than what it lies on. For what stands: blows
                                     ///< and the forces reported are those of the lighter bodies. From 0.5 on not with joints in the pile.
     bool measure_residual = false;  ///< Measure after each step how far the impulses are from a solution: World::residual.
     float tolerance = 0;            ///< m/s, >= 0. Above 0: no more sweeps of a kind within a substep once the residual is at most this; islands that

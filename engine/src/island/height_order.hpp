@@ -9,8 +9,8 @@
 // solver sees is a tower that narrows upward. Measured at 4 substeps: a box of 300 kg on a column of five of 1 kg falls within 2 s without it, and stands
 // for 60 s from shock 0.5 on. (Taking the lower body of each contact for immovable instead, in every sweep, makes the impulses of its two sides differ: piles
 // explode from 0.5 on.) The price: blows from above are weaker than they should be, and so are the forces that contacts and joints report. And impulses
-// are warm started from a step in which a body may have lain on something else: piles of loose bodies bear a shock of 0.7 (fastest body after 10 s
-// 0.1 m/s, 0.2 m/s without), at 0.9 they explode; with rods between the bodies they do so from 0.7 on. Hence the range.
+// are warm started from a step in which a body may have lain on something else: of 40 piles of 60 loose bodies none
+// throws a body up to a shock of 0.5, two at 0.6, seven at 0.65. Hence max_shock.
 #pragma once
 
 #include "../data/core.hpp"

@@ -60,7 +60,7 @@ Setup setup_of(std::uint64_t seed, int family) {
     if (random.one_in(4)) d.sweep_order = static_cast<SweepOrder>(random.below(4));
     if (random.one_in(4)) d.joint_trees = static_cast<JointTrees>(random.below(3));
     if (random.one_in(8)) d.block_contacts = true;
-    if (random.one_in(8)) d.shock = random.between(0, 0.7f);
+    if (random.one_in(8)) d.shock = random.between(0, max_shock);
     if (random.one_in(4)) d.measure_residual = true;
     if (random.one_in(6)) d.tolerance = random.between(0, 0.1f);
     if (random.one_in(8)) d.warm_start = false;
