@@ -48,7 +48,7 @@ TEST_P(EveryScene, KeepsItsCheck) {
     const char* broken = engine.world().validate();
     EXPECT_EQ(broken, nullptr) << broken;
 
-    // The dimensions that make a benchmark scene the same one as elsewhere. Contacts count near pairs too, so box margins move them: 15 %.
+    // The dimensions that make a benchmark scene the same one as elsewhere. Contacts count near pairs too, so box margins move them: a quarter.
     struct Size {
         const char* scene;
         std::size_t bodies, shapes, contacts, joints;
