@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue.hpp"
 #include "registry.hpp"
 #include "scene.hpp"
 #include "statistics.hpp"

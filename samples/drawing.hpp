@@ -1,4 +1,4 @@
-// What World::draw hands out, kept in lists: what pictures and recordings of a world are made of.
+// What World::draw hands out, kept in lists: what pictures and movies of a world are made of.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 # have a name at their top level in common.
 cmake_minimum_required(VERSION 3.25)
 
-set(modules recording camera outline painter numbers timeline clock pointer player)
+set(modules movie camera outline painter numbers timeline clock pointer player)
 
 file(READ ${FOLDER}/player.html page)
 file(READ ${FOLDER}/player.css style)

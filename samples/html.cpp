@@ -1,4 +1,5 @@
 #include "html.hpp"
+#include "catalogue.hpp"
 #include "printable.hpp"
 
 #include <bit>
@@ -10,7 +11,7 @@
 
 namespace islet::samples {
 
-/// The page with places for the title, the run and the recording. Made from samples/player/ by embed_player.cmake.
+/// The page with places for the title, the run and the movie. Made from samples/player/ by embed_player.cmake.
 extern const char player_source[];
 
 namespace {
@@ -43,22 +44,22 @@ void append_float(std::string& bytes, double value) {
 }
 
 /// Column after column, a little-endian float for each frame.
-std::string numbers_of(const Recorder& recorder) {
+std::string numbers_of(const MovieMaker& movie) {
     std::string bytes;
     for (const Column& column : columns) {
-        for (const FrameNumbers& numbers : recorder.numbers()) append_float(bytes, column.of(numbers));
+        for (const FrameNumbers& numbers : movie.numbers()) append_float(bytes, column.of(numbers));
     }
     return bytes;
 }
 
 /// Each traced body's path, a point per frame; a recorded step that the run has no point of ends it.
-std::string trails_of(const Run& run, const Recorder& recorder) {
+std::string trails_of(const Run& run, const MovieMaker& movie) {
     std::string bytes;
     for (const Trail& trail : run.trails) {
-        for (const FrameNumbers& numbers : recorder.numbers()) {
+        for (const FrameNumbers& numbers : movie.numbers()) {
             const Vec2 p = trail.at(static_cast<std::size_t>(numbers.step));
-            append_float(bytes, double(p.x) - recorder.scale().origin_x);
-            append_float(bytes, double(p.y) - recorder.scale().origin_y);
+            append_float(bytes, double(p.x) - movie.scale().origin_x);
+            append_float(bytes, double(p.y) - movie.scale().origin_y);
         }
     }
     return bytes;
@@ -80,13 +81,13 @@ std::string models_json(const std::vector<Model>& models) {
     return text + "]";
 }
 
-Json run_json(const Run& run, const RunResult& result, const Recorder& recorder) {
-    const Scale& scale = recorder.scale();
+Json run_json(const Run& run, const RunResult& result, const MovieMaker& movie) {
+    const Scale& scale = movie.scale();
     const SceneInfo* info = find_scene(result.scene);
     Json names = Json::array();
     for (const Column& column : columns) names.push_back(column.name);
     Json looks = Json::array();
-    for (const BodyLook look : recorder.looks()) looks.push_back(static_cast<int>(look));
+    for (const BodyLook look : movie.looks()) looks.push_back(static_cast<int>(look));
     return {
         {"scene", printable(result.scene)},
         {"description", info != nullptr ? info->description : ""},
@@ -97,9 +98,9 @@ Json run_json(const Run& run, const RunResult& result, const Recorder& recorder)
         {"dropped", result.most_dropped_contacts},
         {"checked", result.checked},
         {"passed", result.passed()},
-        {"stride", recorder.stride()},
-        {"contacts", recorder.has_contacts()},
-        {"frames", recorder.numbers().size()},
+        {"stride", movie.stride()},
+        {"contacts", movie.has_contacts()},
+        {"frames", movie.numbers().size()},
         {"quantum", scale.quantum},
         {"contactQuantum", scale.quantum * contact_quanta},
         {"bodyTurn", body_turn},
@@ -142,7 +143,7 @@ std::string base64(const std::string& bytes) {
     return text;
 }
 
-std::string player_page(const Run& run, const RunResult& result, const Recorder& recorder) {
+std::string player_page(const Run& run, const RunResult& result, const MovieMaker& movie) {
     const std::string_view source = player_source;
     std::string page;
     std::size_t done = 0;
@@ -155,11 +156,11 @@ std::string player_page(const Run& run, const RunResult& result, const Recorder&
         done = at + place.size();
     };
     fill("{{title}}", element_text(result.scene));
-    fill("{{run}}", script_text(run_json(run, result, recorder)));
-    fill("{{models}}", models_json(recorder.models()));
-    fill("{{numbers}}", base64(numbers_of(recorder)));
-    fill("{{trails}}", base64(trails_of(run, recorder)));
-    fill("{{recording}}", base64(recorder.bytes()));
+    fill("{{run}}", script_text(run_json(run, result, movie)));
+    fill("{{models}}", models_json(movie.models()));
+    fill("{{numbers}}", base64(numbers_of(movie)));
+    fill("{{trails}}", base64(trails_of(run, movie)));
+    fill("{{movie}}", base64(movie.bytes()));
     page += source.substr(done);
     return page;
 }

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "recorder.hpp"
+#include "movie_maker.hpp"
 
 namespace islet::samples {
 
-/// The page: the player (samples/player/) around the recording.
-std::string player_page(const Run& run, const RunResult& result, const Recorder& recorder);
+/// The page: the player (samples/player/) around the movie.
+std::string player_page(const Run& run, const RunResult& result, const MovieMaker& movie);
 
 /// Binary data as text, as in RFC 4648.
 std::string base64(const std::string& bytes);

@@ -21,9 +21,11 @@
 #include "printable.hpp"
 #include "progress.hpp"
 #include "read_file.hpp"
+#include "replay_file.hpp"
 #include "report.hpp"
 #include "runner.hpp"
 #include "scene_file.hpp"
+#include "similar_scenes.hpp"
 #include "svg.hpp"
 #include "world_recording.hpp"
 
@@ -140,26 +142,26 @@ int run_scene(const RunCommand& command) {
         if (!file->good()) return wrong(file->error());
 
     Run run(std::move(named.scene), command.options);
-    std::optional<Recorder> recorder;
-    if (html.is_open()) recorder.emplace(run);
+    std::optional<MovieMaker> movie;
+    if (html.is_open()) movie.emplace(run);
     std::optional<WorldRecording> calls;
     if (recording.is_open()) calls.emplace(run.engine.world());
     ProgressBar bar(run.scene.steps);
     csv.write(csv_header());
     const RunResult result = run.run([&](const StepRecord& record) {
         if (csv.is_open()) csv.write(csv_line(record, run));
-        if (recorder) recorder->observe(record);
+        if (movie) movie->observe(record);
         if (calls) calls->after_step();
         bar.update(record.step);
     });
     bar.clear();
 
     if (svg.is_open()) svg.write(draw_svg(run, drawing_of(command.draw)));
-    if (recorder) {
-        html.write(player_page(run, result, *recorder));
-        if (recorder->stride() > 1)
-            fmt::print(stderr, "islet: to keep the page small, '{}' shows one step of every {}{}\n", command.html_path, recorder->stride(),
-                       recorder->has_contacts() ? "" : ", without contacts");
+    if (movie) {
+        html.write(player_page(run, result, *movie));
+        if (movie->stride() > 1)
+            fmt::print(stderr, "islet: to keep the page small, '{}' shows one step of every {}{}\n", command.html_path, movie->stride(),
+                       movie->has_contacts() ? "" : ", without contacts");
     }
     if (calls) {
         const std::span<const std::byte> bytes = calls->finish();

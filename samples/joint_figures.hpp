@@ -1,4 +1,4 @@
-// What World::draw draws of joints, as a recording keeps it: marks that are fixed in a body's frame are told once, not in every frame.
+// What World::draw draws of joints, as a movie keeps it: marks that are fixed in a body's frame are told once, not in every frame.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drawing.hpp"
-#include "recording.hpp"
+#include "movie.hpp"
 
 namespace islet::samples {
 
@@ -16,7 +16,7 @@ struct QuantaPoint {
     double x = 0, y = 0;
 };
 
-/// Where a frame of reference lies: x = origin + (c, s), all from the recording's origin.
+/// Where a frame of reference lies: x = origin + (c, s), all from the movie's origin.
 struct QuantaPose {
     QuantaPoint origin;
     double c = 1, s = 0;
@@ -24,7 +24,7 @@ struct QuantaPose {
 
 /// The frames in which a joint's marks may be fixed.
 struct JointFrames {
-    std::uint32_t id_a = 0, id_b = 0;  // of the bodies in the recording, + 1; 0: not in it. Then `a` is the first end, in whole quanta and not turned
+    std::uint32_t id_a = 0, id_b = 0;  // of the bodies in the movie, + 1; 0: not in it. Then `a` is the first end, in whole quanta and not turned
     QuantaPose a, b;
     QuantaPoint ends[2];
     bool has_ends = false;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "catalogue.hpp"
 #include "printable.hpp"
 #include "scenes/checks.hpp"
 #include "short_number.hpp"

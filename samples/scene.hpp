@@ -68,20 +68,6 @@ struct Scene {
     std::function<std::vector<CheckLine>(const Engine&)> check;          // after `steps` steps
 };
 
-/// An entry of the catalogue.
-struct SceneInfo {
-    const char* name;
-    const char* group;        // basics, stacks, benchmark, ...
-    const char* description;  // one line
-    Scene (*make)();
-};
-
-/// All scenes, grouped, in the catalogue's order.
-const std::vector<SceneInfo>& catalogue();
-/// The entry of that name, or null.
-const SceneInfo* find_scene(const std::string& name);
-/// Names close to a wrong one (edit distance), nearest first.
-std::vector<std::string> similar_scenes(const std::string& name);
 /// A capacity that holds the scene.
 Capacity capacity_of(const Scene& scene);
 

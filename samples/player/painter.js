@@ -1,6 +1,6 @@
-// Draws a state of the recording on the canvas.
+// Draws a state of the movie on the canvas.
 import { roundLength } from "./camera.js";
-import { jointLooks, looks } from "./recording.js";
+import { jointLooks, looks } from "./movie.js";
 
 const tints = 3;
 const bodiesPerPath = 200; // longer paths take longer to fill than many short ones

@@ -1,5 +1,5 @@
 // Puts the player together: reads what the page holds, and lets buttons, keys and time change what is shown.
-import { Recording, bytesOf, looks } from "./recording.js";
+import { Movie, bytesOf, looks } from "./movie.js";
 import { Camera, roundLength } from "./camera.js";
 import { Outline } from "./outline.js";
 import { Painter } from "./painter.js";
@@ -20,7 +20,7 @@ const columns = Object.fromEntries(run.columns.map((name, i) => [name, slice(num
 const trails = Array.from({ length: run.trails }, (_, i) => slice(trailsRead, i, 2 * run.frames));
 const stepOf = (frame) => Math.min(frame * run.stride, run.steps);
 
-const recording = new Recording(bytesOf("recording"), run);
+const movie = new Movie(bytesOf("movie"), run);
 const canvas = element("world");
 const camera = new Camera(run.view);
 const painter = new Painter(canvas, run, models, trails);
@@ -107,7 +107,7 @@ function showScaleBar() {
 
 function draw() {
     const { frame } = clock;
-    painter.draw(recording.at(frame), frame, camera, shown);
+    painter.draw(movie.at(frame), frame, camera, shown);
     numbers.show(frame);
     timeline.draw(numbers.curve, frame);
     element("step").textContent = stepOf(frame);

@@ -1,6 +1,7 @@
 // A whole match: two peers, a link each way, time frame by frame.
 #pragma once
 
+#include "catalogue.hpp"
 #include "link.hpp"
 #include "peer.hpp"
 

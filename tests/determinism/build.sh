@@ -51,7 +51,7 @@ build_scenes() {
     [ ! -e "$folder/built" ] || return 0
     {
         find "$root"/samples/{scenes,prefabs} -name '*.cpp' | sort
-        printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,faulty_field,joint_measure,near_names,spawn}.cpp
+        printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,faulty_field,joint_measure,scene,spawn}.cpp
     } | as_one "$folder/scenes.cpp"
     {
         echo "$folder/scenes.cpp"

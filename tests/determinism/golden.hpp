@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue.hpp"
 #include "engine.hpp"
 
 namespace islet::golden {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue.hpp"
 #include "engine.hpp"
 #include "scene.hpp"
 #include "support/test_world.hpp"

@@ -1,6 +1,7 @@
 // How joints in Chipmunk are made, break, sleep and go, and which cannot be made.
 #include <gtest/gtest.h>
 
+#include "catalogue.hpp"
 #include "engines/chipmunk_fixture.hpp"
 
 namespace islet::test {

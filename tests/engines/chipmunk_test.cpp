@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "catalogue.hpp"
 #include "engines/chipmunk_fixture.hpp"
 
 namespace islet::test {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "catalogue.hpp"
 #include "engine.hpp"
 #include "measure.hpp"
 #include "scenes/checks.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "catalogue.hpp"
 #include "engine.hpp"
 #include "measure.hpp"
 #include "scenes/checks.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "catalogue.hpp"
 #include "engine.hpp"
 #include "measure.hpp"
 #include "scenes/checks.hpp"

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "replay_file.hpp"
 #include "support/forge.hpp"
 #include "support/test_world.hpp"
 #include "world/recorder.hpp"

@@ -6,10 +6,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "catalogue.hpp"
 #include "engine.hpp"
 #include "html.hpp"
 #include "printable.hpp"
-#include "recorder.hpp"
+#include "movie_maker.hpp"
 #include "report.hpp"
 #include "runner.hpp"
 #include "scene_file.hpp"
@@ -159,11 +160,11 @@ TEST(SceneFiles, NamesLeaveAPictureWhole) {
 // Of U+FFFF and its like XML has no form at all, and a file's name may be of bytes that are no UTF-8.
 TEST(SceneFiles, NamesThatAreNoTextLeavePicturesAndPagesWhole) {
     samples::Run run(read_scene(R"({"name": "a\uffff\ufffe\u0085\u001bé\ud83d\ude00&lt;", "steps": 1})"), {});
-    Recorder recorder(run);
-    const RunResult result = run.run([&](const StepRecord& step) { recorder.observe(step); });
+    MovieMaker movie(run);
+    const RunResult result = run.run([&](const StepRecord& step) { movie.observe(step); });
     const std::string fffd = "\xef\xbf\xbd", shown = "a" + fffd + fffd + "  \xc3\xa9\xf0\x9f\x98\x80";
     EXPECT_NE(draw_svg(run, usual_drawing()).find("<title>" + shown + "&amp;lt;</title>"), std::string::npos);
-    const std::string page = player_page(run, result, recorder);
+    const std::string page = player_page(run, result, movie);
     EXPECT_NE(page.find("<title>" + shown + "&amp;lt;"), std::string::npos);
     EXPECT_EQ(page.find("\xef\xbf\xbf"), std::string::npos);
     EXPECT_EQ(table_of(result).substr(0, shown.size()), shown);

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <vector>
 
+#include "catalogue.hpp"
 #include "engine.hpp"
 
 namespace {

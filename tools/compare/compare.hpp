@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "catalogue.hpp"
 #include "judge.hpp"
 
 namespace islet::compare {

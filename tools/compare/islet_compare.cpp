@@ -15,6 +15,7 @@
 #include "compare.hpp"
 #include "compare_report.hpp"
 #include "output_file.hpp"
+#include "similar_scenes.hpp"
 #include "timing.hpp"
 
 namespace {

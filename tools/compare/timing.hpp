@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue.hpp"
 #include "engine.hpp"
 
 namespace islet::compare {

@@ -18,6 +18,7 @@
 #include "plot.hpp"
 #include "progress.hpp"
 #include "report.hpp"
+#include "similar_scenes.hpp"
 
 namespace {
 

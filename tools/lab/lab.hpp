@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "catalogue.hpp"
 #include "measure.hpp"
 #include "scene.hpp"
 

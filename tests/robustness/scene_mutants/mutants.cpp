@@ -17,6 +17,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include "catalogue.hpp"
 #include "engine.hpp"
 #include "printable.hpp"
 #include "runner.hpp"

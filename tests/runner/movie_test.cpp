@@ -1,10 +1,10 @@
-// What is written to a recording is what is read from it, and what rests costs next to nothing.
+// What is written to a movie is what is read from it, and what rests costs next to nothing.
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "random.hpp"
-#include "recording.hpp"
+#include "movie.hpp"
 
 namespace {
 
@@ -88,15 +88,15 @@ void expect_same(const Table<Entry>& wanted, const Table<Entry>& got) {
     }
 }
 
-TEST(Recording, EveryFrameComesBackExactly) {
-    RecordingWriter writer;
+TEST(Movie, EveryFrameComesBackExactly) {
+    MovieWriter writer;
     Scribbler scribbler;
     std::vector<Frame> frames;
     for (int i = 0; i < 300; ++i) {
         frames.push_back(scribbler.next());
         writer.add(frames.back(), scribbler.figures());
     }
-    RecordingReader reader(writer.bytes());
+    MovieReader reader(writer.bytes());
     for (const Frame& wanted : frames) {
         ASSERT_TRUE(reader.next());
         const Frame& got = reader.frame();
@@ -120,24 +120,24 @@ TEST(Recording, EveryFrameComesBackExactly) {
     EXPECT_FALSE(reader.next());
 }
 
-TEST(Recording, AFrameInWhichNothingMovesIsNineEmptySets) {
+TEST(Movie, AFrameInWhichNothingMovesIsNineEmptySets) {
     Frame frame;
     for (std::size_t id = 0; id < 1000; ++id) frame.bodies.put(id, {static_cast<std::int32_t>(7 * id), -5, 3});
     frame.models.resize(1000);
     frame.looks.resize(1000);
-    RecordingWriter writer;
+    MovieWriter writer;
     writer.add(frame, {});
     const std::size_t first = writer.bytes().size();
     writer.add(frame, {});
     EXPECT_EQ(writer.bytes().size() - first, 9u);
 }
 
-TEST(Recording, SteadyMotionIsAByteForEachBody) {
+TEST(Movie, SteadyMotionIsAByteForEachBody) {
     Frame frame;
     for (std::size_t id = 0; id < 100; ++id) frame.bodies.put(id, {0, 0, 0});
     frame.models.resize(100);
     frame.looks.resize(100);
-    RecordingWriter writer;
+    MovieWriter writer;
     const auto add_moved = [&] {
         for (Place& place : frame.bodies.entries) {
             place.x += 500;
@@ -153,8 +153,8 @@ TEST(Recording, SteadyMotionIsAByteForEachBody) {
     EXPECT_LE(writer.bytes().size() - before, 100u + 12u);
 }
 
-TEST(Recording, ATornRecordingDoesNotReadBeyondItsEnd) {
-    RecordingWriter writer;
+TEST(Movie, ATornMovieDoesNotReadBeyondItsEnd) {
+    MovieWriter writer;
     Scribbler scribbler;
     for (int i = 0; i < 5; ++i) {
         const Frame& frame = scribbler.next();
@@ -162,7 +162,7 @@ TEST(Recording, ATornRecordingDoesNotReadBeyondItsEnd) {
     }
     for (std::size_t size = 0; size < writer.bytes().size(); ++size) {
         const std::string torn = writer.bytes().substr(0, size);  // sanitizers watch its end
-        RecordingReader reader(torn);
+        MovieReader reader(torn);
         int frames = 0;
         while (reader.next()) ++frames;
         EXPECT_LE(frames, 5);

@@ -1,4 +1,4 @@
-#include "recorder.hpp"
+#include "movie_maker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +81,7 @@ std::int32_t Scale::quanta(double metres) const {
     return std::isfinite(n) ? static_cast<std::int32_t>(std::lround(std::clamp(n, -double(farthest), double(farthest)))) : 0;
 }
 
-Recorder::Recorder(const Run& run, std::size_t budget) : run_(run), budget_(budget), scale_(run.scene.view) {
+MovieMaker::MovieMaker(const Run& run, std::size_t budget) : run_(run), budget_(budget), scale_(run.scene.view) {
     const World& world = run.engine.world();
     known_.resize(world.capacity().bodies);
     shapes_.resize(world.capacity().shapes);
@@ -93,13 +93,13 @@ Recorder::Recorder(const Run& run, std::size_t budget) : run_(run), budget_(budg
     record({});
 }
 
-void Recorder::observe(const StepRecord& step) {
+void MovieMaker::observe(const StepRecord& step) {
     if (keeps(step.step)) record(step);
     const auto size = [this] { return writer_.bytes().size() + numbers_.size() * sizeof(FrameNumbers); };
     while (size() > budget_ && numbers_.size() > 2) thin();
 }
 
-void Recorder::record(const StepRecord& step) {
+void MovieMaker::record(const StepRecord& step) {
     FrameNumbers numbers;
     const EngineCounts counts = run_.engine.counts();
     numbers.step = step.step;
@@ -132,7 +132,7 @@ void Recorder::record(const StepRecord& step) {
 }
 
 /// A body is drawn by its shapes; where it is goes into the frame, and what they look like from there is its model.
-void Recorder::read_body(Strokes shapes, FrameNumbers& numbers) {
+void MovieMaker::read_body(Strokes shapes, FrameNumbers& numbers) {
     const World& world = run_.engine.world();
     const BodyId body = world.body_at(shapes.front()->style.slot);
     const Vec2 p = world.position(body);
@@ -144,8 +144,8 @@ void Recorder::read_body(Strokes shapes, FrameNumbers& numbers) {
     if (world.type(body) != BodyType::static_body && world.is_awake(body)) ++numbers.awake_bodies;
 }
 
-/// The body's id in the recording: a new one if the slot has another body now, or if the one it had would no longer show what was drawn.
-std::uint32_t Recorder::id_of(Strokes shapes, BodyId body) {
+/// The body's id in the movie: a new one if the slot has another body now, or if the one it had would no longer show what was drawn.
+std::uint32_t MovieMaker::id_of(Strokes shapes, BodyId body) {
     Known& known = known_[shapes.front()->style.slot];
     if (known.body == body && shows(models_[known.model], shapes, run_.engine.world().transform(body))) return known.id;
     const auto id = static_cast<std::uint32_t>(frame_.bodies.size());
@@ -156,7 +156,7 @@ std::uint32_t Recorder::id_of(Strokes shapes, BodyId body) {
     return id;
 }
 
-bool Recorder::shows(const Model& model, Strokes shapes, const Transform& pose) const {
+bool MovieMaker::shows(const Model& model, Strokes shapes, const Transform& pose) const {
     const auto is_shown = [&](const Outline& known, const Stroke* shape) {
         const Outline drawn = outline_of(drawing_, *shape);
         const auto is_there = [&](Vec2 a, Vec2 b) { return double(distance(transform_point(pose, a), b)) <= scale_.quantum; };
@@ -167,7 +167,7 @@ bool Recorder::shows(const Model& model, Strokes shapes, const Transform& pose) 
 }
 
 /// The shapes drawn in the body's frame, without the rounding of where it is. Bodies of the same shapes share a model.
-std::uint32_t Recorder::model_of(Strokes shapes, BodyId body) {
+std::uint32_t MovieMaker::model_of(Strokes shapes, BodyId body) {
     const World& world = run_.engine.world();
     std::vector<ShapeId> ids(shapes_.begin(), shapes_.begin() + world.shapes(body, shapes_));
     std::sort(ids.begin(), ids.end(), [](ShapeId a, ShapeId b) { return a.index1 < b.index1; });  // as World::draw goes
@@ -185,7 +185,7 @@ std::uint32_t Recorder::model_of(Strokes shapes, BodyId body) {
 
 /// Of each point a dot is drawn and then, if the surfaces touch there, its normal. A contact has the same slot for as long as it lasts: its points have two
 /// ids of their own.
-void Recorder::read_contact(Strokes dots_and_normals, FrameNumbers& numbers) {
+void MovieMaker::read_contact(Strokes dots_and_normals, FrameNumbers& numbers) {
     std::size_t next = 2 * std::size_t{dots_and_normals.front()->style.slot};  // id of the next point
     bool touches = false;
     for (const Stroke* stroke : dots_and_normals) {
@@ -203,11 +203,11 @@ void Recorder::read_contact(Strokes dots_and_normals, FrameNumbers& numbers) {
     if (touches) ++numbers.touching;
 }
 
-QuantaPoint Recorder::exact_quanta(Vec2 place) const {
+QuantaPoint MovieMaker::exact_quanta(Vec2 place) const {
     return {(double(place.x) - scale_.origin_x) / scale_.quantum, (double(place.y) - scale_.origin_y) / scale_.quantum};
 }
 
-std::uint32_t Recorder::frame_of(BodyId body, QuantaPose& pose) const {
+std::uint32_t MovieMaker::frame_of(BodyId body, QuantaPose& pose) const {
     if (!body) return 0;
     const Known& known = known_[body.index1 - 1];
     if (known.body != body || !frame_.bodies.has(known.id)) return 0;
@@ -217,7 +217,7 @@ std::uint32_t Recorder::frame_of(BodyId body, QuantaPose& pose) const {
     return known.id + 1;
 }
 
-void Recorder::read_joint(Strokes marks) {
+void MovieMaker::read_joint(Strokes marks) {
     const World& world = run_.engine.world();
     const std::uint32_t slot = marks.front()->style.slot;
     const JointId joint = world.joint_at(slot);
@@ -238,16 +238,16 @@ void Recorder::read_joint(Strokes marks) {
     frame_.joints.put(slot, figures_.entry_of(slot, drawn_joint_, frames));
 }
 
-bool Recorder::keeps(int step) const { return step % stride_ == 0 || step == run_.scene.steps; }
+bool MovieMaker::keeps(int step) const { return step % stride_ == 0 || step == run_.scene.steps; }
 
-void Recorder::thin() {
-    // Thirty frames a second still look smooth; of thousands of contacts there is little to see, yet they are most of a recording's bytes.
+void MovieMaker::thin() {
+    // Thirty frames a second still look smooth; of thousands of contacts there is little to see, yet they are most of a movie's bytes.
     if (stride_ == 1 || !has_contacts_)
         stride_ *= 2;
     else
         has_contacts_ = false;
-    RecordingReader reader(writer_.bytes());
-    RecordingWriter thinner;
+    MovieReader reader(writer_.bytes());
+    MovieWriter thinner;
     std::vector<FrameNumbers> kept;
     for (const FrameNumbers& numbers : numbers_) {
         reader.next();

@@ -1,4 +1,4 @@
-#include "recording.hpp"
+#include "movie.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -168,7 +168,7 @@ JointFigure take_figure(std::string_view& bytes) {
 
 }  // namespace
 
-void RecordingWriter::add(const Frame& frame, const std::vector<JointFigure>& figures) {
+void MovieWriter::add(const Frame& frame, const std::vector<JointFigure>& figures) {
     last_.looks.resize(frame.bodies.size());
     put_table(bytes_, last_.bodies, frame.bodies, bodies_, [&](std::uint32_t id) {
         put_number(bytes_, static_cast<std::uint32_t>(frame.looks[id]));
@@ -183,7 +183,7 @@ void RecordingWriter::add(const Frame& frame, const std::vector<JointFigure>& fi
     ++frames_;
 }
 
-void RecordingWriter::put_joints(const Table<JointEntry>& joints, const std::vector<JointFigure>& figures) {
+void MovieWriter::put_joints(const Table<JointEntry>& joints, const std::vector<JointFigure>& figures) {
     const Table<JointEntry>& was = last_.joints;
     const auto same = [&](std::size_t id) { return was.has(id) && joints.has(id) && was.entries[id] == joints.entries[id]; };
     put_set(bytes_, joints.size(), [&](std::size_t id) { return was.has(id) && !same(id); });
@@ -206,7 +206,7 @@ void RecordingWriter::put_joints(const Table<JointEntry>& joints, const std::vec
     }
 }
 
-bool RecordingReader::next() {
+bool MovieReader::next() {
     if (bytes_.empty()) return false;
     const auto take_look = [this] { return static_cast<BodyLook>(take_number(bytes_)); };
     take_table(bytes_, frame_.bodies, bodies_, [&](std::uint32_t id) {
@@ -221,7 +221,7 @@ bool RecordingReader::next() {
     return true;
 }
 
-void RecordingReader::take_joints() {
+void MovieReader::take_joints() {
     for (const std::uint32_t id : take_set(bytes_)) frame_.joints.live[id] = 0;
     for (const std::uint32_t id : take_set(bytes_)) {
         JointEntry entry;

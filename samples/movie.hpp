@@ -1,6 +1,7 @@
-// A run as the player sees it: whole numbers only, and the bytes that hold them.
+// A movie: a run as the player shows it, in whole numbers, and the bytes that hold them. (A recording is something else: all calls to a world, which
+// `islet replay` makes again; see islet/recording.hpp.)
 //
-// A recording is one frame after another, and a frame says what changed since the one before; what rests costs nothing. All numbers are
+// A movie is one frame after another, and a frame says what changed since the one before; what rests costs nothing. All numbers are
 // varints (seven bits a byte, lowest first, the top bit set on all but the last byte); signed ones are folded to 0, -1, 1, -2, ... first.
 //
 //     frame   =  table of bodies, set of bodies that look otherwise + the new look of each, table of contacts, joints
@@ -44,7 +45,7 @@ enum class BodyLook : std::uint8_t { static_body, kinematic, awake, asleep, bull
 /// first two rings. They may come apart, and what is drawn at one may turn with the other's body.
 struct JointPoint {
     enum Frame : std::uint8_t {
-        world,         // x, y from the recording's origin
+        world,         // x, y from the movie's origin
         body_a,        // in the body's frame; without a body from the first end
         body_b,
         end_a_turn_b,  // from the first end, turned as body B is
@@ -113,7 +114,7 @@ struct Motion {
     std::vector<Place> changes;
 };
 
-class RecordingWriter {
+class MovieWriter {
 public:
     /// Appends a frame, whose joints are drawn as `figures` say. Tables and figures may grow from one frame to the next, not shrink.
     void add(const Frame& frame, const std::vector<JointFigure>& figures);
@@ -131,10 +132,10 @@ private:
     Motion bodies_{body_turn, {}}, contacts_{contact_turn, {}};
 };
 
-/// Reads back what a RecordingWriter wrote.
-class RecordingReader {
+/// Reads back what a MovieWriter wrote.
+class MovieReader {
 public:
-    explicit RecordingReader(std::string_view bytes) : bytes_(bytes) {}
+    explicit MovieReader(std::string_view bytes) : bytes_(bytes) {}
     /// Goes to the next frame; false after the last one.
     bool next();
     const Frame& frame() const { return frame_; }

@@ -1,4 +1,4 @@
-// Records a run, step by step, for the player, from what World::draw hands out: see recording.hpp for the bytes, html.hpp for the page around them.
+// Makes a movie of a run, step by step, for the player, from what World::draw hands out: see movie.hpp for the bytes, html.hpp for the page around them.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 #include "drawing.hpp"
 #include "joint_figures.hpp"
-#include "recording.hpp"
+#include "movie.hpp"
 #include "runner.hpp"
 
 namespace islet::samples {
@@ -47,14 +47,14 @@ struct Outline {
 };
 using Model = std::vector<Outline>;
 
-class Recorder {
+class MovieMaker {
 public:
-    /// Bytes that a recording may grow to: as text in the page they take a third more.
+    /// Bytes that a movie may grow to: as text in the page they take a third more.
     static constexpr std::size_t usual_budget = 14'000'000;
 
-    /// Records the state that the run starts from. The run must outlive the recorder.
-    explicit Recorder(const Run& run, std::size_t budget = usual_budget);
-    /// Records the state after a step. When the recording gets larger than the budget it is thinned, and what comes is recorded as thinly:
+    /// Records the state that the run starts from. The run must outlive the movie.
+    explicit MovieMaker(const Run& run, std::size_t budget = usual_budget);
+    /// Records the state after a step. When the movie gets larger than the budget it is thinned, and what comes is recorded as thinly:
     /// first every other step is dropped, then the contacts, then every other step again, as often as needed. The last step is always kept.
     void observe(const StepRecord& record);
 
@@ -74,7 +74,7 @@ private:
     /// What is known of the body in a slot, to see when it has become another.
     struct Known {
         BodyId body;
-        std::uint32_t model = 0, id = 0;  // in the recording
+        std::uint32_t model = 0, id = 0;  // in the movie
     };
     /// Strokes that belong together.
     using Strokes = std::span<const Stroke* const>;
@@ -86,7 +86,7 @@ private:
     std::uint32_t id_of(Strokes shapes, BodyId body);
     bool shows(const Model& model, Strokes shapes, const Transform& pose) const;
     std::uint32_t model_of(Strokes shapes, BodyId body);
-    /// A body's id in the recording + 1, or 0 if nothing of it is drawn; and where it is.
+    /// A body's id in the movie + 1, or 0 if nothing of it is drawn; and where it is.
     std::uint32_t frame_of(BodyId body, QuantaPose& pose) const;
     QuantaPoint exact_quanta(Vec2 place) const;
     void thin();
@@ -100,7 +100,7 @@ private:
     bool has_contacts_ = true;
     Drawing drawing_;
     Frame frame_;
-    RecordingWriter writer_;
+    MovieWriter writer_;
     std::vector<FrameNumbers> numbers_;
     std::vector<Known> known_;  // by slot
     std::vector<ShapeId> shapes_;

@@ -1,4 +1,4 @@
-// What a recording of a run holds: every body and contact within the stated distance, whatever scripts do, within the budget.
+// What a movie of a run holds: every body and contact within the stated distance, whatever scripts do, within the budget.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,8 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "catalogue.hpp"
 #include "html.hpp"
-#include "recorder.hpp"
+#include "movie_maker.hpp"
 
 namespace {
 
@@ -22,34 +23,34 @@ SceneRun run_of(const char* scene, int steps) {
     return SceneRun(find_scene(scene)->make(), options);
 }
 
-/// Runs to the end under a recorder, calling `after` at the start and after every step.
+/// Runs to the end and makes a movie of it, calling `after` at the start and after every step.
 template <class After>
-RunResult record(SceneRun& run, Recorder& recorder, const After& after) {
+RunResult record(SceneRun& run, MovieMaker& movie, const After& after) {
     after();
     return run.run([&](const StepRecord& step) {
-        recorder.observe(step);
+        movie.observe(step);
         after();
     });
 }
 
 double apart(double wanted, std::int32_t quanta, double quantum, double origin) { return std::abs(origin + quanta * quantum - wanted); }
 
-TEST(Recorder, BodiesAreWithinHalfAQuantumOfWhereTheyWere) {
+TEST(MovieMaker, BodiesAreWithinHalfAQuantumOfWhereTheyWere) {
     for (const char* scene : {"card_house", "rolling", "far_from_origin"}) {
         SceneRun run = run_of(scene, 90);
-        Recorder recorder(run);
+        MovieMaker movie(run);
         std::vector<std::vector<BodyState>> states;
         const auto remember = [&] {
             states.emplace_back();
             for (std::size_t i = 0; i < run.engine.body_slots(); ++i) states.back().push_back(run.engine.body(i));
         };
-        record(run, recorder, remember);
-        ASSERT_EQ(recorder.numbers().size(), 91u);
-        const Scale& scale = recorder.scale();
+        record(run, movie, remember);
+        ASSERT_EQ(movie.numbers().size(), 91u);
+        const Scale& scale = movie.scale();
         const Aabb& view = run.scene.view;
         EXPECT_LE(scale.quantum * 65536, double(std::max(view.upper.x - view.lower.x, view.upper.y - view.lower.y)));
 
-        RecordingReader reader(recorder.bytes());
+        MovieReader reader(movie.bytes());
         for (const auto& frame : states) {
             ASSERT_TRUE(reader.next());
             for (std::size_t id = 0; id < frame.size(); ++id) {
@@ -67,9 +68,9 @@ TEST(Recorder, BodiesAreWithinHalfAQuantumOfWhereTheyWere) {
     }
 }
 
-TEST(Recorder, ContactsAreWithinHalfOfTheirCoarserQuantum) {
+TEST(MovieMaker, ContactsAreWithinHalfOfTheirCoarserQuantum) {
     SceneRun run = run_of("pyramid", 30);
-    Recorder recorder(run);
+    MovieMaker movie(run);
     std::vector<std::vector<Vec2>> wanted;
     const auto remember = [&] {
         const World& world = run.engine.world();
@@ -82,10 +83,10 @@ TEST(Recorder, ContactsAreWithinHalfOfTheirCoarserQuantum) {
             }
         }
     };
-    record(run, recorder, remember);
-    const Scale& scale = recorder.scale();
+    record(run, movie, remember);
+    const Scale& scale = movie.scale();
     const double quantum = scale.quantum * contact_quanta;
-    RecordingReader reader(recorder.bytes());
+    MovieReader reader(movie.bytes());
     for (const std::vector<Vec2>& points : wanted) {
         ASSERT_TRUE(reader.next());
         const Table<Place>& contacts = reader.frame().contacts;
@@ -126,25 +127,25 @@ Scene scene_with_a_swap() {
     return scene;
 }
 
-TEST(Recorder, ABodyThatTakesAnothersSlotIsAnotherBody) {
+TEST(MovieMaker, ABodyThatTakesAnothersSlotIsAnotherBody) {
     SceneRun run(scene_with_a_swap(), {});
-    Recorder recorder(run);
-    record(run, recorder, [] {});
-    RecordingReader reader(recorder.bytes());
+    MovieMaker movie(run);
+    record(run, movie, [] {});
+    MovieReader reader(movie.bytes());
     for (std::size_t i = 0; i < 6; ++i) reader.next();
     EXPECT_TRUE(reader.frame().bodies.has(1));
     EXPECT_FALSE(reader.frame().bodies.has(2));
     reader.next();
     EXPECT_FALSE(reader.frame().bodies.has(1));
     ASSERT_TRUE(reader.frame().bodies.has(2));
-    const Model& model = recorder.models().at(reader.frame().models[2]);
+    const Model& model = movie.models().at(reader.frame().models[2]);
     ASSERT_EQ(model.size(), 1u);
     EXPECT_EQ(model[0].points.size(), 1u);
     EXPECT_FLOAT_EQ(model[0].radius, 0.25f);
-    EXPECT_EQ(recorder.numbers().back().bodies, 2u);
+    EXPECT_EQ(movie.numbers().back().bodies, 2u);
 }
 
-/// Where a point of a joint's figure is, in quanta, as the player works it out: from where bodies and dots are in the recording.
+/// Where a point of a joint's figure is, in quanta, as the player works it out: from where bodies and dots are in the movie.
 class PlayedJoint {
 public:
     PlayedJoint(const Frame& frame, const JointEntry& entry, const JointFigure& figure) {
@@ -203,17 +204,17 @@ std::map<std::uint32_t, DrawnPoints> drawn_joints(const World& world, float size
 }
 
 // All nine types, joints that come and go, and bodies that turn, hang slack and give way.
-TEST(Recorder, JointsAreShownAsDebugDrawDrawsThem) {
+TEST(MovieMaker, JointsAreShownAsDebugDrawDrawsThem) {
     for (const char* scene : {"rain", "door", "elevator", "pulley", "gears", "car", "rope", "mouse_drag", "ragdoll", "blob", "tumbler", "pinball"}) {
         SceneRun run = run_of(scene, 80);
-        Recorder recorder(run);
-        const Scale& scale = recorder.scale();
+        MovieMaker movie(run);
+        const Scale& scale = movie.scale();
         std::vector<std::map<std::uint32_t, DrawnPoints>> wanted;
-        record(run, recorder, [&] { wanted.push_back(drawn_joints(run.engine.world(), recorder.drawn().size)); });
-        ASSERT_EQ(recorder.stride(), 1) << scene;
+        record(run, movie, [&] { wanted.push_back(drawn_joints(run.engine.world(), movie.drawn().size)); });
+        ASSERT_EQ(movie.stride(), 1) << scene;
 
         std::size_t compared = 0;
-        RecordingReader reader(recorder.bytes());
+        MovieReader reader(movie.bytes());
         for (const auto& joints : wanted) {
             ASSERT_TRUE(reader.next());
             const Frame& frame = reader.frame();
@@ -246,62 +247,62 @@ TEST(Recorder, JointsAreShownAsDebugDrawDrawsThem) {
 }
 
 // A joint that is swung about in a world costs as little as its bodies: what is drawn of it is told once or twice.
-TEST(Recorder, JointsAlikeShareTheirFigures) {
+TEST(MovieMaker, JointsAlikeShareTheirFigures) {
     SceneRun run = run_of("joint_grid", 2);
-    Recorder recorder(run);
-    record(run, recorder, [] {});
-    RecordingReader reader(recorder.bytes());
+    MovieMaker movie(run);
+    record(run, movie, [] {});
+    MovieReader reader(movie.bytes());
     while (reader.next()) {}
     EXPECT_GT(run.engine.counts().joints, 19000u);
     EXPECT_LT(reader.figures().size(), 500u);
 }
 
-TEST(Recorder, BodiesLookAsDebugDrawColoursThem) {
+TEST(MovieMaker, BodiesLookAsDebugDrawColoursThem) {
     SceneRun run = run_of("sensors", 5);
-    Recorder recorder(run);
-    record(run, recorder, [] {});
+    MovieMaker movie(run);
+    record(run, movie, [] {});
     std::size_t sensors = 0;
-    for (const Model& model : recorder.models()) sensors += static_cast<std::size_t>(std::count_if(model.begin(), model.end(), [](const Outline& o) { return !o.solid; }));
+    for (const Model& model : movie.models()) sensors += static_cast<std::size_t>(std::count_if(model.begin(), model.end(), [](const Outline& o) { return !o.solid; }));
     EXPECT_EQ(sensors, 2u);  // gates, which are alike, and the tray
 
     Scene scene = scene_with_a_swap();
     scene.bodies[1].def.bullet = true;
     SceneRun shot(scene, {});
-    Recorder of_shot(shot);
+    MovieMaker of_shot(shot);
     record(shot, of_shot, [] {});
     const std::set<BodyLook> looks = {BodyLook::static_body, BodyLook::awake, BodyLook::bullet};  // the disc that takes the box's place is none
     EXPECT_EQ(of_shot.looks(), looks);
 }
 
-TEST(Recorder, BodiesOfTheSameShapesShareAModel) {
+TEST(MovieMaker, BodiesOfTheSameShapesShareAModel) {
     SceneRun run = run_of("pyramid", 0);
-    const Recorder recorder(run);
-    EXPECT_EQ(recorder.models().size(), 2u);  // the ground and a box
-    EXPECT_EQ(recorder.numbers().size(), 1u);
+    const MovieMaker movie(run);
+    EXPECT_EQ(movie.models().size(), 2u);  // the ground and a box
+    EXPECT_EQ(movie.numbers().size(), 1u);
 }
 
-TEST(Recorder, ThinsToItsBudgetAndKeepsTheEnds) {
+TEST(MovieMaker, ThinsToItsBudgetAndKeepsTheEnds) {
     SceneRun whole_run = run_of("confined", 101);
-    Recorder whole(whole_run);
+    MovieMaker whole(whole_run);
     record(whole_run, whole, [] {});
     std::vector<Frame> frames;
-    for (RecordingReader reader(whole.bytes()); reader.next();) frames.push_back(reader.frame());
+    for (MovieReader reader(whole.bytes()); reader.next();) frames.push_back(reader.frame());
     ASSERT_EQ(frames.size(), 102u);
 
     for (const double share : {0.8, 0.4, 0.1}) {
         const auto budget = static_cast<std::size_t>(share * double(whole.bytes().size()));
         SceneRun run = run_of("confined", 101);
-        Recorder recorder(run, budget);
-        record(run, recorder, [] {});
-        EXPECT_LE(recorder.bytes().size(), budget);
-        EXPECT_GT(recorder.stride(), 1);
-        EXPECT_EQ(recorder.has_contacts(), share == 0.8);
-        EXPECT_EQ(recorder.numbers().front().step, 0);
-        EXPECT_EQ(recorder.numbers().back().step, 101);
-        RecordingReader reader(recorder.bytes());
-        for (const FrameNumbers& numbers : recorder.numbers()) {
+        MovieMaker movie(run, budget);
+        record(run, movie, [] {});
+        EXPECT_LE(movie.bytes().size(), budget);
+        EXPECT_GT(movie.stride(), 1);
+        EXPECT_EQ(movie.has_contacts(), share == 0.8);
+        EXPECT_EQ(movie.numbers().front().step, 0);
+        EXPECT_EQ(movie.numbers().back().step, 101);
+        MovieReader reader(movie.bytes());
+        for (const FrameNumbers& numbers : movie.numbers()) {
             ASSERT_TRUE(reader.next());
-            ASSERT_TRUE(numbers.step % recorder.stride() == 0 || numbers.step == 101);
+            ASSERT_TRUE(numbers.step % movie.stride() == 0 || numbers.step == 101);
             ASSERT_TRUE(reader.frame().bodies.entries == frames[static_cast<std::size_t>(numbers.step)].bodies.entries);
         }
         EXPECT_FALSE(reader.next());
@@ -310,30 +311,30 @@ TEST(Recorder, ThinsToItsBudgetAndKeepsTheEnds) {
 
 TEST(Page, HoldsARunOfFourHundredBodiesInTwoMegabytes) {
     SceneRun run = run_of("confined", 600);
-    Recorder recorder(run);
-    const RunResult result = record(run, recorder, [] {});
-    EXPECT_EQ(recorder.stride(), 1);
-    EXPECT_LT(player_page(run, result, recorder).size(), 2'000'000u);
+    MovieMaker movie(run);
+    const RunResult result = record(run, movie, [] {});
+    EXPECT_EQ(movie.stride(), 1);
+    EXPECT_LT(player_page(run, result, movie).size(), 2'000'000u);
 }
 
 TEST(Page, NeedsNothingElse) {
     SceneRun run = run_of("hello", 20);
-    Recorder recorder(run);
-    const RunResult result = record(run, recorder, [] {});
-    const std::string page = player_page(run, result, recorder);
+    MovieMaker movie(run);
+    const RunResult result = record(run, movie, [] {});
+    const std::string page = player_page(run, result, movie);
     for (const char* never : {"{{", "http:", "https:", "src=", "@import", "import(", "fetch("})
         EXPECT_EQ(page.find(never), std::string::npos) << never;
-    EXPECT_NE(page.find(base64(recorder.bytes())), std::string::npos);
+    EXPECT_NE(page.find(base64(movie.bytes())), std::string::npos);
     EXPECT_NE(page.find("<title>hello"), std::string::npos);
     EXPECT_EQ(page.substr(page.size() - 8), "</html>\n");
 }
 
 TEST(Page, ASceneCannotSmuggleInATag) {
     SceneRun run(scene_with_a_swap(), {});
-    Recorder recorder(run);
-    RunResult result = record(run, recorder, [] {});
+    MovieMaker movie(run);
+    RunResult result = record(run, movie, [] {});
     result.scene = "</script><script>alert(1)</script>";
-    EXPECT_EQ(player_page(run, result, recorder).find("alert(1)</script>"), std::string::npos);
+    EXPECT_EQ(player_page(run, result, movie).find("alert(1)</script>"), std::string::npos);
 }
 
 TEST(Page, Base64IsThatOfItsStandard) {

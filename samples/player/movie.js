@@ -1,9 +1,9 @@
-// Reads the frames of a recording, whose bytes samples/recording.hpp describes. Frames are told as changes, so going back means starting
+// Reads the frames of a movie, whose bytes samples/movie.hpp describes. Frames are told as changes, so going back means starting
 // over from an earlier frame: a copy of the state is kept every so many frames, as they are first passed.
 
 const framesPerCopy = 50;
 
-/// What the numbers in a recording stand for.
+/// What the numbers in a movie stand for.
 export const looks = ["static", "kinematic", "awake", "asleep", "bullet", "disabled"];
 export const jointLooks = ["joint", "idle-joint", "limit"];
 const kinds = ["dot", "line", "loop", "ring"];
@@ -60,7 +60,7 @@ class State {
     }
 }
 
-export class Recording {
+export class Movie {
     /// `run` is the page's description of the run.
     constructor(bytes, run) {
         this.bytes = bytes;
