@@ -1,6 +1,6 @@
 #include "prefab.hpp"
 
-#include "../spawn.hpp"
+#include "harness/spawn.hpp"
 
 namespace islet::samples {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "../engine.hpp"
-#include "../scene.hpp"
+#include "harness/engine.hpp"
+#include "harness/scene.hpp"
 
 namespace islet::samples {
 

@@ -1,9 +1,9 @@
 // A whole match: two peers, a link each way, time frame by frame.
 #pragma once
 
-#include "catalogue.hpp"
 #include "link.hpp"
 #include "peer.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::rollback {
 

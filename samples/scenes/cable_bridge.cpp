@@ -3,11 +3,11 @@
 #include <cmath>
 #include <memory>
 
-#include "../prefabs/bridge.hpp"
-#include "../prefabs/car.hpp"
-#include "../prefabs/rope.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "prefabs/bridge.hpp"
+#include "prefabs/car.hpp"
+#include "prefabs/rope.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

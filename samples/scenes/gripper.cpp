@@ -3,9 +3,9 @@
 #include <cmath>
 #include <memory>
 
-#include "../prefabs/gripper.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "prefabs/gripper.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "../prefabs/cloth.hpp"
-#include "../prefabs/rope.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "prefabs/cloth.hpp"
+#include "prefabs/rope.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

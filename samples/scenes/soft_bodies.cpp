@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "../prefabs/soft_body.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "prefabs/soft_body.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

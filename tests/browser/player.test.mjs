@@ -291,7 +291,7 @@ test("says what was left out of a large run, and plays it", async () => {
 
 test("any frame can be read first, and holds what the run counted", async () => {
     // The decoder as it stands in the project, outside a browser.
-    const source = readFileSync(new URL("../../samples/player/movie.js", import.meta.url), "utf8");
+    const source = readFileSync(new URL("../../tools/islet/player/movie.js", import.meta.url), "utf8");
     const { Movie, looks } = await import(`data:text/javascript,${encodeURIComponent(source)}`);
     const page = readFileSync(makePage("dominoes"), "utf8");
     const element = (id) => page.match(new RegExp(`id="${id}">([^<]*)<`))[1];

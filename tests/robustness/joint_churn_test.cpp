@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "harness/spawn.hpp"
 #include "physics/measure.hpp"
 #include "scenes/benchmark_doll.hpp"
-#include "spawn.hpp"
 #include "support/random.hpp"
 
 namespace {

@@ -13,7 +13,7 @@
 
 #include "broadphase/pairs.hpp"
 #include "broadphase/tree.hpp"
-#include "random.hpp"
+#include "scenes/random.hpp"
 #include "world/bounds.hpp"
 
 using namespace islet;

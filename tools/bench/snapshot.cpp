@@ -9,8 +9,8 @@
 #include <cstring>
 #include <vector>
 
-#include "catalogue.hpp"
-#include "engine.hpp"
+#include "harness/engine.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "catalogue.hpp"
 #include "judge.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::compare {
 

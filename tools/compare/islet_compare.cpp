@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "command_line.hpp"
+#include "common/command_line.hpp"
+#include "common/output_file.hpp"
+#include "common/similar_scenes.hpp"
 #include "compare.hpp"
 #include "compare_report.hpp"
-#include "output_file.hpp"
-#include "similar_scenes.hpp"
 #include "timing.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "box2d_engine.hpp"
-#include "statistics.hpp"
+#include "common/statistics.hpp"
+#include "engines/box2d_engine.hpp"
 
 namespace islet::compare {
 

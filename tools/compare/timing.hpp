@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "catalogue.hpp"
-#include "engine.hpp"
+#include "harness/engine.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::compare {
 

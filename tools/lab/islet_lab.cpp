@@ -10,15 +10,15 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include "command_line.hpp"
-#include "finite_number.hpp"
+#include "common/command_line.hpp"
+#include "common/finite_number.hpp"
+#include "common/near_names.hpp"
+#include "common/output_file.hpp"
+#include "common/progress.hpp"
+#include "common/similar_scenes.hpp"
 #include "lab.hpp"
-#include "near_names.hpp"
-#include "output_file.hpp"
 #include "plot.hpp"
-#include "progress.hpp"
 #include "report.hpp"
-#include "similar_scenes.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "lab.hpp"
 
 #include "islands.hpp"
-#include "runner.hpp"
+#include "islet/runner.hpp"
 
 namespace islet::lab {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "catalogue.hpp"
+#include "harness/scene.hpp"
 #include "measure.hpp"
-#include "scene.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::lab {
 

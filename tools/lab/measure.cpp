@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "statistics.hpp"
+#include "common/statistics.hpp"
 
 namespace islet::lab {
 namespace {

@@ -17,13 +17,13 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include "catalogue.hpp"
-#include "engine.hpp"
-#include "printable.hpp"
-#include "runner.hpp"
-#include "scene_file.hpp"
+#include "common/printable.hpp"
+#include "harness/engine.hpp"
+#include "islet/runner.hpp"
+#include "islet/scene_file.hpp"
+#include "islet/svg.hpp"
+#include "scenes/catalogue.hpp"
 #include "support/random.hpp"
-#include "svg.hpp"
 
 // -- what is allocated ---------------------------------------------------------------------------------------------------------------------------------
 
