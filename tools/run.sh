@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds Islet and runs a scene: prints what happened and where the picture is.
 #   tools/run.sh [SCENE] [options of `islet run`]       e.g. tools/run.sh card_house --steps 600
-# Installs a compiler, CMake and the runner's libraries with apt if they are missing.
+# Installs a compiler, CMake and islet's libraries with apt if they are missing.
 set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"

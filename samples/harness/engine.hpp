@@ -1,4 +1,4 @@
-// What a scene, the runner and the comparison need of a physics engine. One adapter per engine; Islet's is in islet_engine.cpp.
+// What a scene, and whoever runs it, needs of a physics engine. One adapter per engine; Islet's is in islet_engine.cpp.
 #pragma once
 
 #include <cstddef>

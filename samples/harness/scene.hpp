@@ -56,7 +56,7 @@ struct Scene {
     std::string name;
     WorldDef world;
     float dt = 1.0f / 60.0f;  // s
-    int steps = 300;          // how long the runner runs it, and what `check` expects
+    int steps = 300;          // how long `islet run` runs it, and what `check` expects
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;
     std::uint32_t extra_contacts = 0;                                    // contact capacity beyond the estimate of capacity_of

@@ -17,19 +17,15 @@ SpanDef span_of(const RopeDef& def) {
     span.hinge.friction = def.stiffness;
     span.link.linear_damping = def.damping;
     span.link.angular_damping = def.damping;
+    span.radius = def.radius;
+    span.material.density = def.density;
+    span.material.filter.group = -def.group;
     return span;
 }
 
 }  // namespace
 
-Prefab make_rope(const RopeDef& def) {
-    ShapeDef material;
-    material.density = def.density;
-    material.filter.group = -def.group;
-    return make_span(span_of(def), [&](float half, std::size_t) {
-        return std::vector<SceneShape>{{Capsule{{-half, 0}, {half, 0}, def.radius}, material}};
-    });
-}
+void assemble(const RopeDef& def, Assembler& into) { assemble(span_of(def), into); }
 
 JointFrame rope_start(const RopeDef& def) { return {{-half_link(span_of(def)), 0}, 0}; }
 JointFrame rope_end(const RopeDef& def) { return {{half_link(span_of(def)), 0}, 0}; }

@@ -1,5 +1,5 @@
 // Plays pages of `islet run --html` in a real browser, from files and without a network.
-// Environment: ISLET, the runner; CHROMIUM, the browser.
+// Environment: ISLET, the program; CHROMIUM, the browser.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";

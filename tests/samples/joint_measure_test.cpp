@@ -120,7 +120,7 @@ TEST(JointMeasure, IndicesStayWhenJointsGo) {
 TEST(Prefab, ARagdollStandsTogetherInAWorldOfYourOwn) {
     TestWorld world({.bodies = 64, .shapes = 64, .contacts = 256, .joints = 32});
     world.add_ground();
-    const Spawned doll = spawn(*world, make_benchmark_doll({.position = {0, 0.1f}}));
+    const PrefabIds doll = spawn(*world, make_benchmark_doll({.position = {0, 0.1f}}));
     ASSERT_EQ(doll.bodies.size(), bone_count);
     ASSERT_EQ(doll.joints.size(), bone_count - 1);
     for (const JointId joint : doll.joints) EXPECT_LT(world->joint_error(joint).linear, 1e-6f);

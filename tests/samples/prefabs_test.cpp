@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "harness/engine.hpp"
 #include "physics/measure.hpp"
@@ -16,6 +18,7 @@
 #include "prefabs/rope.hpp"
 #include "prefabs/soft_body.hpp"
 #include "scenes/benchmark_doll.hpp"
+#include "scenes/prefab_scene.hpp"
 
 namespace islet::test {
 namespace {
@@ -32,8 +35,20 @@ WorldDef stiff() {
     return def;
 }
 
+/// The ids of a prefab that is made in a world, as a program of one's own makes it.
+template <class Def>
+PrefabIds spawned(World& world, const Def& def) {
+    const PrefabSize size = size_of(def);
+    PrefabIds ids{std::vector<BodyId>(size.bodies), std::vector<JointId>(size.joints)};
+    const Spawned made = spawn(world, def, ids.bodies, ids.joints);
+    EXPECT_EQ(made.bodies.data(), ids.bodies.data());
+    EXPECT_EQ(made.bodies.size(), size.bodies);
+    EXPECT_EQ(made.joints.size(), size.joints);
+    return ids;
+}
+
 /// From one end of the rope to the other along its links, m, gaps included.
-double length_along(const World& world, const Spawned& rope, const RopeDef& def) {
+double length_along(const World& world, const PrefabIds& rope, const RopeDef& def) {
     const Vec2 start = rope_start(def).position, end = rope_end(def).position;
     double sum = 0;
     Vec2 last = transform_point(world.transform(rope.bodies[0]), start);
@@ -50,7 +65,7 @@ double length_along(const World& world, const Spawned& rope, const RopeDef& def)
 TEST(Prefabs, RopeKeepsItsLengthUnderAHeavyLoad) {
     TestWorld world(room, stiff());
     const RopeDef def = {.from = {0, 6}, .to = {0, 3}, .hold_from = true};
-    const Spawned rope = spawn(*world, make_rope(def));
+    const PrefabIds rope = spawned(*world, def);
     // 100 kg on a rope of 3 kg.
     const BodyId load = world.add_box({0, 2.5f}, 0.5f, 0.5f, dense(100));
     RevoluteJointDef knot;
@@ -72,7 +87,7 @@ TEST(Prefabs, RopeKeepsItsLengthUnderAHeavyLoad) {
 TEST(Prefabs, SlackPutsTheMiddleBelowAndTheEndsWhereTheyAre) {
     for (const float slack : {1.0f, 1.001f, 1.1f, 1.5f, 3.0f}) {
         const RopeDef def = {.from = {-2, 1}, .to = {2, 2}, .slack = slack, .links = 17};
-        const Prefab rope = make_rope(def);
+        const Prefab rope = prefab_of(def);
         const auto at = [&](std::size_t link, Vec2 local) {
             const BodyDef& body = rope.bodies[link].def;
             return transform_point({body.position, make_rot(body.angle)}, local);
@@ -94,7 +109,7 @@ TEST(Prefabs, ChainBreaksUnderMoreThanItsForce) {
     for (const float mass : {3.0f, 25.0f}) {
         TestWorld world(room);
         const ChainDef def = {.from = {0, 6}, .to = {0, 4}, .break_force = 300, .hold_from = true};
-        const Spawned chain = spawn(*world, make_chain(def));
+        const PrefabIds chain = spawned(*world, def);
         double weight = 0;
         for (std::size_t i = 0; i < def.links; ++i) weight += g * double(world->mass(chain.bodies[i]));
         // Let go all at once, a load pulls up to twice as hard as it weighs: with 30 N more the chain must hold, with 250 N more it cannot.
@@ -118,7 +133,7 @@ TEST(Prefabs, ChainBreaksUnderMoreThanItsForce) {
 TEST(Prefabs, BridgeCarriesACrateAndPullsAsACableDoes) {
     TestWorld world(room, stiff());
     const BridgeDef def = {.from = {-4, 3}, .to = {4, 3}, .slack = 1.02f, .stiffness = 2};
-    const Spawned bridge = spawn(*world, make_bridge(def));
+    const PrefabIds bridge = spawned(*world, def);
     const BodyId crate = world.add_box({0, 3.5f}, 0.4f, 0.4f, dense(10));
     world.step(600);
     EXPECT_GT(world->position(crate).y, 2.0f);
@@ -137,7 +152,7 @@ TEST(Prefabs, SoftBodyKeepsItsAreaAloneAndUnderACrate) {
     TestWorld world(room, stiff());
     world.add_ground();
     const SoftBodyDef def = {.position = {0, 1.5f}};
-    const Spawned soft = spawn(*world, make_soft_body(def));
+    const PrefabIds soft = spawned(*world, def);
     const double whole = double(round_area(def));
     EXPECT_NEAR(double(area_of(*world, soft, def)), whole, 1e-4 * whole);
     EXPECT_NEAR(whole, 3.14159 * 0.25, 0.02) << "twenty sides make less than a circle, by (2 pi / 20)^2 / 6";
@@ -168,7 +183,7 @@ TEST(Prefabs, SoftBodyKeepsItsAreaAloneAndUnderACrate) {
 TEST(Prefabs, ClothHangsByTwoCornersWithoutStretching) {
     TestWorld world(room, stiff());
     const ClothDef def = {.corner = {-1, 4}, .columns = 9, .rows = 9};
-    const Spawned cloth = spawn(*world, make_cloth(def));
+    const PrefabIds cloth = spawned(*world, def);
     ASSERT_EQ(cloth.bodies.size(), 81u);
     const BodyId wall = world->create_body({});
     for (const std::size_t column : {std::size_t{0}, def.columns - 1}) {
@@ -193,7 +208,7 @@ TEST(Prefabs, CarDrivesAtItsSpeedBrakesAndCoasts) {
     TestWorld world(room);
     world.add_ground(0, 100, rough(1));
     const CarDef def = {.position = {-50, 0}};
-    const Spawned car = spawn(*world, make_car(def));
+    const PrefabIds car = spawned(*world, def);
     const BodyId body = car.bodies[std::size_t(CarPart::body)];
     world.step(60);
     drive(*world, car, 8);
@@ -222,7 +237,7 @@ TEST(Prefabs, GripperLiftsWhatItsFrictionHoldsAndNoMore) {
         TestWorld world(room);
         world.add_ground();
         const GripperDef def = {.rail = {0, 3}, .friction = 0.7f};
-        const Spawned gripper = spawn(*world, make_gripper(def));
+        const PrefabIds gripper = spawned(*world, def);
         ShapeDef material = rough(0.7f);
         material.density = c.density;
         const BodyId box = world.add_box({0, 0.3f}, 0.3f, 0.3f, material);
@@ -241,42 +256,27 @@ TEST(Prefabs, GripperLiftsWhatItsFrictionHoldsAndNoMore) {
 
 // -- all of them ---------------------------------------------------------------------------------------------------------------------
 
+/// A prefab, as lists and made in a world.
 struct Kind {
+    template <class Def>
+    Kind(const char* what, const Def& def) : name(what), prefab(prefab_of(def)), make([def](World& world) { return spawned(world, def); }) {}
+    Kind(const char* what, const Prefab& lists) : name(what), prefab(lists), make([lists](World& world) { return spawn(world, lists); }) {}
+
     const char* name;
-    std::function<Prefab()> make;
+    Prefab prefab;
+    std::function<PrefabIds(World&)> make;
 };
 
 std::vector<Kind> kinds() {
     return {
-        {"rope",
-         [] {
-             return make_rope({.from = {0, 6}, .to = {0, 3}, .hold_from = true});
-         }},
-        {"chain",
-         [] {
-             return make_chain({.from = {0, 6}, .to = {2, 6}, .hold_from = true});
-         }},
-        {"bridge",
-         [] {
-             return make_bridge({.from = {-4, 3}, .to = {4, 3}});
-         }},
-        {"car", [] { return make_car({}); }},
-        {"cloth",
-         [] {
-             return make_cloth({.corner = {-1, 4}});
-         }},
-        {"soft_body",
-         [] {
-             return make_soft_body({.position = {0, 3}});
-         }},
-        {"gripper",
-         [] {
-             return make_gripper({.rail = {0, 5}});
-         }},
-        {"ragdoll",
-         [] {
-             return make_benchmark_doll({.position = {0, 1}});
-         }},
+        {"rope", RopeDef{.from = {0, 6}, .to = {0, 3}, .hold_from = true}},
+        {"chain", ChainDef{.from = {0, 6}, .to = {2, 6}, .hold_from = true}},
+        {"bridge", BridgeDef{.from = {-4, 3}, .to = {4, 3}}},
+        {"car", CarDef{}},
+        {"cloth", ClothDef{.corner = {-1, 4}}},
+        {"soft_body", SoftBodyDef{.position = {0, 3}}},
+        {"gripper", GripperDef{.rail = {0, 5}}},
+        {"doll", make_benchmark_doll({.position = {0, 1}})},
     };
 }
 
@@ -289,8 +289,8 @@ std::uint32_t shapes_of(const Prefab& prefab) {
 TEST(Prefabs, StartWithoutErrorAndAreGoneWhenDestroyed) {
     for (const Kind& kind : kinds()) {
         TestWorld world(room);
-        const Prefab prefab = kind.make();
-        const Spawned spawned = spawn(*world, prefab);
+        const Prefab& prefab = kind.prefab;
+        const PrefabIds spawned = kind.make(*world);
         EXPECT_TRUE(world.errors.empty()) << kind.name;
         EXPECT_EQ(world->body_count(), prefab.bodies.size()) << kind.name;
         EXPECT_EQ(world->joint_count(), prefab.joints.size()) << kind.name;
@@ -306,7 +306,7 @@ TEST(Prefabs, StartWithoutErrorAndAreGoneWhenDestroyed) {
 
 TEST(Prefabs, AWorldWithoutRoomSaysWhyAndStaysWhole) {
     for (const Kind& kind : kinds()) {
-        const Prefab prefab = kind.make();
+        const Prefab& prefab = kind.prefab;
         const auto bodies = static_cast<std::uint32_t>(prefab.bodies.size()), joints = static_cast<std::uint32_t>(prefab.joints.size());
         const std::uint32_t shapes = shapes_of(prefab);
         const Capacity enough{.bodies = bodies, .shapes = shapes, .contacts = 16 * shapes, .joints = joints};
@@ -321,7 +321,7 @@ TEST(Prefabs, AWorldWithoutRoomSaysWhyAndStaysWhole) {
         cases[3].capacity.joints = joints / 2;
         for (const Case& c : cases) {
             TestWorld world(c.capacity);
-            const Spawned spawned = spawn(*world, prefab);
+            const PrefabIds spawned = kind.make(*world);
             const std::string what = std::string(kind.name) + ": " + describe(c.error);
             EXPECT_EQ(world->last_error(), c.error) << what;
             for (const Error error : world.errors) EXPECT_EQ(error, c.error) << what;
@@ -341,14 +341,25 @@ TEST(Prefabs, AWorldWithoutRoomSaysWhyAndStaysWhole) {
     }
 }
 
+TEST(Prefabs, ArraysThatAreTooShortGetNothing) {
+    const CarDef def;
+    BodyId bodies[3];
+    JointId joints[2];
+    TestWorld world(room);
+    EXPECT_TRUE(spawn(*world, def, std::span(bodies).first(2), joints).bodies.empty());
+    EXPECT_TRUE(spawn(*world, def, bodies, std::span(joints).first(1)).bodies.empty());
+    EXPECT_EQ(world->body_count(), 0u);
+    EXPECT_EQ(spawn(*world, def, bodies, joints).bodies.size(), 3u);
+}
+
 TEST(Prefabs, AreTheSameInASceneAndInAWorld) {
     for (const Kind& kind : kinds()) {
         Scene scene;
-        add_prefab(scene, kind.make());
+        add_prefab(scene, kind.prefab);
         IsletEngine engine;
         engine.load(scene);
         TestWorld world(capacity_of(scene), scene.world);
-        spawn(*world, kind.make());
+        kind.make(*world);
         for (int i = 0; i < 30; ++i) {
             engine.advance(scene, i, step_time);
             world.step();

@@ -1,4 +1,4 @@
-// What the runner writes: a table for people, a JSON object for programs, a CSV line per step.
+// What `islet run` writes: a table for people, a JSON object for programs, a CSV line per step.
 #pragma once
 
 #include <string>

@@ -258,7 +258,7 @@ SceneJoint joint_from(const Json& told, const std::string& place, const Scene& s
     return joint;
 }
 
-/// What the rest of the runner takes for granted.
+/// What the rest of islet takes for granted.
 void check_head(const Scene& scene) {
     if (scene.steps < 0 || scene.steps > 100'000'000) refuse("steps", "must be from 0 to 100000000");
     if (!(scene.dt >= min_time_step && scene.dt <= 1)) refuse("dt", fmt::format("must be from {} to 1 s", min_time_step));

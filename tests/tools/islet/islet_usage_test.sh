@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# islet_usage_test.sh ISLET: what the runner does when it is used, and misused.
+# islet_usage_test.sh ISLET: what it does when it is used, and misused.
 set -euo pipefail
 
 name=islet
