@@ -19,7 +19,7 @@
 #error "ISLET_VERSION is set by the build"
 #endif
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// An option whose value is one of a few names. Help lists them, and so does what is said of another word.
 template <class Target, class Enum>
@@ -84,4 +84,4 @@ inline std::optional<int> parse_or_explain(CLI::App& app, int argc, const char* 
     }
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// A range lets NaN through, since NaN is neither below nor above anything.
 inline std::string finite_number(const std::string& text) {
@@ -13,4 +13,4 @@ inline std::string finite_number(const std::string& text) {
     return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? std::string() : "must be a finite number: " + text;
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

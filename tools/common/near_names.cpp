@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 /// Insertions, deletions and replacements that turn a into b (Levenshtein).
@@ -42,4 +42,4 @@ std::vector<std::string> near_names(const std::string& name, const std::vector<s
     return names;
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

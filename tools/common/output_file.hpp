@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace islet::samples {
+namespace islet::tools {
 
 class OutputFile {
 public:
@@ -53,4 +53,4 @@ private:
 /// True if all that was printed so far has reached its end.
 inline bool all_printed() { return std::fflush(stdout) == 0 && std::ferror(stdout) == 0; }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

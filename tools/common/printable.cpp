@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 /// A code point and how many bytes it takes; of no bytes where there is none.
@@ -49,4 +49,4 @@ std::string printable(std::string_view text) {
     return out;
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

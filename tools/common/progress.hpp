@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace islet::samples {
+namespace islet::tools {
 
 class ProgressBar {
 public:
@@ -58,4 +58,4 @@ private:
     std::chrono::steady_clock::time_point next_{};
 };
 
-}  // namespace islet::samples
+}  // namespace islet::tools

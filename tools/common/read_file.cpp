@@ -5,7 +5,7 @@
 #include <cstring>
 #include <memory>
 
-namespace islet::samples {
+namespace islet::tools {
 
 std::string read_file(const std::string& path) {
     const auto fail = [] { throw FileError(std::string("cannot be read: ") + std::strerror(errno)); };
@@ -35,4 +35,4 @@ std::string kind_of(const std::string& bytes) {
     return "a file of another kind";
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

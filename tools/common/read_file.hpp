@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// A sentence with the reason.
 struct FileError : std::runtime_error {
@@ -16,4 +16,4 @@ std::string read_file(const std::string& path);
 /// What bytes look like: "a recording", "a snapshot", "a JSON file", ..., or "a file of another kind".
 std::string kind_of(const std::string& bytes);
 
-}  // namespace islet::samples
+}  // namespace islet::tools

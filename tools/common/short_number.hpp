@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// The shortest decimal that reads back as the same float, as a double: 0.016666668 rather than 0.01666666753590107.
 inline double short_number(float value) { return std::stod(fmt::format("{}", value)); }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -3,7 +3,9 @@
 #include "near_names.hpp"
 #include "scenes/catalogue.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
+
+using namespace samples;
 
 std::vector<std::string> similar_scenes(const std::string& name) {
     std::vector<std::string> known;
@@ -11,4 +13,4 @@ std::vector<std::string> similar_scenes(const std::string& name) {
     return near_names(name, known);
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// Names close to a wrong one (edit distance), nearest first.
 std::vector<std::string> similar_scenes(const std::string& name);
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// The middle value, or the mean of the two middle ones; 0 of none.
 inline double median(std::vector<double> values) {
@@ -23,4 +23,4 @@ inline double percentile(std::vector<double> values, double percent) {
     return values[std::clamp<std::size_t>(rank, 1, values.size()) - 1];
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

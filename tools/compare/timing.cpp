@@ -11,7 +11,7 @@
 namespace islet::compare {
 
 using namespace engines;
-using samples::median;
+using tools::median;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 using engines::EngineInfo;
@@ -187,4 +187,4 @@ std::vector<BenchResult> bench(const BenchOptions& options, const BenchObserver&
     return results;
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -13,7 +13,9 @@
 #include "harness/scene.hpp"
 #include "scenes/catalogue.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
+
+using namespace samples;
 
 struct BenchOptions {
     std::vector<const SceneInfo*> scenes;
@@ -82,4 +84,4 @@ private:
 std::string table_of(const std::vector<BenchResult>& results);
 std::string json_of(const std::vector<BenchResult>& results);
 
-}  // namespace islet::samples
+}  // namespace islet::tools

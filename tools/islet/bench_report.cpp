@@ -6,7 +6,7 @@
 
 #include "bench.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 
 BenchTable::BenchTable(const std::vector<std::string>& scenes, const std::vector<std::string>& engines) {
     for (const std::string& scene : scenes) scene_width_ = std::max(scene_width_, scene.size());
@@ -70,4 +70,4 @@ std::string json_of(const std::vector<BenchResult>& results) {
     return list.dump(2) + "\n";
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 Drawing& of(void* self) { return *static_cast<Drawing*>(self); }
@@ -78,4 +78,4 @@ float joint_mark_size(double typical_size, double pixels_per_metre) {
     return static_cast<float>(std::clamp(0.4 * typical_size * pixels_per_metre, 3.0, 18.0) / pixels_per_metre);
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

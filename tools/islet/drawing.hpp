@@ -8,7 +8,7 @@
 
 #include <islet/islet.hpp>
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// One thing that was drawn. Its points are kept by the Drawing it is in: a circle's are its middle and a point on it that turns with it.
 struct Stroke {
@@ -55,4 +55,4 @@ double typical_size(const Drawing& drawing);
 /// DebugDraw::size for joints, m, in a picture of so many pixels a metre.
 float joint_mark_size(double typical_size, double pixels_per_metre);
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -26,8 +26,8 @@ if(page MATCHES "player\\.(css|js)\"")
 endif()
 
 file(WRITE ${OUTPUT} "// Made by embed_player.cmake from tools/islet/player/.
-namespace islet::samples {
+namespace islet::tools {
 extern const char player_source[];
 const char player_source[] = R\"page(${page})page\";
-}  // namespace islet::samples
+}  // namespace islet::tools
 ")

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// The page with places for the title, the run and the movie. Made from player/ by embed_player.cmake.
 extern const char player_source[];
@@ -165,4 +165,4 @@ std::string player_page(const Run& run, const RunResult& result, const MovieMake
     return page;
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -5,7 +5,7 @@
 
 #include "movie_maker.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// The page: the player (player/) around the movie.
 std::string player_page(const Run& run, const RunResult& result, const MovieMaker& movie);
@@ -13,4 +13,4 @@ std::string player_page(const Run& run, const RunResult& result, const MovieMake
 /// Binary data as text, as in RFC 4648.
 std::string base64(const std::string& bytes);
 
-}  // namespace islet::samples
+}  // namespace islet::tools

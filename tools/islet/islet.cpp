@@ -31,7 +31,7 @@
 
 namespace {
 
-using namespace islet::samples;
+using namespace islet::tools;
 
 enum ExitStatus { ok = 0, check_failed = 1, wrong_usage = 2, interrupted = 130 };
 
@@ -39,13 +39,13 @@ struct RunCommand {
     std::string scene, csv_path, svg_path, html_path, recording_path;
     std::vector<std::string> draw;  // names of layers
     RunOptions options;
-    std::uint64_t memory_limit = islet::samples::usual_memory_limit;
+    std::uint64_t memory_limit = islet::tools::usual_memory_limit;
     bool json = false;
 };
 
 struct ReplayCommand {
     std::string path;
-    std::uint64_t memory_limit = islet::samples::usual_memory_limit;
+    std::uint64_t memory_limit = islet::tools::usual_memory_limit;
     std::uint64_t until = ~std::uint64_t{0};
     std::uint32_t lanes = 0;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 constexpr double rounding = 2;          // quanta: two figures that differ by no more are one
@@ -169,4 +169,4 @@ std::uint32_t JointFigures::number_of(const JointFigure& figure) {
     return alike.back();
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -9,7 +9,7 @@
 #include "drawing.hpp"
 #include "movie.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// A point or a vector in quanta, y up.
 struct QuantaPoint {
@@ -79,4 +79,4 @@ private:
     std::vector<Watched> watched_;                             // by slot
 };
 
-}  // namespace islet::samples
+}  // namespace islet::tools

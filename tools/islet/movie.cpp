@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 void put_number(std::string& bytes, std::uint32_t n) {
@@ -237,4 +237,4 @@ void MovieReader::take_joints() {
     }
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -26,7 +26,7 @@
 #include <string_view>
 #include <vector>
 
-namespace islet::samples {
+namespace islet::tools {
 
 inline constexpr std::int32_t body_turn = 65536;
 inline constexpr std::int32_t contact_turn = 256;
@@ -150,4 +150,4 @@ private:
     Motion bodies_{body_turn, {}}, contacts_{contact_turn, {}};
 };
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -7,7 +7,7 @@
 
 #include "harness/checks.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 std::int32_t parts_of_turn(double angle, std::int32_t turn) {
@@ -261,4 +261,4 @@ void MovieMaker::thin() {
     numbers_ = std::move(kept);
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

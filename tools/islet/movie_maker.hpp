@@ -12,7 +12,7 @@
 #include "movie.hpp"
 #include "runner.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// How metres become whole quanta. A body is drawn within half a quantum, on either axis, of where it was, and turned within half a
 /// 65536th of a turn; a contact is within half of contact_quanta, what is drawn of a joint within JointFigures::tolerance.
@@ -111,4 +111,4 @@ private:
     DrawnJoint drawn_joint_;
 };
 
-}  // namespace islet::samples
+}  // namespace islet::tools

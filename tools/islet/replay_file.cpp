@@ -5,7 +5,9 @@
 #include "common/read_file.hpp"
 #include "harness/world_recording.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
+
+using namespace samples;
 
 std::string beyond_memory_limit(const Capacity& c, std::uint64_t limit) {
     if (!is_valid(c)) return describe(Error::bad_capacity);
@@ -36,4 +38,4 @@ Replayed replay_file(const std::string& path, std::uint64_t until, std::uint32_t
     return replayed;
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -6,7 +6,7 @@
 
 #include <islet/islet.hpp>
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// Bytes of a world that a file may ask for, unless the user says otherwise.
 inline constexpr std::uint64_t usual_memory_limit = 2'000'000'000;
@@ -24,4 +24,4 @@ struct Replayed {
 /// In a world as large as the recording needs, whatever it says, and within the limit, bytes. Throws a FileError if the file cannot be read.
 Replayed replay_file(const std::string& path, std::uint64_t until, std::uint32_t lanes, std::uint64_t memory_limit = usual_memory_limit);
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -11,7 +11,7 @@
 #include "harness/checks.hpp"
 #include "scenes/catalogue.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -149,4 +149,4 @@ std::string catalogue_json() {
     return list.dump(2) + "\n";
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -5,7 +5,7 @@
 
 #include "runner.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 
 std::string table_of(const RunResult& result);
 std::string json_of(const RunResult& result);
@@ -15,4 +15,4 @@ std::string csv_line(const StepRecord& record, const Run& run);
 std::string catalogue_table();
 std::string catalogue_json();
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -5,7 +5,7 @@
 
 #include "harness/checks.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 bool RunResult::passed() const {
     return std::all_of(check.begin(), check.end(), [](const CheckLine& line) { return line.pass(); });
 }
@@ -87,4 +87,4 @@ RunResult Run::run(const std::function<void(const StepRecord&)>& observer) {
     return result;
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -11,7 +11,9 @@
 #include "harness/scene.hpp"
 #include "workers/thread_pool.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
+
+using namespace samples;
 
 struct RunOptions {
     std::optional<int> steps;  // the scene's own if not given; so are those that follow
@@ -85,4 +87,4 @@ private:
     bool check_applies_ = false;
 };
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -26,7 +26,9 @@
 
 #include "harness/scene.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
+
+using namespace samples;
 
 /// A sentence that says where the file is wrong, and what about it.
 struct SceneFileError : std::runtime_error {
@@ -40,4 +42,4 @@ std::string write_scene(const Scene& scene);
 /// Whether it does something that no file can hold: a script or hooks.
 bool has_script(const Scene& scene);
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -15,7 +15,7 @@
 #include "harness/scene_fields.hpp"
 #include "scene_file.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 using Json = nlohmann::json;
@@ -357,4 +357,4 @@ Scene read_scene(const std::string& text) {
     return scene;
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

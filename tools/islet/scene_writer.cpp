@@ -9,7 +9,7 @@
 #include "harness/scene_fields.hpp"
 #include "scene_file.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -150,4 +150,4 @@ std::string write_scene(const Scene& scene) {
     return text + lines("bodies", bodies) + lines("joints", joints) + "\n}\n";
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

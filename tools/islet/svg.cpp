@@ -15,7 +15,7 @@
 #include "drawing.hpp"
 #include "svg_path.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 constexpr double picture_width = 1200;      // px
@@ -364,4 +364,4 @@ std::string draw_svg(const Run& run, const DebugDraw& what) {
     return text;
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -5,7 +5,7 @@
 
 #include "runner.hpp"
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// What a picture shows besides shapes, unless it is told otherwise: joints, contacts and their normals.
 DebugDraw usual_drawing();
@@ -14,4 +14,4 @@ DebugDraw usual_drawing();
 /// sizes of marks are the picture's own. Contacts are left out where bodies are so small or so many that the dots would hide them.
 std::string draw_svg(const Run& run, const DebugDraw& what = usual_drawing());
 
-}  // namespace islet::samples
+}  // namespace islet::tools

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace islet::samples {
+namespace islet::tools {
 
 namespace {
 
@@ -124,4 +124,4 @@ void draw_dot(PathWriter& path, const Camera& camera, Vec2 at) {
     path.dot();
 }
 
-}  // namespace islet::samples
+}  // namespace islet::tools

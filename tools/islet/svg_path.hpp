@@ -6,7 +6,7 @@
 
 #include <islet/islet.hpp>
 
-namespace islet::samples {
+namespace islet::tools {
 
 /// Path data is written in whole tenths of a pixel: digits are what a picture of thousands of shapes is made of.
 inline constexpr int units_per_pixel = 10;
@@ -58,4 +58,4 @@ void draw_rounded(PathWriter& path, const Camera& camera, std::span<const Vec2> 
 void draw_line(PathWriter& path, const Camera& camera, Vec2 from, Vec2 to);
 void draw_dot(PathWriter& path, const Camera& camera, Vec2 at);
 
-}  // namespace islet::samples
+}  // namespace islet::tools

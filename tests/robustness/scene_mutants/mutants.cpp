@@ -59,7 +59,7 @@ void operator delete(void* memory, std::size_t) noexcept { released(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { released(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { released(memory); }
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 using test::Random;
@@ -367,6 +367,6 @@ int search(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace islet::samples
+}  // namespace islet::tools
 
-int main(int argc, char** argv) { return islet::samples::search(argc, argv); }
+int main(int argc, char** argv) { return islet::tools::search(argc, argv); }

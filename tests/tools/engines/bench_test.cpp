@@ -11,6 +11,7 @@ namespace {
 
 using namespace islet;
 using namespace islet::samples;
+using namespace islet::tools;
 using engines::EngineInfo;
 using nlohmann::json;
 

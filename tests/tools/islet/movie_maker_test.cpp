@@ -15,7 +15,8 @@ namespace {
 
 using namespace islet;
 using namespace islet::samples;
-using SceneRun = islet::samples::Run;  // a test has a Run of its own
+using namespace islet::tools;
+using SceneRun = islet::tools::Run;  // a test has a Run of its own
 
 SceneRun run_of(const char* scene, int steps) {
     RunOptions options;

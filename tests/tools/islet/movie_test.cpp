@@ -9,6 +9,7 @@
 namespace {
 
 using namespace islet::samples;
+using namespace islet::tools;
 
 /// Random frames: ids come and go, and move by little, by much, or not.
 class Scribbler {

@@ -35,12 +35,12 @@ TEST(ReplayFile, TakesNoMoreMemoryThanTheFileCouldFill) {
     const std::string path = testing::TempDir() + "islet_replay_test.rec";
     std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(tape.span().data()), static_cast<std::streamsize>(size));
 
-    const samples::Replayed replayed = samples::replay_file(path, ~std::uint64_t{0}, 0, 1'000'000);
+    const tools::Replayed replayed = tools::replay_file(path, ~std::uint64_t{0}, 0, 1'000'000);
     EXPECT_EQ(replayed.error, "");
     EXPECT_EQ(replayed.result.end, ReplayEnd::complete);
     EXPECT_EQ(replayed.result.steps, 20u);
     EXPECT_EQ(replayed.hash, w->hash());
-    const samples::Replayed refused = samples::replay_file(path, ~std::uint64_t{0}, 0, 1000);
+    const tools::Replayed refused = tools::replay_file(path, ~std::uint64_t{0}, 0, 1000);
     EXPECT_NE(refused.error.find("--memory-limit"), std::string::npos) << refused.error;
     std::remove(path.c_str());
 }

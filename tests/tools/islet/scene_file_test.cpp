@@ -20,6 +20,7 @@ namespace {
 
 using namespace islet;
 using namespace islet::samples;
+using namespace islet::tools;
 
 std::uint64_t hash_after(const Scene& scene, int steps) {
     IsletEngine engine;
@@ -149,7 +150,7 @@ TEST(SceneFiles, AreRefusedWithThePlaceThatIsWrong) {
 
 // A name is any text; a picture of the scene must stay XML, which holds no control characters and no bare brackets.
 TEST(SceneFiles, NamesLeaveAPictureWhole) {
-    samples::Run run(read_scene(R"({"name": "a\u0001\u0000<b>", "steps": 1})"), {});
+    tools::Run run(read_scene(R"({"name": "a\u0001\u0000<b>", "steps": 1})"), {});
     run.run({});
     const std::string picture = draw_svg(run, usual_drawing());
     EXPECT_NE(picture.find("<title>a  &lt;b&gt;</title>"), std::string::npos) << picture;
@@ -159,7 +160,7 @@ TEST(SceneFiles, NamesLeaveAPictureWhole) {
 
 // Of U+FFFF and its like XML has no form at all, and a file's name may be of bytes that are no UTF-8.
 TEST(SceneFiles, NamesThatAreNoTextLeavePicturesAndPagesWhole) {
-    samples::Run run(read_scene(R"({"name": "a\uffff\ufffe\u0085\u001bé\ud83d\ude00&lt;", "steps": 1})"), {});
+    tools::Run run(read_scene(R"({"name": "a\uffff\ufffe\u0085\u001bé\ud83d\ude00&lt;", "steps": 1})"), {});
     MovieMaker movie(run);
     const RunResult result = run.run([&](const StepRecord& step) { movie.observe(step); });
     const std::string fffd = "\xef\xbf\xbd", shown = "a" + fffd + fffd + "  \xc3\xa9\xf0\x9f\x98\x80";
@@ -175,7 +176,7 @@ TEST(SceneFiles, NamesThatAreNoTextLeavePicturesAndPagesWhole) {
 TEST(SceneFiles, ViewsOfAnyShapeGiveAPicture) {
     for (const char* view : {"[-5, -9223372036854775808, 5, 5]", "[-3e38, -1, 3e38, 1]", "[0, 0, 1e-38, 3e38]", "[0, 0, 1e-38, 1e-38]", "[-3e38, -3e38, 3e38, 3e38]",
                              "[16777215, 16777215, 16777216, 16777216]", "[0, 0, 3e38, 1e-38]"}) {
-        samples::Run run(read_scene(std::string(R"({"view": )") + view + R"(, "steps": 1, "bodies": [{"shapes": [{"box": [5, 0.5]}]}]})"), {});
+        tools::Run run(read_scene(std::string(R"({"view": )") + view + R"(, "steps": 1, "bodies": [{"shapes": [{"box": [5, 0.5]}]}]})"), {});
         run.run({});
         const std::string picture = draw_svg(run, usual_drawing());
         EXPECT_LT(picture.size(), 20'000u) << view;
