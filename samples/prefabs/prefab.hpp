@@ -1,5 +1,5 @@
-// Things ready made of several bodies and joints, for a World of your own. What is in this folder needs the engine and nothing else, no heap either: copy
-// these files and those of the prefab you want. A prefab is described by a definition, and `spawn` makes it; its ids go into arrays of yours.
+// Things ready made of several bodies and joints, for a World of your own. The files of this folder need the engine alone, and no heap: copy this
+// one and those of the prefab you want. A definition describes a prefab, and `spawn` makes it; its ids go into arrays of yours.
 //
 //   BodyId planks[18];
 //   JointId hinges[17];
@@ -14,8 +14,8 @@
 
 namespace islet::samples {
 
-/// Takes a prefab's parts, one after the other: its bodies, each followed by its shapes, then its joints. Bodies are known by their order, from 0,
-/// and so are joints. A prefab is put together in a world, or in something else that takes parts.
+/// Takes a prefab's parts, one after the other: its bodies, each followed by its shapes, then its joints. A joint's bodies, and a gear's joints, are
+/// numbers: their places in that order, from 0.
 class Assembler {
 public:
     virtual void body(const BodyDef&) {}
@@ -109,7 +109,7 @@ PrefabSize size_of(const Def& def) {
     return count.size;
 }
 
-/// Makes a prefab in a world and writes its ids into the arrays, which must be as long as size_of says: otherwise nothing is made, and nothing returned. What
+/// Makes a prefab in a world and writes its ids into the arrays. Arrays shorter than size_of says: nothing is made, and the result is empty. A part that
 /// finds no room in the world is left out: the error hook or world.last_error() says so, and its id is null.
 template <class Def>
 Spawned spawn(World& world, const Def& def, std::span<BodyId> bodies, std::span<JointId> joints) {

@@ -19,8 +19,21 @@ struct SpanDef {
     BodyDef link = {};            ///< damping and the like; the rest is filled in
 };
 
+/// What the definitions of ropes and chains have in common.
+template <class Def>
+SpanDef line_of(const Def& def) {
+    SpanDef span = {
+        .from = def.from, .to = def.to, .slack = def.slack, .links = def.links, .hold_from = def.hold_from, .hold_to = def.hold_to};
+    span.material.density = def.density;
+    span.material.filter.group = -def.group;
+    return span;
+}
+
 /// Half of a link's length, m.
 float half_link(const SpanDef& def);
+/// Where the line begins and ends on its first and its last link.
+inline JointFrame span_start(const SpanDef& def) { return {{-half_link(def), 0}, 0}; }
+inline JointFrame span_end(const SpanDef& def) { return {{half_link(def), 0}, 0}; }
 
 /// A link lies along its x axis, from (-half, 0) to (half, 0). Bodies: the links from `from` to `to`, then what holds the ends. Joint i hinges
 /// link i to link i + 1; then come the ends' hinges and the limit. Where there is slack, the links start on an arc to the right of the

@@ -259,7 +259,8 @@ TEST(Prefabs, GripperLiftsWhatItsFrictionHoldsAndNoMore) {
 /// A prefab, as lists and made in a world.
 struct Kind {
     template <class Def>
-    Kind(const char* what, const Def& def) : name(what), prefab(prefab_of(def)), make([def](World& world) { return spawned(world, def); }) {}
+    Kind(const char* what, const Def& def)
+        : name(what), prefab(prefab_of(def)), make([def](World& world) { return spawned(world, def); }) {}
     Kind(const char* what, const Prefab& lists) : name(what), prefab(lists), make([lists](World& world) { return spawn(world, lists); }) {}
 
     const char* name;
