@@ -44,7 +44,7 @@ install_missing
 build_firmware() {
     local folder=$root/build/firmware/$1 target=$2
     shift 2
-    cmake -S "$root/samples/firmware" -B "$folder" --toolchain "$root/tools/toolchains/$target.cmake" \
+    cmake -S "$root/samples/firmware" -B "$folder" --toolchain "$root/samples/firmware/toolchains/$target.cmake" \
         -DCMAKE_COMPILE_WARNING_AS_ERROR=ON "$@" >&2
     cmake --build "$folder" --parallel "$(jobs)" >&2
 }

@@ -31,7 +31,7 @@ need() {
     "$@" || missing+=("$package")
 }
 
-# What every build needs: a compiler, CMake, and the libraries of the runner (header-only but for fmt).
+# What every build needs: a compiler, CMake, and the libraries of the program islet (header-only but for fmt).
 need_build_tools() {
     need g++ command_exists c++
     need cmake command_exists cmake

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds Islet and runs a scene: prints what happened and where the picture is.
 #   tools/run.sh [SCENE] [options of `islet run`]       e.g. tools/run.sh card_house --steps 600
-# Installs a compiler, CMake and the runner's libraries with apt if they are missing.
+# Installs a compiler, CMake and islet's libraries with apt if they are missing.
 set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"
@@ -20,9 +20,9 @@ install_missing
 
 # The first time, only what a scene needs; whoever has built more keeps it.
 options=()
-[ -e "$root/build/release/CMakeCache.txt" ] || options=(-DISLET_BUILD_TESTS=OFF -DISLET_BUILD_TOOLS=OFF -DISLET_WERROR=OFF)
+[ -e "$root/build/release/CMakeCache.txt" ] || options=(-DISLET_BUILD_TESTS=OFF -DISLET_WERROR=OFF)
 say "building"
-configure release "${options[@]}"
+configure release -DISLET_BUILD_TOOLS=ON "${options[@]}"
 build release --target islet_runner
 
 say "running $scene"
@@ -31,7 +31,7 @@ arguments=("$@")
 case " $* " in *" --svg"*) picture= ;; *) arguments+=(--svg "$picture") ;; esac
 mkdir -p "$root/build/pictures"
 status=0
-"$root/build/release/samples/islet" run "$scene" "${arguments[@]}" || status=$?
+"$root/build/release/tools/islet/islet" run "$scene" "${arguments[@]}" || status=$?
 if [ "$status" -lt 2 ] && [ -n "$picture" ]; then
     # What --json prints must stay JSON.
     case " $* " in *" --json "*) exec >&2 ;; esac

@@ -184,7 +184,7 @@ if $all || ! $coverage; then
 fi
 if $all; then
     # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
-    targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,rollback,runner,lab}_tests)
+    targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,samples,tools_islet,tools_lab}_tests)
     targets+=(islet_runner islet-lab islet_hashes islet_fuzz_api islet_lockstep islet_lcp_search islet_scene_mutants)
     build_tests asan-ubsan
     start_fuzzer
@@ -195,7 +195,7 @@ if $all; then
     lap "other processors"
     check_by_hand
     lap "by hand"
-    run_tests asan-ubsan --exclude-regex '^(islet_)?(reference|engines)|fast_math'
+    run_tests asan-ubsan --exclude-regex '^(islet_)?(reference|tools[._]engines)|fast_math'
     tools=OFF
     # What two workers share by mistake.
     targets=(--target islet_hashes)

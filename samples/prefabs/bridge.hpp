@@ -1,6 +1,8 @@
 // A bridge of planks, hinged end to end between two banks.
 //
-//   Spawned bridge = spawn(world, make_bridge({.from = {-5, 3}, .to = {5, 3}}));
+//   BodyId planks[18];
+//   JointId hinges[17];
+//   Spawned bridge = spawn(world, BridgeDef{.from = {-5, 3}, .to = {5, 3}}, planks, hinges);
 //   // With .break_force it comes down under a heavy load: see World::broken_joints.
 #pragma once
 
@@ -22,6 +24,6 @@ struct BridgeDef {
 
 /// Bodies: the planks from `from` to `to`, then the two static ones that hold the ends. Joint i hinges plank i to plank i + 1; the last two are
 /// those on the banks.
-Prefab make_bridge(const BridgeDef& def);
+void assemble(const BridgeDef& def, Assembler& into);
 
 }  // namespace islet::samples

@@ -19,7 +19,7 @@ float radius_of(const World& world, BodyId wheel) {
 
 }  // namespace
 
-Prefab make_car(const CarDef& def) {
+void assemble(const CarDef& def, Assembler& into) {
     const float half_base = 0.5f * def.wheel_base, axle = def.wheel_radius, unit = def.wheel_base / 2.2f;
     const Vec2 middle = def.position + Vec2{0, axle + 0.35f * unit};
 
@@ -36,26 +36,30 @@ Prefab make_car(const CarDef& def) {
     const Polygon cabin = hull_of({at(-1.3f, 0.25f), at(0.9f, 0.25f), at(0.3f, 0.7f), at(-0.9f, 0.7f)}, 0.05f * unit);
     ShapeDef light = steel;
     light.density = 0.1f * def.density;
-    Prefab car;
-    car.bodies.push_back({body, {{hull, steel}, {cabin, light}}});
+    into.body(body);
+    into.shape(hull, steel);
+    into.shape(cabin, light);
 
     ShapeDef rubber = steel;
     rubber.density = 0.5f * def.density;
     rubber.friction = def.friction;
+    BodyDef wheel;
+    wheel.type = BodyType::dynamic;
+    const Vec2 axles[] = {def.position + Vec2{-half_base, axle}, def.position + Vec2{half_base, axle}};
+    for (const Vec2 place : axles) {
+        wheel.position = place;
+        into.body(wheel);
+        into.shape(Circle{{}, def.wheel_radius}, rubber);
+    }
     WheelJointDef strut;
     strut.spring = {.enable = true, .hertz = def.hertz, .damping_ratio = def.damping_ratio};
     strut.limit = {.enable = true, .lower = -def.travel, .upper = def.travel};
     strut.motor = {.enable = false, .speed = 0, .max_force = def.torque};
-    for (const float side : {-1.0f, 1.0f}) {
-        BodyDef wheel;
-        wheel.type = BodyType::dynamic;
-        wheel.position = def.position + Vec2{side * half_base, axle};
-        car.bodies.push_back({wheel, {{Circle{{}, def.wheel_radius}, rubber}}});
+    for (std::size_t i = 0; i < 2; ++i) {
         // The strut's axis points up: the spring rests where the wheel was made.
-        strut.base.frame_a = {wheel.position - middle, 0.5f * pi};
-        car.joints.push_back({0, car.bodies.size() - 1, strut});
+        strut.base.frame_a = {axles[i] - middle, 0.5f * pi};
+        into.joint(0, 1 + i, strut);
     }
-    return car;
 }
 
 JointMotor wheel_motor(const CarDef& def, float speed) {
@@ -69,10 +73,6 @@ void drive(World& world, const Spawned& car, float speed) {
         motor.speed = -speed / radius_of(world, car.bodies[1 + joint]);
         world.set_motor(car.joints[joint], motor);
     }
-}
-
-void drive(Engine& engine, const Placed& car, const CarDef& def, float speed) {
-    for (const std::size_t joint : {rear, front}) engine.set_motor(car.first_joint + joint, wheel_motor(def, speed));
 }
 
 void coast(World& world, const Spawned& car) {

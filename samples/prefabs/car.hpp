@@ -1,6 +1,8 @@
 // A car seen from the side: a body on two sprung wheels, each with a motor.
 //
-//   Spawned car = spawn(world, make_car({.position = {0, 0}}));
+//   BodyId parts[3];
+//   JointId struts[2];
+//   Spawned car = spawn(world, CarDef{.position = {0, 0}}, parts, struts);
 //   drive(world, car, 8);   // at 8 m/s to the right, until told otherwise; 0 brakes
 //   coast(world, car);      // lets the wheels turn freely
 #pragma once
@@ -25,12 +27,11 @@ struct CarDef {
     int group = 0;         ///< > 0: cars of the same group do not collide with each other
 };
 
-Prefab make_car(const CarDef& def);
+void assemble(const CarDef& def, Assembler& into);
 /// What a motor is set to for the car to go at `speed`, m/s to the right.
 JointMotor wheel_motor(const CarDef& def, float speed);
 /// Turns both wheels so that the car goes at `speed`; the wheels' radius and torque are those it was made with.
 void drive(World& world, const Spawned& car, float speed);
-void drive(Engine& engine, const Placed& car, const CarDef& def, float speed);
 void coast(World& world, const Spawned& car);
 
 }  // namespace islet::samples

@@ -1,6 +1,9 @@
 // A chain of steel links, seen flat and on edge by turns.
 //
-//   Spawned chain = spawn(world, make_chain({.from = {0, 6}, .to = {2, 6}, .links = 12, .hold_from = true}));
+//   ChainDef def = {.from = {0, 6}, .to = {2, 6}, .links = 12, .hold_from = true};
+//   BodyId links[13];
+//   JointId hinges[12];
+//   Spawned chain = spawn(world, def, links, hinges);
 //   // A ball on its end, as for a rope:
 //   RevoluteJointDef shackle;
 //   shackle.base = {.body_a = chain.bodies[11], .body_b = ball, .frame_a = chain_end(def)};
@@ -23,7 +26,7 @@ struct ChainDef {
 };
 
 /// Bodies: the links from `from` to `to`, then what holds the ends. Joint i hinges link i to link i + 1.
-Prefab make_chain(const ChainDef& def);
+void assemble(const ChainDef& def, Assembler& into);
 /// Where the chain begins and ends on its first and its last link.
 JointFrame chain_start(const ChainDef& def);
 JointFrame chain_end(const ChainDef& def);

@@ -4,7 +4,7 @@ namespace islet::samples {
 namespace {
 
 /// Ties nodes that are some columns and rows apart, wherever both exist. `right` may be negative.
-void tie(Prefab& cloth, const ClothDef& def, int right, int down, const JointSpring& spring) {
+void tie(Assembler& into, const ClothDef& def, int right, int down, const JointSpring& spring) {
     DistanceJointDef tie;
     tie.length = def.spacing * length({static_cast<float>(right), static_cast<float>(down)});
     tie.spring = spring;
@@ -13,7 +13,7 @@ void tie(Prefab& cloth, const ClothDef& def, int right, int down, const JointSpr
         for (int column = 0; column < columns; ++column) {
             if (column + right < 0 || column + right >= columns) continue;
             const int from = row * columns + column;
-            cloth.joints.push_back({static_cast<std::size_t>(from), static_cast<std::size_t>(from + down * columns + right), tie});
+            into.joint(static_cast<std::size_t>(from), static_cast<std::size_t>(from + down * columns + right), tie);
         }
     }
 }
@@ -24,8 +24,7 @@ std::size_t cloth_node(const ClothDef& def, std::size_t column, std::size_t row)
 
 std::size_t cloth_rods(const ClothDef& def) { return (def.columns - 1) * def.rows + def.columns * (def.rows - 1); }
 
-Prefab make_cloth(const ClothDef& def) {
-    Prefab cloth;
+void assemble(const ClothDef& def, Assembler& into) {
     BodyDef node;
     node.type = BodyType::dynamic;
     node.fixed_rotation = true;
@@ -36,23 +35,23 @@ Prefab make_cloth(const ClothDef& def) {
     for (std::size_t row = 0; row < def.rows; ++row) {
         for (std::size_t column = 0; column < def.columns; ++column) {
             node.position = def.corner + def.spacing * Vec2{static_cast<float>(column), -static_cast<float>(row)};
-            cloth.bodies.push_back({node, {{Circle{{}, def.radius}, thread}}});
+            into.body(node);
+            into.shape(Circle{{}, def.radius}, thread);
         }
     }
 
-    tie(cloth, def, 1, 0, {});
-    tie(cloth, def, 0, 1, {});
+    tie(into, def, 1, 0, {});
+    tie(into, def, 0, 1, {});
     const JointSpring bending = {.enable = true, .hertz = def.bending_hertz, .damping_ratio = def.damping_ratio};
     const JointSpring shear = {.enable = true, .hertz = def.shear_hertz, .damping_ratio = def.damping_ratio};
     if (def.bending_hertz > 0) {
-        tie(cloth, def, 2, 0, bending);
-        tie(cloth, def, 0, 2, bending);
+        tie(into, def, 2, 0, bending);
+        tie(into, def, 0, 2, bending);
     }
     if (def.shear_hertz > 0) {
-        tie(cloth, def, 1, 1, shear);
-        tie(cloth, def, -1, 1, shear);
+        tie(into, def, 1, 1, shear);
+        tie(into, def, -1, 1, shear);
     }
-    return cloth;
 }
 
 }  // namespace islet::samples

@@ -1,7 +1,9 @@
 // Cloth hung up in the plane of the picture: a net of small discs, tied by rods along its threads and by springs that resist bending and shear.
 //
 //   ClothDef def = {.corner = {-1, 4}, .columns = 9, .rows = 9};
-//   Spawned cloth = spawn(world, make_cloth(def));
+//   BodyId nodes[81];
+//   JointId threads[398];
+//   Spawned cloth = spawn(world, def, nodes, threads);
 //   // Hang it up by its corners:
 //   RevoluteJointDef nail;
 //   nail.base = {.body_a = wall, .body_b = cloth.bodies[cloth_node(def, 0, 0)], .frame_a = {{-1, 4}}};
@@ -26,7 +28,7 @@ struct ClothDef {
 };
 
 /// Bodies: the nodes, row by row from the top, each from left to right. Joints: the rods first, then the springs.
-Prefab make_cloth(const ClothDef& def);
+void assemble(const ClothDef& def, Assembler& into);
 /// Index of a node among the bodies.
 std::size_t cloth_node(const ClothDef& def, std::size_t column, std::size_t row);
 /// How many of the joints are rods.

@@ -1,7 +1,9 @@
 // A gripper on a gantry: a trolley runs along a rail, a palm hangs from it on a lift, and two fingers close on what is between them.
 //
 //   GripperDef def = {.rail = {0, 5}};
-//   Spawned gripper = spawn(world, make_gripper(def));
+//   BodyId parts[5];
+//   JointId axes[5];
+//   Spawned gripper = spawn(world, def, parts, axes);
 //   command(world, gripper, def, {.lift = -0.5f});               // down, m/s
 //   command(world, gripper, def, {.lift = 0.5f, .close = true}); // hold on, and up
 //
@@ -38,11 +40,10 @@ struct GripperCommand {
     bool close = false;  ///< false: the fingers open
 };
 
-Prefab make_gripper(const GripperDef& def);
+void assemble(const GripperDef& def, Assembler& into);
 /// What the four motors are set to, by GripperAxis.
 std::array<JointMotor, 4> gripper_motors(const GripperDef& def, const GripperCommand& command);
 /// Holds until the next command.
 void command(World& world, const Spawned& gripper, const GripperDef& def, const GripperCommand& command);
-void command(Engine& engine, const Placed& gripper, const GripperDef& def, const GripperCommand& command);
 
 }  // namespace islet::samples

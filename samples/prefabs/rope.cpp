@@ -6,32 +6,20 @@ namespace islet::samples {
 namespace {
 
 SpanDef span_of(const RopeDef& def) {
-    SpanDef span;
-    span.from = def.from;
-    span.to = def.to;
-    span.slack = def.slack;
-    span.links = def.links;
-    span.hold_from = def.hold_from;
-    span.hold_to = def.hold_to;
+    SpanDef span = line_of(def);
     span.rope_limit = true;
     span.hinge.friction = def.stiffness;
     span.link.linear_damping = def.damping;
     span.link.angular_damping = def.damping;
+    span.radius = def.radius;
     return span;
 }
 
 }  // namespace
 
-Prefab make_rope(const RopeDef& def) {
-    ShapeDef material;
-    material.density = def.density;
-    material.filter.group = -def.group;
-    return make_span(span_of(def), [&](float half, std::size_t) {
-        return std::vector<SceneShape>{{Capsule{{-half, 0}, {half, 0}, def.radius}, material}};
-    });
-}
+void assemble(const RopeDef& def, Assembler& into) { assemble(span_of(def), into); }
 
-JointFrame rope_start(const RopeDef& def) { return {{-half_link(span_of(def)), 0}, 0}; }
-JointFrame rope_end(const RopeDef& def) { return {{half_link(span_of(def)), 0}, 0}; }
+JointFrame rope_start(const RopeDef& def) { return span_start(span_of(def)); }
+JointFrame rope_end(const RopeDef& def) { return span_end(span_of(def)); }
 
 }  // namespace islet::samples

@@ -1,7 +1,9 @@
 // A rope: thin capsules, hinged end to end.
 //
 //   RopeDef def = {.from = {0, 6}, .to = {0, 3}, .hold_from = true};
-//   Spawned rope = spawn(world, make_rope(def));
+//   BodyId links[17];
+//   JointId hinges[17];
+//   Spawned rope = spawn(world, def, links, hinges);
 //   // A crate on its lower end: the hinge goes where the rope ends.
 //   RevoluteJointDef knot;
 //   knot.base = {.body_a = rope.bodies[def.links - 1], .body_b = crate, .frame_a = rope_end(def), .frame_b = {{0, 0.5f}}};
@@ -27,7 +29,7 @@ struct RopeDef {
 
 /// Bodies: the links from `from` to `to`, then what holds the ends. Joint i hinges link i to link i + 1. The last joint keeps the ends within
 /// 1.01 times the rope's length, so that a heavy load does not stretch it.
-Prefab make_rope(const RopeDef& def);
+void assemble(const RopeDef& def, Assembler& into);
 /// Where the rope begins and ends on its first and its last link.
 JointFrame rope_start(const RopeDef& def);
 JointFrame rope_end(const RopeDef& def);

@@ -1,7 +1,9 @@
 // A soft body: a ring of links that cannot stretch, filled with gas.
 //
 //   SoftBodyDef def = {.position = {0, 3}};
-//   Spawned ball = spawn(world, make_soft_body(def));
+//   BodyId links[20];
+//   JointId hinges[20];
+//   Spawned ball = spawn(world, def, links, hinges);
 //   for (;;) {
 //       apply_pressure(world, ball, def);  // before every step: a body's forces act for one step
 //       world.step(1.0f / 60);
@@ -14,8 +16,6 @@
 //
 // A skin of many light links gives: 8 substeps and a joint_hertz of 120 in SolverDef make it stiffer.
 #pragma once
-
-#include <span>
 
 #include "prefab.hpp"
 
@@ -34,13 +34,30 @@ struct SoftBodyDef {
 };
 
 /// Bodies: the links, counter-clockwise. Joint i hinges link i to the next one.
-Prefab make_soft_body(const SoftBodyDef& def);
+void assemble(const SoftBodyDef& def, Assembler& into);
 /// Pushes the skin outwards, over the next step, with the pressure that the gas has at its present area.
 void apply_pressure(World& world, const Spawned& soft, const SoftBodyDef& def);
-void apply_pressure(Engine& engine, const Placed& soft, const SoftBodyDef& def);
 /// The area inside the ring of hinges, m^2; when it is round, and now.
 float round_area(const SoftBodyDef& def);
 float area_of(const World& world, const Spawned& soft, const SoftBodyDef& def);
-float area_of(const Engine& engine, const Placed& soft, const SoftBodyDef& def);
+
+/// The gas, for those who keep the links in another way: give it all links in their order, then it tells the force on each.
+class SoftBodyGas {
+public:
+    explicit SoftBodyGas(const SoftBodyDef& def);
+    /// Where the next link is, and its velocity, m/s.
+    void add(const Transform& link, Vec2 velocity);
+    /// Inside the ring of hinges, m^2.
+    float area() const { return 0.5f * twice_area_; }
+    /// N, at the link's middle, outwards.
+    Vec2 force_on(const Transform& link) const;
+
+private:
+    SoftBodyDef def_;
+    float half_;  // m, of a link's length
+    bool empty_ = true;
+    Vec2 origin_;
+    float twice_area_ = 0, rate_ = 0;  // m^2, m^2/s
+};
 
 }  // namespace islet::samples

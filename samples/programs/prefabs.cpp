@@ -10,12 +10,14 @@ using namespace islet;
 using namespace islet::samples;
 
 static StaticWorld<Capacity{.bodies = 64, .shapes = 64, .contacts = 512, .joints = 64}> storage;
+static BodyId planks[18], skin[20];
+static JointId hinges[17], joints[20];
 
 int main() {
     World& world = storage.create();
-    const Spawned bridge = spawn(world, make_bridge({.from = {-4, 3}, .to = {4, 3}}));
+    const Spawned bridge = spawn(world, BridgeDef{.from = {-4, 3}, .to = {4, 3}}, planks, hinges);
     const SoftBodyDef ball = {.position = {0, 5}};
-    const Spawned soft = spawn(world, make_soft_body(ball));
+    const Spawned soft = spawn(world, ball, skin, joints);
     if (world.last_error() != Error::none) {
         std::printf("not all of it found room: %s\n", describe(world.last_error()));
         return 1;

@@ -3,7 +3,7 @@
 
 #include <islet/islet.hpp>
 
-#include "../prefabs/ragdoll.hpp"
+#include "prefabs/ragdoll.hpp"
 
 using namespace islet;
 using namespace islet::samples;

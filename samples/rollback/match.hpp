@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "engine.hpp"
+#include "harness/engine.hpp"
 
 namespace islet::rollback {
 

@@ -3,6 +3,7 @@
 
 #include "link.hpp"
 #include "peer.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::rollback {
 

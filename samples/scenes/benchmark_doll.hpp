@@ -2,7 +2,7 @@
 // It is no person: 1.28 m from its soles to its crown, and 0.39 kg. For games there is prefabs/ragdoll.hpp.
 #pragma once
 
-#include "../prefabs/prefab.hpp"
+#include "prefab_scene.hpp"
 
 namespace islet::samples {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "../scene.hpp"
+#include "harness/scene.hpp"
 
 namespace islet::samples {
 

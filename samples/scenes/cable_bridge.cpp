@@ -3,11 +3,12 @@
 #include <cmath>
 #include <memory>
 
-#include "../prefabs/bridge.hpp"
-#include "../prefabs/car.hpp"
-#include "../prefabs/rope.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "prefabs/bridge.hpp"
+#include "prefabs/car.hpp"
+#include "prefabs/rope.hpp"
+#include "prefab_scene.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {
@@ -34,7 +35,7 @@ Scene make_cable_bridge() {
     cable_def.damping = 0.5f;
     cable_def.group = 1;
     cable_def.hold_from = cable_def.hold_to = true;
-    const Placed deck = add_prefab(scene, make_bridge(deck_def)), cable = add_prefab(scene, make_rope(cable_def));
+    const Placed deck = add_prefab(scene, prefab_of(deck_def)), cable = add_prefab(scene, prefab_of(cable_def));
     // A hanger from each hinge of the cable to the hinge of the deck under it, as long as is right for a parabola of the cable's length, which is
     // span (1 + 8/3 (depth / span)^2). Hangers are ropes: they pull only.
     const float end = rope_end(cable_def).position.x, depth = 2 * half_span * std::sqrt((cable_def.slack - 1) * 3 / 8);
@@ -50,7 +51,7 @@ Scene make_cable_bridge() {
     }
     // Of the cable's group: it drives past the cable, not into it.
     const CarDef car_def = {.position = {-13.5f, 0}, .wheel_radius = 0.35f, .density = 30, .group = 1};
-    const Placed car = add_prefab(scene, make_car(car_def));
+    const Placed car = add_prefab(scene, prefab_of(car_def));
     scene.traced = {car.first_body};
 
     // At rest: weight per metre, sag of the cable and pull in its middle.

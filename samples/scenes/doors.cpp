@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

@@ -7,7 +7,7 @@
 
 #include "benchmark_doll.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "../random.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "random.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

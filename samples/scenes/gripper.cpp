@@ -3,9 +3,10 @@
 #include <cmath>
 #include <memory>
 
-#include "../prefabs/gripper.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "prefabs/gripper.hpp"
+#include "prefab_scene.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {
@@ -35,7 +36,7 @@ Scene make_gripper_scene() {
     add_floor(scene, 4);
     for (const float x : {-0.5f * carry, 0.5f * carry}) add_static(scene, {x, 0.5f * pedestal}, make_box(0.5f, 0.5f * pedestal));
     const GripperDef def = {.rail = {0, 3}, .rail_length = 5};
-    const Placed gripper = add_prefab(scene, make_gripper(def));
+    const Placed gripper = add_prefab(scene, prefab_of(def));
     const auto part = [&](GripperPart which) { return gripper.first_body + static_cast<std::size_t>(which); };
     const auto axis = [&](GripperAxis which) { return gripper.first_joint + static_cast<std::size_t>(which); };
     const std::size_t palm = part(GripperPart::palm), travel = axis(GripperAxis::travel), lift = axis(GripperAxis::lift);

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <memory>
 
-#include "../random.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "random.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

@@ -1,7 +1,7 @@
 // Circles of many sizes, squeezed into a closed box.
-#include "../random.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "random.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

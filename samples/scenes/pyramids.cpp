@@ -1,6 +1,6 @@
 // Pyramids of boxes: the small one that must stand for a minute, the one far out, and the two of the benchmark.
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

@@ -1,7 +1,7 @@
 // One maker per scene. Each scene lives in the file that names its family; the catalogue lists them all.
 #pragma once
 
-#include "../scene.hpp"
+#include "harness/scene.hpp"
 
 namespace islet::samples {
 

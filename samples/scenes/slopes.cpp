@@ -4,7 +4,7 @@
 #include <string>
 
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {

@@ -5,10 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "../prefabs/cloth.hpp"
-#include "../prefabs/rope.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "prefabs/cloth.hpp"
+#include "prefabs/rope.hpp"
+#include "prefab_scene.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {
@@ -31,7 +32,7 @@ Scene make_cloth_scene() {
     scene.view = {{-4.3f, -0.8f}, {2.6f, 4.9f}};
     make_stiff(scene);
     const ClothDef def = {.corner = {-2, 4.6f}, .columns = 15, .rows = 11, .damping = 0.8f};
-    const Placed cloth = add_prefab(scene, make_cloth(def));
+    const Placed cloth = add_prefab(scene, prefab_of(def));
     const std::size_t left = cloth.first_body + cloth_node(def, 0, 0), right = cloth.first_body + cloth_node(def, def.columns - 1, 0);
     const std::size_t opposite = cloth.first_body + cloth_node(def, def.columns - 1, def.rows - 1);
     const double across = double(def.spacing) * double(def.columns - 1), down = double(def.spacing) * double(def.rows - 1);
@@ -116,7 +117,7 @@ Scene make_flag() {
     for (std::size_t i = 0; i < 4; ++i) {
         const Vec2 from = {0.05f, 2.2f + 2 * static_cast<float>(i)};
         const RopeDef def = {.from = from, .to = from - Vec2{0, length}, .links = links, .density = 5, .group = 1, .hold_from = true};
-        const std::size_t first = add_prefab(scene, make_rope(def)).first_body;
+        const std::size_t first = add_prefab(scene, prefab_of(def)).first_body;
         const Capsule link = std::get<Capsule>(scene.bodies[first].shapes[0].geometry);
         (*pennants)[i] = {first, speeds[i], double(10 * compute_mass(link, def.density).mass * links / length)};
     }

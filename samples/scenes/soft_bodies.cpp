@@ -4,9 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "../prefabs/soft_body.hpp"
 #include "build.hpp"
-#include "checks.hpp"
+#include "harness/checks.hpp"
+#include "prefabs/soft_body.hpp"
+#include "prefab_scene.hpp"
 #include "scenes.hpp"
 
 namespace islet::samples {
@@ -64,7 +65,7 @@ Scene make_blob() {
                                  .density = 5,
                                  .pressure = pressure,
                                  .damping = 1};
-        blobs.push_back({def, add_prefab(scene, make_soft_body(def))});
+        blobs.push_back({def, add_prefab(scene, prefab_of(def))});
     }
     scene.before_step = [blobs](Engine& engine, int) {
         for (const Blob& blob : blobs) apply_pressure(engine, blob.placed, blob.def);
@@ -113,7 +114,7 @@ Scene make_soft_stack() {
         for (const float side : {-1.0f, 1.0f}) {
             const SoftBodyDef def = {
                 .position = {side * skin, y + skin}, .radius = radius, .links = 28, .density = 5, .pressure = pressure, .damping = 1};
-            softs.push_back({def, add_prefab(scene, make_soft_body(def))});
+            softs.push_back({def, add_prefab(scene, prefab_of(def))});
         }
     };
     add_softs(0, 150);

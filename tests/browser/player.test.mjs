@@ -1,5 +1,5 @@
 // Plays pages of `islet run --html` in a real browser, from files and without a network.
-// Environment: ISLET, the runner; CHROMIUM, the browser.
+// Environment: ISLET, the program; CHROMIUM, the browser.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -291,12 +291,12 @@ test("says what was left out of a large run, and plays it", async () => {
 
 test("any frame can be read first, and holds what the run counted", async () => {
     // The decoder as it stands in the project, outside a browser.
-    const source = readFileSync(new URL("../../samples/player/recording.js", import.meta.url), "utf8");
-    const { Recording, looks } = await import(`data:text/javascript,${encodeURIComponent(source)}`);
+    const source = readFileSync(new URL("../../tools/islet/player/movie.js", import.meta.url), "utf8");
+    const { Movie, looks } = await import(`data:text/javascript,${encodeURIComponent(source)}`);
     const page = readFileSync(makePage("dominoes"), "utf8");
     const element = (id) => page.match(new RegExp(`id="${id}">([^<]*)<`))[1];
     const run = JSON.parse(element("run"));
-    const bytes = Buffer.from(element("recording"), "base64");
+    const bytes = Buffer.from(element("movie"), "base64");
     const numbers = new Float32Array(new Uint8Array(Buffer.from(element("numbers"), "base64")).buffer);
     const column = (name) => numbers.subarray(run.columns.indexOf(name) * run.frames, (run.columns.indexOf(name) + 1) * run.frames);
 
@@ -304,7 +304,7 @@ test("any frame can be read first, and holds what the run counted", async () => 
         const rows = (t) => Array.from({ length: t.size }, (_, i) => (t.live[i] ? [t.x[i], t.y[i], t.angle[i]] : null));
         return { bodies: rows(bodies), contacts: rows(contacts), awake: worn.filter((look) => looks[look] === "awake").length };
     };
-    const inOrder = new Recording(bytes, run), jumping = new Recording(bytes, run);
+    const inOrder = new Movie(bytes, run), jumping = new Movie(bytes, run);
     const frames = Array.from({ length: run.frames }, (_, i) => summary(inOrder.at(i)));
     assert.equal(inOrder.state.position, bytes.length);
     for (const [i, frame] of frames.entries()) {

@@ -49,13 +49,10 @@ build_scenes() {
     local folder=$1 processor=$2
     shift 2
     [ ! -e "$folder/built" ] || return 0
-    {
-        find "$root"/samples/{scenes,prefabs} -name '*.cpp' | sort
-        printf '%s\n' "$root"/samples/{catalogue,engine,islet_engine,faulty_field,joint_measure,near_names,spawn}.cpp
-    } | as_one "$folder/scenes.cpp"
+    find "$root"/samples/{harness,prefabs,scenes} -name '*.cpp' | sort | as_one "$folder/scenes.cpp"
     {
         echo "$folder/scenes.cpp"
-        case $processor in wasm*) ;; *) echo "$root/samples/thread_pool.cpp" ;; esac
+        case $processor in wasm*) ;; *) echo "$root/samples/workers/thread_pool.cpp" ;; esac
     } | compile "$folder" "$processor" "$@" -O0 || return
     touch "$folder/built"
 }

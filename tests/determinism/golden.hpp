@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "engine.hpp"
+#include "harness/engine.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::golden {
 

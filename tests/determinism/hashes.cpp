@@ -10,7 +10,7 @@
 
 #include "golden.hpp"
 #if !defined(__wasi__)
-#include "thread_pool.hpp"
+#include "workers/thread_pool.hpp"
 #endif
 
 using namespace islet;

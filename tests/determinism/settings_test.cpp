@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "engine.hpp"
-#include "scene.hpp"
+#include "harness/engine.hpp"
+#include "harness/scene.hpp"
+#include "scenes/catalogue.hpp"
 #include "support/test_world.hpp"
-#include "thread_pool.hpp"
+#include "workers/thread_pool.hpp"
 
 namespace islet::test {
 namespace {

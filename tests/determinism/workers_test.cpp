@@ -14,7 +14,7 @@
 #include "golden.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
-#include "thread_pool.hpp"
+#include "workers/thread_pool.hpp"
 
 namespace islet::test {
 namespace {

@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
-# What the engine's archive asks of its surroundings: five functions that every C library and most compilers' runtimes have.
+# What the engine's archive asks of its surroundings: five functions that every C library and most compilers' runtimes have. The prefabs' archive may ask for
+# the engine's functions too: so it needs no heap.
 #   symbols_test.sh libislet.a [NM]
+#   symbols_test.sh libislet_prefabs.a NM libislet.a
 set -euo pipefail
 
 archive=$1
 nm=${2:-nm}
+engine=${3:-}
 allowed='memcpy memmove memset memcmp sqrtf'
 
-# Each object's undefined names, less what another object of the archive defines. The global offset table is the linker's own.
-defined=$("$nm" --defined-only --format=posix "$archive" | awk 'NF > 1 { print $1 }' | sort -u)
+# Each object's undefined names, less what another object of the archive, or the engine, defines. The global offset table is the linker's own.
+defined=$("$nm" --defined-only --format=posix "$archive" ${engine:+"$engine"} | awk 'NF > 1 { print $1 }' | sort -u)
 undefined=$("$nm" --undefined-only --format=posix "$archive" | awk 'NF > 1 { print $1 }' | sort -u | grep -v '^_GLOBAL_OFFSET_TABLE_$' || true)
 outside=$(comm -13 <(printf '%s\n' "$defined") <(printf '%s\n' "$undefined") | grep . || true)
 bad=$(comm -13 <(tr ' ' '\n' <<<"$allowed" | sort) <(printf '%s\n' "$outside") | grep . || true)
@@ -16,7 +19,7 @@ bad=$(comm -13 <(tr ' ' '\n' <<<"$allowed" | sort) <(printf '%s\n' "$outside") |
 printf 'undefined in %s: %s\n' "$(basename "$archive")" "$(tr '\n' ' ' <<<"$outside")"
 status=0
 if [ -n "$bad" ]; then
-    printf 'the engine must not need:\n%s\n' "$bad" | c++filt
+    printf 'it must not need:\n%s\n' "$bad" | c++filt
     "$nm" --undefined-only -A "$archive" | grep -F -w "$bad" | c++filt
     status=1
 fi

@@ -10,7 +10,7 @@
 #include <islet/lcp.hpp>
 #include <islet/mover.hpp>
 
-#include "thread_pool.hpp"
+#include "workers/thread_pool.hpp"
 
 using namespace islet;
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine.hpp"
+#include "harness/checks.hpp"
+#include "harness/engine.hpp"
 #include "measure.hpp"
-#include "scenes/checks.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::test {
 namespace {

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <random>
 
-#include "engine.hpp"
+#include "harness/checks.hpp"
+#include "harness/engine.hpp"
 #include "measure.hpp"
-#include "scenes/checks.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::test {
 namespace {

@@ -1,8 +1,8 @@
 // The two adapters mean the same by a scene: masses, centres, velocities, forces, ids, and sizes in spite of Box2D's skin.
 #include <gtest/gtest.h>
 
-#include "box2d_engine.hpp"
-#include "measure.hpp"
+#include "compare/measure.hpp"
+#include "engines/box2d_engine.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 
 namespace {
 

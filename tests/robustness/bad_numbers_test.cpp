@@ -1,7 +1,7 @@
 // Numbers that are not finite or out of range, in every argument, and geometry that breaks its own rules.
 #include <functional>
 
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Pools filled to their last place and beyond: running out is reported, changes nothing else, and loses nothing that was there before.
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string>
 
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/image.hpp"
 #include "support/island.hpp"
 

@@ -1,7 +1,7 @@
 // Random calls, good and bad, on a world with little room: whatever is called, every invariant holds and every number stays finite.
 #include <functional>
 
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/random.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 // The pool of joints filled to its last place and beyond, and worlds with no room for joints at all.
 #include <algorithm>
 
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/joint_world.hpp"
 
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "harness/spawn.hpp"
 #include "physics/measure.hpp"
 #include "scenes/benchmark_doll.hpp"
-#include "spawn.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -75,7 +75,7 @@ private:
     void put_back(std::uint32_t bone) {
         const std::uint32_t doll = bone / bone_count;
         const samples::Prefab& prefab = prefabs_[doll];
-        samples::Spawned& made = dolls_[doll];
+        samples::PrefabIds& made = dolls_[doll];
         samples::SceneBody plan = prefab.bodies[bone % bone_count];
         for (const samples::SceneJoint& joint : prefab.joints) {
             if (joint.body_a != bone % bone_count && joint.body_b != bone % bone_count) continue;
@@ -100,7 +100,7 @@ private:
     TestWorld w_;
     Random random_{11};
     std::vector<samples::Prefab> prefabs_;
-    std::vector<samples::Spawned> dolls_;
+    std::vector<samples::PrefabIds> dolls_;
     std::vector<std::uint32_t> gone_;
 };
 

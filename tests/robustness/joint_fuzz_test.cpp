@@ -1,6 +1,6 @@
 // Random calls, good and bad, on joints of every type between bodies that come, go and change: every invariant holds, every number stays finite.
 #include "physics/measure.hpp"
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/island.hpp"
 #include "support/joint_world.hpp"
 #include "support/random.hpp"

@@ -1,7 +1,7 @@
 // Bad arguments to every public function on joints: ids, types, bodies. Numbers are in joint_numbers_test.cpp.
 #include <functional>
 
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/joint_world.hpp"
 
 namespace {

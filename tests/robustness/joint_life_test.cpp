@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "physics/measure.hpp"
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/joint_world.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/joint_world.hpp"
 
 namespace {

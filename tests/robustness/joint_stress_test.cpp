@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "physics/measure.hpp"
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/joint_world.hpp"
 #include "support/random.hpp"
 

@@ -1,6 +1,6 @@
 // What joints do to contacts, how they break, and bodies with more joints than there are colours.
 #include "physics/measure.hpp"
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/joint_world.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 // Good input at the edges of what is allowed: whatever happens, the numbers stay finite and the invariants hold.
 #include <cmath>
 
-#include "robustness/refusal.hpp"
+#include "refusal.hpp"
 #include "support/random.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 // ended and were not reported yet. Nothing here allocates.
 #pragma once
 
-#include "support/joint_world.hpp"
+#include "joint_world.hpp"
 
 namespace islet::test {
 

@@ -12,9 +12,9 @@
 #include <tuple>
 #include <vector>
 
+#include "cpp_text.hpp"
+#include "hook_menu.hpp"
 #include "islet/islet.hpp"
-#include "support/cpp_text.hpp"
-#include "support/hook_menu.hpp"
 #include "state/image.hpp"
 
 namespace islet::test {

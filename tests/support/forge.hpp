@@ -1,7 +1,7 @@
 // Images as an attacker would make them: changed at will, with a checksum that is right again.
 #pragma once
 
-#include "support/image.hpp"
+#include "image.hpp"
 #include "state/image.hpp"
 
 namespace islet::test {

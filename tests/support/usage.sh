@@ -1,4 +1,5 @@
-# What the tests of the commands' usage share. Sourced with `name` and `program` set; ends in exit "$((failures > 0))".
+# What the tests of the commands' usage share. Sourced with `name` and `program` set, and `subcommand` if the test is about one alone; ends in
+# exit "$((failures > 0))".
 # shellcheck shell=bash
 # shellcheck disable=SC2154
 scratch=$(mktemp -d)
@@ -9,7 +10,7 @@ failures=0
 expect() {
     local wanted=$1 words=$2 status=0 out
     shift 2
-    out=$("$program" "$@" 2>&1) || status=$?
+    out=$("$program" ${subcommand:+"$subcommand"} "$@" 2>&1) || status=$?
     if [ "$status" -ne "$wanted" ] || ! grep -q -- "$words" <<<"$out"; then
         printf '%s %s\n  status %s, wanted %s; wanted the words "%s" in:\n%s\n' "$name" "$*" "$status" "$wanted" "$words" "$out"
         failures=$((failures + 1))

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "unit/sketch.hpp"
+#include "sketch.hpp"
 
 namespace {
 

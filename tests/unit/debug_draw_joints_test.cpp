@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "unit/sketch.hpp"
+#include "sketch.hpp"
 
 namespace {
 

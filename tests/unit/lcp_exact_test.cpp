@@ -1,7 +1,7 @@
 // The direct method against every choice of active bounds there is, on problems made to be hard for it, and on some without a solution.
 #include <gtest/gtest.h>
 
-#include "unit/lcp_problems.hpp"
+#include "lcp_problems.hpp"
 
 namespace islet::test {
 namespace {

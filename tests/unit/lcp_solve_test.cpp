@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "unit/lcp_problems.hpp"
+#include "lcp_problems.hpp"
 
 namespace islet::test {
 namespace {

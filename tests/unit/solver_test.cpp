@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "contact_problem.hpp"
 #include "support/test_world.hpp"
-#include "unit/contact_problem.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 
 #include "broadphase/pairs.hpp"
 #include "broadphase/tree.hpp"
-#include "random.hpp"
 #include "bodies/bounds.hpp"
+#include "scenes/random.hpp"
 
 using namespace islet;
 using namespace islet::detail;

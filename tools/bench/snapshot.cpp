@@ -9,7 +9,8 @@
 #include <cstring>
 #include <vector>
 
-#include "engine.hpp"
+#include "harness/engine.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace {
 

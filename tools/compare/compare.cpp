@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "box2d_engine.hpp"
 #include "compare_report.hpp"
+#include "engines/box2d_engine.hpp"
 
 namespace islet::compare {
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "judge.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::compare {
 

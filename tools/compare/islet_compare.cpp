@@ -11,16 +11,17 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "command_line.hpp"
+#include "common/command_line.hpp"
+#include "common/output_file.hpp"
+#include "common/similar_scenes.hpp"
 #include "compare.hpp"
 #include "compare_report.hpp"
-#include "output_file.hpp"
 #include "timing.hpp"
 
 namespace {
 
 using namespace islet::compare;
-using islet::samples::OutputFile;
+using islet::tools::OutputFile;
 using islet::samples::SceneInfo;
 
 enum Status { ok = 0, check_failed = 1, wrong_usage = 2 };
@@ -60,7 +61,7 @@ std::optional<std::vector<const SceneInfo*>> choose(const Options& options) {
         const SceneInfo* info = islet::samples::find_scene(name);
         if (info == nullptr) {
             fmt::print(stderr, "islet-compare: there is no scene \"{}\"", name);
-            const auto near = islet::samples::similar_scenes(name);
+            const auto near = islet::tools::similar_scenes(name);
             if (!near.empty()) fmt::print(stderr, "; near names: {}", fmt::join(near, ", "));
             fmt::print(stderr, "\n");
             return std::nullopt;
@@ -124,9 +125,9 @@ int main(int argc, char** argv) {
     app.add_flag("--time", options.time, "Compare speed instead: whole runs in turns, median of 3 ratios (default: the benchmark scenes)");
     app.add_option("--steps", options.steps, "Run this many steps instead of the scene's own")->check(CLI::Range(1, 1000000));
     app.add_flag("--json", options.json, "Print JSON instead of a table");
-    app.add_option("--csv", options.csv, "Write one line per scene and step to this file")->check(islet::samples::not_empty);
-    app.add_option("--svg", options.svg, "Write a picture of both final states to this file (one per scene if there are several)")->check(islet::samples::not_empty);
-    if (const std::optional<int> status = islet::samples::parse_or_explain(app, argc, argv, "islet-compare")) return *status;
+    app.add_option("--csv", options.csv, "Write one line per scene and step to this file")->check(islet::tools::not_empty);
+    app.add_option("--svg", options.svg, "Write a picture of both final states to this file (one per scene if there are several)")->check(islet::tools::not_empty);
+    if (const std::optional<int> status = islet::tools::parse_or_explain(app, argc, argv, "islet-compare")) return *status;
     if (options.scenes.empty() && !options.all && !options.time) {
         fmt::print(stderr, "islet-compare: name a scene, or say --all\n{}", app.help());
         return wrong_usage;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine.hpp"
+#include "harness/engine.hpp"
 
 namespace islet::compare {
 

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "box2d_engine.hpp"
-#include "statistics.hpp"
+#include "common/statistics.hpp"
+#include "engines/box2d_engine.hpp"
 
 namespace islet::compare {
 
 using namespace engines;
-using samples::median;
+using tools::median;
 
 namespace {
 

@@ -1,10 +1,10 @@
-// Box2D 2.4 behind the interface of samples/engine.hpp, so that it runs the same scenes as Islet.
+// Box2D 2.4 behind the interface of samples/harness/engine.hpp, so that it runs the same scenes as Islet.
 #pragma once
 
 #include <memory>
 #include <string>
 
-#include "engine.hpp"
+#include "harness/engine.hpp"
 
 namespace islet::engines {
 

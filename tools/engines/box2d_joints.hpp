@@ -6,7 +6,7 @@
 
 #include <box2d/box2d.h>
 
-#include "engine.hpp"
+#include "harness/engine.hpp"
 
 namespace islet::engines {
 

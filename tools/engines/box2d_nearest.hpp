@@ -8,7 +8,7 @@
 // Each stands in with a single shape and fewer constraints: the substitute is never more work than the original.
 #pragma once
 
-#include "scene.hpp"
+#include "harness/scene.hpp"
 
 namespace islet::engines {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "engine.hpp"
+#include "harness/engine.hpp"
 
 namespace islet::engines {
 

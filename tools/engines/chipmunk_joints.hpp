@@ -7,7 +7,7 @@
 
 #include <chipmunk/chipmunk.h>
 
-#include "engine.hpp"
+#include "harness/engine.hpp"
 
 namespace islet::engines {
 

@@ -10,21 +10,22 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include "command_line.hpp"
-#include "finite_number.hpp"
+#include "common/command_line.hpp"
+#include "common/finite_number.hpp"
+#include "common/near_names.hpp"
+#include "common/output_file.hpp"
+#include "common/progress.hpp"
+#include "common/similar_scenes.hpp"
 #include "lab.hpp"
-#include "near_names.hpp"
-#include "output_file.hpp"
 #include "plot.hpp"
-#include "progress.hpp"
 #include "report.hpp"
 
 namespace {
 
 using namespace islet::lab;
-using islet::samples::all_printed;
-using islet::samples::OutputFile;
-using islet::samples::ProgressBar;
+using islet::tools::all_printed;
+using islet::tools::OutputFile;
+using islet::tools::ProgressBar;
 using islet::samples::SceneInfo;
 
 enum ExitStatus { ok = 0, failed = 1, wrong_usage = 2 };
@@ -68,7 +69,7 @@ std::optional<std::vector<const SceneInfo*>> choose_scenes(const Command& comman
     for (const std::string& name : names) {
         const SceneInfo* info = islet::samples::find_scene(name);
         if (info == nullptr) {
-            unknown("scene", name, islet::samples::similar_scenes(name));
+            unknown("scene", name, islet::tools::similar_scenes(name));
             return std::nullopt;
         }
         add_once(chosen, *info);
@@ -86,7 +87,7 @@ std::optional<std::vector<const MethodInfo*>> choose_methods(const Command& comm
     for (const std::string& name : command.methods) {
         const MethodInfo* info = find_method(name);
         if (info == nullptr) {
-            std::vector<std::string> near = islet::samples::near_names(name, known);
+            std::vector<std::string> near = islet::tools::near_names(name, known);
             unknown("method", name, near.empty() ? known : near);
             return std::nullopt;
         }
@@ -159,12 +160,12 @@ void declare(CLI::App& app, Command& command) {
     app.add_option("--substeps", o.substeps, "substeps of a step; the scene's own if not given")->check(CLI::Range(1, 64));
     app.add_option("--substep-h", o.substep_h, "length of the substep that is solved for, s; that of the run if not given")
         ->check(CLI::Range(1e-6, 1.0))
-        ->check(islet::samples::finite_number);
+        ->check(islet::tools::finite_number);
     app.add_option("--islands", command.islands, "which islands: the one with the most rows, or all")
         ->check(CLI::IsMember({"largest", "all"}))
         ->capture_default_str();
     app.add_option("--method", command.methods, "a method of islet::lcp, once or more; all if not given")->allow_extra_args(false);
-    app.add_option("--omega", o.measure.psor_omega, "relaxation of psor")->check(CLI::Range(0.01, 1.99))->check(islet::samples::finite_number)->capture_default_str();
+    app.add_option("--omega", o.measure.psor_omega, "relaxation of psor")->check(CLI::Range(0.01, 1.99))->check(islet::tools::finite_number)->capture_default_str();
     app.add_option("--iterations", o.measure.iterations, "most iterations of a method")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
@@ -172,8 +173,8 @@ void declare(CLI::App& app, Command& command) {
         ->check(CLI::Range(0, 5000))
         ->capture_default_str();
     app.add_flag("--json", command.json, "print a JSON list");
-    app.add_option("--csv", command.csv_path, "write the curves to this file")->check(islet::samples::not_empty);
-    app.add_option("--svg", command.svg_prefix, "draw the curves, a picture for each island: PREFIX-SCENE.svg")->check(islet::samples::not_empty);
+    app.add_option("--csv", command.csv_path, "write the curves to this file")->check(islet::tools::not_empty);
+    app.add_option("--svg", command.svg_prefix, "draw the curves, a picture for each island: PREFIX-SCENE.svg")->check(islet::tools::not_empty);
 }
 
 }  // namespace
@@ -182,7 +183,7 @@ int main(int argc, char** argv) {
     Command command;
     CLI::App app("Measures how the matrix solvers of islet::lcp converge on the islands of scenes.", "islet-lab");
     declare(app, command);
-    if (const std::optional<int> status = islet::samples::parse_or_explain(app, argc, argv, "islet-lab")) return *status;
+    if (const std::optional<int> status = islet::tools::parse_or_explain(app, argc, argv, "islet-lab")) return *status;
     try {
         return run(command);
     } catch (const std::exception& e) { return wrong(e.what()); }

@@ -1,16 +1,16 @@
 #include "lab.hpp"
 
 #include "islands.hpp"
-#include "runner.hpp"
+#include "islet/runner.hpp"
 
 namespace islet::lab {
 
 std::vector<Island> take_islands(const samples::SceneInfo& info, const LabOptions& options, const std::function<void(int done)>& stepped) {
-    samples::RunOptions run_options;
+    tools::RunOptions run_options;
     run_options.steps = options.step;
     run_options.substeps = options.substeps;
-    samples::Run run(info.make(), run_options);
-    run.run([&stepped](const samples::StepRecord& record) { stepped(record.step); });
+    tools::Run run(info.make(), run_options);
+    run.run([&stepped](const tools::StepRecord& record) { stepped(record.step); });
     const double h = options.substep_h.value_or(double(run.scene.dt) / double(run.scene.world.solver.substeps));
     std::vector<Island> islands = islands_of(run.engine.world(), static_cast<float>(h));
     if (!options.all_islands && islands.size() > 1) islands.resize(1);

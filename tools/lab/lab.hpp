@@ -5,8 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "harness/scene.hpp"
 #include "measure.hpp"
-#include "scene.hpp"
+#include "scenes/catalogue.hpp"
 
 namespace islet::lab {
 

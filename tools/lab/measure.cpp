@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "statistics.hpp"
+#include "common/statistics.hpp"
 
 namespace islet::lab {
 namespace {
@@ -42,7 +42,7 @@ TimedSolve time_solve(const Problem& problem, const lcp::Options<double>& option
         seconds.push_back(thread_seconds() - begin);
         total += seconds.back();
     } while (seconds.back() < long_solve && seconds.size() < most_repeats && (total < budget || seconds.size() < least_repeats));
-    timed.seconds = samples::median(seconds);
+    timed.seconds = tools::median(seconds);
     return timed;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "random.hpp"
+#include "scenes/random.hpp"
 
 namespace islet::lab {
 

@@ -6,7 +6,7 @@
 namespace islet {
 
 /// Runs the pieces that a stage of a step was cut into, on whatever threads the user has: a pool, OpenMP, TBB, or one after another. How many there
-/// are and in which order the pieces run never changes a result, not even a bit. See samples/thread_pool.hpp for one, samples/programs/workers.cpp
+/// are and in which order the pieces run never changes a result, not even a bit. See samples/workers/thread_pool.hpp for one, samples/workers/workers.cpp
 /// for its use.
 struct TaskSystem {
     /// Calls task(data, index) once for each 0 <= index < count, in any order and on any threads, and returns when all calls have returned; what

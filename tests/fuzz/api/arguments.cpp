@@ -1,5 +1,5 @@
 // Arguments of every kind out of a fuzzer's bytes: good ones mostly, and all that a user may get wrong.
-#include "fuzz/api/caller.hpp"
+#include "caller.hpp"
 
 namespace islet::fuzz {
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "fuzz/api/hosts.hpp"
-#include "fuzz/api/reader.hpp"
+#include "hosts.hpp"
+#include "reader.hpp"
 #include "support/chorus.hpp"
 
 namespace islet::fuzz {

@@ -1,5 +1,5 @@
 // Calls that make, change and destroy what is in the world.
-#include "fuzz/api/caller.hpp"
+#include "caller.hpp"
 
 namespace islet::fuzz {
 

@@ -1,7 +1,7 @@
 // The world handed to functions that draw.
 #include <cstring>
 
-#include "fuzz/api/player.hpp"
+#include "player.hpp"
 
 namespace islet::fuzz {
 

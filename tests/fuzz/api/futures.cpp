@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "fuzz/api/player.hpp"
+#include "player.hpp"
 
 namespace islet::fuzz {
 

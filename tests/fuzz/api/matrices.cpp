@@ -1,8 +1,8 @@
 // The matrix solvers: on the world's own islands, and on small problems of any numbers, many of which are none.
 #include <limits>
 
-#include "fuzz/api/player.hpp"
 #include "islet/island.hpp"
+#include "player.hpp"
 
 namespace islet::fuzz {
 

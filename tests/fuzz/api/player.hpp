@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "fuzz/api/caller.hpp"
+#include "caller.hpp"
 #include "islet/islet.hpp"
 #include "islet/mover.hpp"
 

@@ -1,8 +1,8 @@
 // What the world holds, for who looks into a finding.
 #include <cstdio>
 
-#include "fuzz/api/player.hpp"
 #include "data/core.hpp"
+#include "player.hpp"
 
 namespace islet::fuzz {
 

@@ -1,5 +1,5 @@
 // Questions to the world. Good arguments must find something finite, bad ones nothing; and the ways to ask the same thing must agree.
-#include "fuzz/api/player.hpp"
+#include "player.hpp"
 
 namespace islet::fuzz {
 

@@ -1,5 +1,5 @@
 // Calls that only look: whatever is asked for, of whatever ids, the world stays as it was; and what it tells of itself fits together.
-#include "fuzz/api/player.hpp"
+#include "player.hpp"
 
 namespace islet::fuzz {
 

@@ -1,6 +1,6 @@
 // What needs no world: shapes and numbers as plain values; and worlds made of any block, capacity and definition.
-#include "fuzz/api/hosts.hpp"
-#include "fuzz/api/player.hpp"
+#include "hosts.hpp"
+#include "player.hpp"
 
 namespace islet::fuzz {
 

@@ -1,4 +1,4 @@
-#include "robustness/lockstep/images.hpp"
+#include "images.hpp"
 
 #include "support/busy_world.hpp"
 #include "support/forge.hpp"

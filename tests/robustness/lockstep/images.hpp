@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "robustness/lockstep/play.hpp"
+#include "play.hpp"
 
 namespace islet::lockstep {
 

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "robustness/lockstep/images.hpp"
-#include "robustness/lockstep/shrink.hpp"
+#include "images.hpp"
+#include "shrink.hpp"
 
 namespace islet::test {
 

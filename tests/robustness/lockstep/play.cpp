@@ -1,4 +1,4 @@
-#include "robustness/lockstep/play.hpp"
+#include "play.hpp"
 
 #include <algorithm>
 #include <thread>

@@ -1,4 +1,4 @@
-#include "robustness/lockstep/shrink.hpp"
+#include "shrink.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>

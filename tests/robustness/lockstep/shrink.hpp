@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "robustness/lockstep/play.hpp"
+#include "play.hpp"
 
 namespace islet::lockstep {
 

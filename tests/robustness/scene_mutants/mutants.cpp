@@ -17,12 +17,13 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include "engine.hpp"
-#include "printable.hpp"
-#include "runner.hpp"
-#include "scene_file.hpp"
+#include "common/printable.hpp"
+#include "harness/engine.hpp"
+#include "islet/runner.hpp"
+#include "islet/scene_file.hpp"
+#include "islet/svg.hpp"
+#include "scenes/catalogue.hpp"
 #include "support/random.hpp"
-#include "svg.hpp"
 
 // -- what is allocated ---------------------------------------------------------------------------------------------------------------------------------
 
@@ -58,7 +59,7 @@ void operator delete(void* memory, std::size_t) noexcept { released(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { released(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { released(memory); }
 
-namespace islet::samples {
+namespace islet::tools {
 namespace {
 
 using test::Random;
@@ -366,6 +367,6 @@ int search(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace islet::samples
+}  // namespace islet::tools
 
-int main(int argc, char** argv) { return islet::samples::search(argc, argv); }
+int main(int argc, char** argv) { return islet::tools::search(argc, argv); }

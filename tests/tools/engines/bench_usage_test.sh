@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# bench_usage_test.sh ISLET: what `islet bench` does when it is used, and misused.
+set -euo pipefail
+
+name='islet bench'
+program=$1
+subcommand=bench
+# shellcheck source=tests/support/usage.sh
+. "$(dirname "$0")/../../support/usage.sh"
+
+few=(--steps 3 --repeat 2)
+expect 0 'hello  *islet' hello "${few[@]}"
+expect 0 '"engine": "islet"' hello --json "${few[@]}"
+expect 0 '"steps": 3' hello --json "${few[@]}"
+expect 0 large_pyramid --steps 1 --repeat 1 --engine islet  # no scene: the benchmark
+expect 0 '"workers": 2' hello --json --workers 2 --engine islet "${few[@]}"
+expect 2 'near names: pyramid' pyramidd
+expect 2 'there are: islet' hello --engine newton
+expect 2 '--repeat' hello --repeat 0
+expect 2 '--steps' hello --steps 0
+expect 2 '--steps' hello --steps many
+expect 2 'not expected' hello --nonsense
+expect 0 '  60  ' hello --quick --engine islet
+expect 2 'excludes' hello --quick --steps 3
+
+# Standard output holds results only, from its first byte: other engines' greetings must not get in.
+first=$("$program" bench hello --json "${few[@]}" 2>/dev/null | head -c 1)
+[ "$first" = '[' ] || complain "JSON must begin with [, not '$first'"
+errors=$("$program" bench hello "${few[@]}" 2>&1 >/dev/null)
+[ -z "$errors" ] || complain "there is nothing to say on standard error, but: $errors"
+rows=$("$program" bench hello hello --engine islet --engine islet "${few[@]}" | wc -l)
+[ "$rows" -eq 2 ] || complain "a name said twice counts once: $rows lines, wanted 2"
+
+# Interrupted in its second scene it has shown the first, says so, and its JSON is whole. Long ones begin with an estimate.
+interrupt() { # interrupt FILE WORDS ARGUMENT...: its output goes to FILE; interrupts it when WORDS are among what was printed
+    local file=$1 words=$2 status=0 i
+    shift 2
+    "$program" bench "$@" >"$file" 2>"$scratch/errors" &
+    for ((i = 0; i < 600; ++i)); do
+        ! grep -q "$words" "$file" "$scratch/errors" || break
+        sleep 0.1
+    done
+    kill -INT $!
+    wait $! || status=$?
+    [ "$status" -eq 130 ] || complain "islet bench $*: status $status after an interruption, wanted 130"
+    grep -q interrupted "$scratch/errors" || complain "islet bench $*: it does not say that it was interrupted"
+}
+interrupt "$scratch/table" '^hello' hello large_pyramid --engine islet --steps 50000 --repeat 1
+grep -q '^hello  *islet .* 1.00$' "$scratch/table" || complain "a row that was done is lost: $(cat "$scratch/table")"
+grep -q 'this takes about' "$scratch/errors" || complain "a long bench must begin with an estimate"
+interrupt "$scratch/json" 'this takes' large_pyramid --engine islet --steps 50000 --repeat 1 --json
+[ "$(cat "$scratch/json")" = '[]' ] || complain "interrupted JSON must be whole: $(cat "$scratch/json")"
+exit "$((failures > 0))"
