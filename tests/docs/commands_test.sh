@@ -29,8 +29,8 @@ has_options() {
     for option in "${@:2}"; do grep -q -e "$option" <<<"$help" || return 1; done
 }
 
-# is_left_out PROGRAM: this build has no such target, because its libraries are missing.
-is_left_out() { [ ! -d "$(dirname "$1")/CMakeFiles/$(basename "$1").dir" ]; }
+# is_left_out PROGRAM: there is such a target, but not in this build, because its libraries are missing.
+is_left_out() { [ ! -d "$(dirname "$1")/CMakeFiles/$(basename "$1").dir" ] && grep -rqE "add_executable\($(basename "$1")[ )]" "$root"/{samples,tools} --include=CMakeLists.txt; }
 
 # try COMMAND: runs it, or what of it can be run here.
 try() {

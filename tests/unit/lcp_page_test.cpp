@@ -62,5 +62,17 @@ TEST(LcpPage, TheResidualFallsAsTheTableOfSweepsSays) {
     for (const auto& row : rows) EXPECT_NEAR(history[row.sweep - 1], row.residual, 0.05f * row.residual) << row.sweep;
 }
 
+TEST(LcpPage, WithBoxesOfAGramTheResidualFallsAsItsTableSays) {
+    float light[16];
+    for (int i = 0; i < 16; ++i) light[i] = 1000 * matrix[i];
+    const float q[] = {-1, 0, 0, 1.5f};
+    float x[4] = {}, history[10] = {};
+    std::byte memory[workspace_bytes<float>(Method::pgs, 4)];
+    solve<float>({.dense = {light}, .q = q}, {.max_iterations = 10, .tolerance = 0, .history = history}, x, memory);
+    EXPECT_NEAR(history[0], 0.50f, 0.005f);
+    EXPECT_NEAR(history[4], 0.16f, 0.005f);
+    EXPECT_NEAR(history[9], 0.038f, 0.0005f);
+}
+
 }  // namespace
 }  // namespace islet::lcp

@@ -313,6 +313,7 @@ Sketch draw_folders() {
     sketch.arrow({320, 66}, {320, 138}, {});
     sketch.arrow({268, 40}, {150, 68}, {});
     sketch.arrow({492, 40}, {610, 68}, {});
+    sketch.arrow({518, 97}, {242, 97}, {});
     sketch.arrow({130, 126}, {268, 160}, {});
     sketch.arrow({630, 126}, {492, 160}, {});
     sketch.text({20, 200}, "An arrow reads: uses.", grey, 12);
