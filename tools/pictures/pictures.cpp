@@ -132,8 +132,8 @@ Sketch draw_snapshots() {
     sketch.world(world, camera);
     sketch.circle(saved, 7, {.stroke = blue, .fill = white, .width = 2.5f});
     sketch.text(saved + Vec2{-10, -14}, "save and restore", blue, 14, "end");
-    sketch.text({300, 200}, "first future: without the late input", grey);
-    sketch.text({300, 220}, "second future: with it", red);
+    sketch.text({200, 200}, "first future: without the late input", grey);
+    sketch.text({200, 220}, "second future: with it", red);
     return sketch;
 }
 
