@@ -4,6 +4,7 @@
 #   tools/footprint.sh               a table. Flash is the engine's share, and the compiler's runtime's: of every function there is, of a program that
 #                                    uses every shape, joint, surface and way to solve, and of one of boxes and balls alone
 #   tools/footprint.sh --json        the same as JSON
+#   tools/footprint.sh --write       the table, and its figures into docs/microcontrollers.md
 #   tools/footprint.sh --check       the table (without the Cortex-M7), and whether every figure keeps its limit: part of tools/test.sh --all
 #   tools/footprint.sh --options     what each part that ISLET_WITHOUT can leave out saves on a Cortex-M4F
 # Installs the cross compilers and QEMU with apt if they are missing.
@@ -27,12 +28,13 @@ for argument in "$@"; do
     case $argument in
     --json) mode=json ;;
     --check) mode=check ;;
+    --write) mode='write' ;;
     --options) mode=options ;;
     -h | --help)
-        sed -n '2,11s/^# \{0,1\}//p' "$0"
+        sed -n '2,12s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
-    *) die "$0: unknown option $argument; there are --json, --check and --options" ;;
+    *) die "$0: unknown option $argument; there are --json, --check, --write and --options" ;;
     esac
 done
 
@@ -99,6 +101,36 @@ at_most() { [ "$3" -le "$4" ] || complain "$1: $2 is $3, more than $4"; }
 
 # The code of a Cortex-M7 is that of the M33 to a few bytes, and so are its instructions.
 if [ "$mode" = check ]; then targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m33 cortex-m55 riscv32); fi
+
+# write_figures: the manual's tables of targets and of worlds, row by row, from `rows` and `worlds`. A row is known by its target, or by its first numbers.
+write_figures() {
+    local page=$root/docs/microcontrollers.md new
+    new=$(mktemp)
+    awk -v targets="$(printf '%s\n' "${rows[@]}")" -v worlds="$worlds" '
+        function spaced(n,  text) {
+            for (text = ""; length(n) > 3; n = substr(n, 1, length(n) - 3)) text = " " substr(n, length(n) - 2) text
+            return n text
+        }
+        BEGIN {
+            count = split(targets, line, "\n")
+            for (i = 1; i <= count; ++i) {
+                split(line[i], t, " +")
+                made["| " t[1] " |"] = "| " t[1] " | " spaced(t[3]) " | " spaced(t[4]) " | " spaced(t[5]) " | " spaced(t[6]) " | " spaced(t[7]) " | " spaced(t[8]) " |"
+            }
+            count = split(worlds, line, "\n")
+            for (i = 1; i <= count; ++i) {
+                split(line[i], t, " +")
+                key = "| " t[1] " | " t[3] " | " t[4] " | " t[5] " |"
+                made[key] = key " " spaced(t[6]) " |"
+            }
+        }
+        {
+            for (key in made) if (index($0, key) == 1) { $0 = made[key]; break }
+            print
+        }' "$page" >"$new"
+    cat "$new" >"$page"
+    rm -f "$new"
+}
 
 rows=()   # the table
 items=()  # the JSON
@@ -189,6 +221,7 @@ else
         printf '%8d %8d %8d %8d %10d %14d\n' "$bodies" "$shapes" "$contacts" "$joints" "$geometries" "$bytes"
     done <<<"$worlds"
 fi
+if [ "$mode" = write ]; then write_figures; fi
 if $failed && [ "$mode" != table ]; then
     printf '%s\n' "${complaints[@]}" >&2
     exit 1

@@ -2,7 +2,7 @@
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
 #   tools/test.sh --all        the same once more with clang and sanitizers, and five minutes of fuzzing under them; hashes of unoptimised code, on
-#                              other processors and of the firmware in microcontrollers, both emulated; the engine compiled by hand; pages played in
+#                              other processors and of the firmware in microcontrollers, both emulated; the engine compiled by hand and in a fresh tree; pages played in
 #                              a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk, GoogleTest and gnuplot with apt if they are missing (and for the options: clang, gcovr, shellcheck,
@@ -129,7 +129,7 @@ measure_coverage() {
 check_scripts() {
     say "checking the scripts"
     local scripts=() status=0
-    mapfile -t scripts < <(find "$root/tools" "$root/tests" "$root/.ci" -name '*.sh' -o -path '*/.ci/run')
+    mapfile -t scripts < <(find "$root/tools" "$root/tests" "$root/docs" "$root/.ci" -name '*.sh' -o -path '*/.ci/run')
     (cd "$root" && shellcheck --external-sources "${scripts[@]}") || status=$?
     [ "$status" -eq 0 ] || failed=true
     results+=("scripts: $([ "$status" -eq 0 ] && echo clean || echo 'shellcheck complains') (${#scripts[@]} files)")
@@ -153,13 +153,22 @@ check_targets() {
     while IFS= read -r line; do results+=("hashes on $line"); done < <(tail -n +2 "$table")
 }
 
-# The engine compiled as README says for those without CMake, and with flags that would ruin its bits.
+# The engine compiled as the manual says for those without CMake, and with flags that would ruin its bits.
 check_by_hand() {
     local status=0 log=$root/build/by_hand.txt
     say "the engine by hand"
     "$root/tests/determinism/by_hand.sh" "$root/build/by_hand" | tee "$log" || status=$?
     [ "$status" -eq 0 ] || failed=true
     results+=("by hand: $([ "$status" -eq 0 ] && echo "$(wc -l <"$log") builds keep the bits or are refused" || echo 'see above')")
+}
+
+# The first command of README.md, in a fresh copy of the tree.
+check_first_command() {
+    local status=0 log=$root/build/first_command.txt
+    say "the first command of the manual"
+    "$root/tests/docs/first_command_test.sh" "$root" "$root/build/fresh" | tee "$log" || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("first command: $([ "$status" -eq 0 ] && echo 'a fresh tree builds and draws a scene' || echo 'see above')")
 }
 
 # What drives the browser, in the versions that package-lock.json names; fetched once.
@@ -195,6 +204,8 @@ if $all; then
     lap "other processors"
     check_by_hand
     lap "by hand"
+    check_first_command
+    lap "first command"
     run_tests asan-ubsan --exclude-regex '^(islet_)?(reference|tools[._]engines)|fast_math'
     tools=OFF
     # What two workers share by mistake.

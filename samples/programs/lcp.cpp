@@ -1,5 +1,5 @@
 // A complementarity problem solved by itself, without a world: three boxes of 1 kg stand on each other and fall at 1 m/s for a moment, a fourth above
-// them is on its way up. Which impulses stop the fall? engine/src/lcp/README.md goes through it sweep by sweep.
+// them is on its way up. Which impulses stop the fall? docs/lcp.md goes through it sweep by sweep.
 #include <cstdio>
 
 #include <islet/lcp.hpp>

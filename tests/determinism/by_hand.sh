@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The engine without CMake, and under flags that ruin results elsewhere: each build comes to the golden hashes, or is refused with its sentence.
 #   tests/determinism/by_hand.sh [WORK_FOLDER]
-# First, by each compiler, file by file as README says, with all objects in one folder; then with flags of the user's own, many files as one (build.sh).
+# First, by each compiler, file by file as docs/using-islet.md says, with all objects in one folder; then with flags of the user's own, many files as one (build.sh).
 # The scenes and the program are built once a compiler, with exact flags: only what the engine is compiled with differs. Prints one line per build; exit
 # status 1 if one is not as it must be. What is missing is left out by name. Takes three minutes on two cores.
 set -euo pipefail
@@ -38,8 +38,8 @@ judge() {
     esac
 }
 
-# as_readme FOLDER COMMAND...: README's command, in FOLDER; here for as many files at once as there are cores.
-as_readme() {
+# as_manual FOLDER COMMAND...: the manual's command, in FOLDER; here for as many files at once as there are cores.
+as_manual() {
     local folder=$1
     shift
     (cd "$folder" && printf '%s\n' "$root"/engine/src/*/*.cpp | xargs -P "$jobs" -n 8 "$@" -I "$root/engine/include" -c)
@@ -64,7 +64,7 @@ link_and_run() {
     "$1/hashes" "$root/tests/determinism/golden.txt" --most-steps 60 --lanes 1,4,8 "${scenes[@]}" 2>&1 | tail -n 1
 }
 
-# check WANTED NAME HOW COMPILER FLAG...: HOW is as_readme or quickly.
+# check WANTED NAME HOW COMPILER FLAG...: HOW is as_manual or quickly.
 check() {
     local wanted=$1 name=$2 how=$3 compiler=$4 folder=$work/$2 result='' status=0
     shift 3
@@ -141,7 +141,7 @@ same_size size-clang++ clang++ -march=native
 same_size size-wasm 'clang++-16 --target=wasm32-wasi -cxx-isystem /usr/lib/llvm-16/include/wasm32-wasi/c++/v1' -msimd128
 same_size size-aarch64 aarch64-linux-gnu-g++ -march=armv8.2-a+sve
 for compiler in g++ clang++; do
-    check same "by-hand-$compiler" as_readme "$compiler" -O2
+    check same "by-hand-$compiler" as_manual "$compiler" -O2
     check same "small-$compiler" quickly "$compiler" -Os
     check same "unsigned-$compiler" quickly "$compiler" -O2 -funsigned-char
     check same "fma-$compiler" quickly "$compiler" -O2 -mfma

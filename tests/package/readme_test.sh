@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# readme_test.sh README.md PROGRAM.cpp: the README's first C++ block must be the program.
+# readme_test.sh PAGE.md PROGRAM.cpp: the page's first C++ block that has a main function must be the program.
 set -euo pipefail
 
-diff -u "$2" <(awk '/^```/ { if (inside) exit; inside = ($0 == "```cpp"); next } inside' "$1")
+diff -u "$2" <(awk '/^```/ { if (block ~ /int main\(\)/) exit; block = ""; inside = ($0 == "```cpp"); next } inside { block = block $0 "\n" } END { printf "%s", block }' "$1")

@@ -1,8 +1,11 @@
-// What the pieces of programs in README.md take for granted: a world with something in it, a game around it, and a few functions of yours.
+// What the pieces of programs in the manual take for granted: a world with something in it, a game around it, and a few functions of yours.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include <islet/island.hpp>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # snippets_test.sh COMPILER ISLET PAGE.md...: every C++ block of the pages compiles: a whole program by itself, a piece of one inside a function that knows
-# the names of snippet_names.hpp.
+# the names of snippet_names.hpp. A page need not have one, but all pages together must have 15.
 set -euo pipefail
 
 compiler=$1 islet=$2
@@ -14,7 +14,7 @@ for page in "$@"; do
     rm -f "$scratch"/block-*
     awk -v out="$scratch/block-" '/^```cpp$/ { ++n; inside = 1; start = FNR; next } /^```$/ { inside = 0 } inside { if (!(n in begun)) print start > (out n ".line"); begun[n]; print > (out n) }' "$page"
     for block in "$scratch"/block-*[0-9]; do
-        [ -e "$block" ] || { printf '%s has no C++ block\n' "$page"; failures=1; continue; }
+        [ -e "$block" ] || continue
         blocks=$((blocks + 1))
         line=$(cat "$block.line")
         {
@@ -36,4 +36,5 @@ for page in "$@"; do
     done
 done
 printf '%d blocks\n' "$blocks"
+[ "$blocks" -ge 15 ] || failures=1
 exit "$failures"

@@ -3,7 +3,7 @@
 //
 // First of all, what a program does not call it need not link: the engine's functions stand in sections of their own, for -Wl,--gc-sections, and
 // joints and chains as a whole come only with the functions that make them. The switches below leave out what a program that does call these, or
-// steps at all, would still link and never use. README.md says what each saves.
+// steps at all, would still link and never use. docs/microcontrollers.md says what each saves.
 //
 // A world has the same layout, hash and snapshots with and without them. What is left out is refused with Error::feature_cut.
 #pragma once

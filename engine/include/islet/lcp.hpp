@@ -1,5 +1,5 @@
 // Linear complementarity problems with bounds, and the methods that solve them: projected Gauss-Seidel and its relatives, on plain matrices. A library
-// in its own right: it knows nothing of bodies, and islet.hpp does not include it. engine/src/lcp/README.md explains the methods on an example.
+// in its own right: it knows nothing of bodies, and islet.hpp does not include it. docs/lcp.md explains the methods on an example.
 //
 // Given a matrix M and a vector q, find x and w = M x + q such that for every row i
 //

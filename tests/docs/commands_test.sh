@@ -1,0 +1,114 @@
+#!/usr/bin/env bash
+# commands_test.sh ROOT BUILD CMAKE: the commands of the manual work as they are written.
+#   In blocks (```sh)     `islet`, `rollback` and the tools are run. `islet bench` is, for one step. Scripts that take long must have the options given.
+#   In blocks (```cmake)  each is configured, in a project with a target "game".
+#   In blocks (```json)   each is run as a scene file.
+#   In text (`islet ...`) each is run for two steps, words in capitals replaced by names; scripts (`./tools/...`) must have the options, programs exist.
+# A command that no rule knows is an error.
+# shellcheck disable=SC2016  # what stands in single quotes is for the manual, CMake and sed
+set -euo pipefail
+
+root=$(cd "$1" && pwd) build=$(cd "$2" && pwd) cmake=$3
+# shellcheck source=tests/docs/pages.sh
+. "$(dirname "$0")/pages.sh"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# A folder like the root of the tree, with the programs where the manual says they are.
+cd "$scratch"
+ln -s "$root" islet
+for name in samples tools engine docs; do ln -s "$root/$name" "$name"; done
+mkdir build
+ln -s "$build" build/release
+PATH=$build/samples:$PATH
+
+# has_options SCRIPT OPTION...: its help names each of them.
+has_options() {
+    local script=$1 help option
+    help=$("$script" --help)
+    for option in "${@:2}"; do grep -q -e "$option" <<<"$help" || return 1; done
+}
+
+# is_left_out PROGRAM: there is such a target, but not in this build, because its libraries are missing.
+is_left_out() { [ ! -d "$(dirname "$1")/CMakeFiles/$(basename "$1").dir" ] && grep -rqE "add_executable\($(basename "$1")[ )]" "$root"/{samples,tools} --include=CMakeLists.txt; }
+
+# try COMMAND: runs it, or what of it can be run here.
+try() {
+    local command=$1
+    local -a words
+    read -r -a words <<<"$command"
+    case $command in
+    'islet bench'*) eval "${command/--quick/--repeat 1} --steps 1" ;;
+    'islet '* | 'rollback '*) eval "$command" ;;
+    build/release/*) is_left_out "${words[0]}" || eval "$command" ;;
+    ./tools/run.sh*) has_options tools/run.sh && islet run "${words[1]-hello}" ;;  # first_command_test.sh runs it in a fresh tree
+    ./tools/test.sh* | ./tools/footprint.sh*) has_options "${words[@]}" ;;
+    'cmake --preset release'*) grep -q '"name": "release"' "$root/CMakePresets.json" ;;
+    # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.
+    'cmake -S samples/firmware'*) [ -e "$(sed -n 's/.*toolchain "$PWD\/\([^"]*\)".*/\1/p' <<<"$command")" ] ;;
+    'cmake --build build/m4'*) ;;
+    'g++ -std=c++20 -O2 -I engine/include -c engine/src/'*) grep -q 'as_manual' "$root/tests/determinism/by_hand.sh" ;;
+    *)
+        printf 'no rule for: %s\n' "$command"
+        return 1
+        ;;
+    esac
+}
+
+tried=0
+check() {
+    tried=$((tried + 1))
+    local log status=0
+    log=$(try "$2" 2>&1) || status=$?
+    [ "$status" -eq 0 ] || complain "$(basename "$1"): $2"$'\n'"$(tail -n 5 <<<"$log")"
+}
+
+for page in $(pages "$root"); do
+    while IFS= read -r line; do
+        line=${line%%#*}
+        [ -z "$line" ] || check "$page" "$line"
+    done < <(blocks sh "$page")
+done
+
+# In text: cut short, a scene's check is skipped.
+for page in $(pages "$root"); do
+    while IFS= read -r line; do
+        line=$(sed 's/SCENE/hello/; s/FILE/out/' <<<"$line")
+        case $line in
+        'islet run'*--help | 'islet list'*) check "$page" "$line" ;;
+        'islet run'*) check "$page" "$line --steps 2" ;;
+        'islet scene'* | 'islet replay '*.rec*) check "$page" "$line" ;;
+        esac
+    done < <(prose "$page" | grep -oE '`islet (run|scene|replay|list) [^`]+`' | tr -d '`' || true)
+    while IFS= read -r line; do check "$page" "$line"; done < <(prose "$page" | grep -oE '`\./tools/[^`]+\.sh[^`]*`' | tr -d '`' || true)
+    while IFS= read -r line; do
+        program=${line%% *}
+        [ -x "$program" ] || is_left_out "$program" || complain "$(basename "$page"): there is no $program"
+    done < <(prose "$page" | grep -oE '`build/release/[^`]+`' | tr -d '`' || true)
+done
+
+# configure BLOCK: in a project of somebody else's; what is fetched is this tree.
+configure() {
+    rm -rf project && mkdir project
+    {
+        printf 'cmake_minimum_required(VERSION 3.25)\nproject(game LANGUAGES CXX)\nfile(WRITE ${CMAKE_BINARY_DIR}/game.cpp "int main() {}")\n'
+        printf 'add_executable(game ${CMAKE_BINARY_DIR}/game.cpp)\n%s\n' "$1"
+    } >project/CMakeLists.txt
+    ln -s "$root" project/islet
+    "$cmake" -S project -B project/build -DFETCHCONTENT_SOURCE_DIR_ISLET="$root"
+}
+for page in $(pages "$root"); do
+    count=$(grep -c '^```cmake$' "$page" || true)
+    for ((i = 1; i <= count; ++i)); do
+        block=$(awk -v wanted="$i" '/^```/ { inside = $0 == "```cmake" && ++n == wanted; next } inside' "$page")
+        tried=$((tried + 1))
+        log=$(configure "$block" 2>&1) || complain "$(basename "$page"): CMake block $i"$'\n'"$(tail -n 8 <<<"$log")"
+    done
+    if grep -q '^```json$' "$page"; then
+        blocks json "$page" >scene.json
+        check "$page" 'islet run scene.json'
+    fi
+done
+
+printf '%d commands tried\n' "$tried"
+[ "$tried" -gt 40 ] && [ "$failures" -eq 0 ]
