@@ -264,7 +264,9 @@ struct ShapeDef {
                                      ///< until all of it is beyond the platform's farthest point along the direction; from then on it is held, until it
                                      ///< leaves. Bodies, fast ones too, and movers are held; queries see the platform as any other shape. What stands
                                      ///< on it drops through if the pre_solve hook disables the contact once (pre_solve of either shape), or if a
-                                     ///< filter forbids the contact. Errors: not_finite; feature_cut.
+                                     ///< filter forbids the contact. Of two one-way shapes each must hold the other. Where the two were before they met is
+                                     ///< told by their velocities: a body may pass if one of these is set in the very step that they meet in.
+                                     ///< Errors: not_finite; feature_cut.
     std::uint32_t material = 0;      ///< SurfaceMaterial::id
     std::uint64_t user_data = 0;
 };
