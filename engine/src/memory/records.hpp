@@ -182,6 +182,7 @@ struct ContactManifold {
     ISLET_INLINE std::uint32_t count() const { return flags >> contact_count_shift & 3u; }
     ISLET_INLINE std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
+    void forget_points() { flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed); }  // and made anew in the next step
     void forget_impulses() { normal_impulse[0] = normal_impulse[1] = tangent_impulse[0] = tangent_impulse[1] = rolling_impulse = 0; }
 };
 

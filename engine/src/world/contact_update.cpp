@@ -159,7 +159,7 @@ Change update(Core& core, std::uint32_t index, float dt, std::uint32_t& recycled
     const bool ahead = looks_ahead(a, b);
     const bool one_way = has_one_way && (m.flags & contact_one_way) != 0;
     if (one_way && !decide_one_way(core, index, m.flags, dt)) {
-        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
+        m.forget_points();
         m.forget_impulses();
     } else if (!ahead && can_recycle(m, a, b)) {
         ++recycled;
