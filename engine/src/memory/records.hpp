@@ -78,7 +78,7 @@ enum ShapeFlags : std::uint32_t {
     shape_unseen = 2u,         // sensors do not see it
     shape_hit_events = 4u,
     shape_pre_solve = 8u,      // the pre-solve hook is asked about its contacts
-    shape_all_flags = 15u,     // all flags that State::asked keeps
+    shape_single_bits = 15u,   // those above
     asked_one_way = 16u,       // in State::asked alone: some shape was one-way
     shape_one_way_bits = ~255u,  // ShapeDef::one_way, x and y of 12 bits each (flags_of_direction); 0: no one-way shape
 };
@@ -100,7 +100,7 @@ struct Shape {
 
 /// What State::asked keeps of a shape's flags.
 inline std::uint32_t asked_of(std::uint32_t flags) {
-    return (flags & shape_all_flags) | ((flags & shape_one_way_bits) != 0 ? std::uint32_t{asked_one_way} : 0u);
+    return (flags & shape_single_bits) | ((flags & shape_one_way_bits) != 0 ? std::uint32_t{asked_one_way} : 0u);
 }
 
 /// Packs the direction of a one-way shape into its flags, to 1/1000 rad, exactly if it is along an axis; and unpacks it, unit or zero.

@@ -70,7 +70,7 @@ Hooks World::hooks() const {
 
 void World::set_hooks(const Hooks& hooks) {
     link_hooks();
-    if (may_change(core()) && check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
+    if (check_open(core()) && check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
 }
 
 }  // namespace islet

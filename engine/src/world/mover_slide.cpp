@@ -29,7 +29,9 @@ bool stands_in_the_way(const Mover& m, const Surface& s) {
         if (height_above(Core::of(m.world), s.shape.index1 - 1, capsule, {m.state.position, {}}) < least_above) return false;
     }
     const MoverFilter collides_hook = m.def.collides;
-    return collides_hook == nullptr || collides_hook(s, m.def.context);
+    if (collides_hook == nullptr) return true;
+    const Closed closed(Core::of(m.world));
+    return collides_hook(s, m.def.context);
 }
 
 float worst_breach(Vec2 x, const Bound* bounds, std::uint32_t count) {
