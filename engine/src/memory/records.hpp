@@ -213,7 +213,10 @@ struct Joint {
     float motor_speed = 0, motor_max = 0;     // of a motor joint: angular velocity, greatest force
     float friction = 0;
     float length = 0;              // distance: of the rod; pulley, gear: the constant
-    float ratio = 0;               // pulley, gear; of a joint with a limit: limit_load()
+    union {                        // by type
+        float ratio = 0;           // pulley, gear
+        float limit_load;          // of joints with a limit: N s or N m s over a substep, without the joint's own motor (constraint/coordinate.hpp)
+    };
     float linear_hertz = 0, linear_damping_ratio = 0, angular_hertz = 0, angular_damping_ratio = 0;  // weld, motor, mouse
     Vec2 velocity;                 // motor
     float max_torque = 0;          // motor
@@ -231,8 +234,6 @@ struct Joint {
     std::uint64_t user_data = 0;
 
     JointType joint_type() const { return known(static_cast<JointType>(type)); }
-    float limit_load() const { return ratio; }  // N s or N m s over a substep, without the joint's own motor: coordinate.hpp
-    float& limit_load() { return ratio; }
     ISLET_INLINE std::uint32_t color() const { return flags >> joint_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << joint_color_shift)) | color << joint_color_shift; }
 };
