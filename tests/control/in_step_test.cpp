@@ -14,6 +14,7 @@
 
 #include "islet/debug_draw.hpp"
 #include "islet/island.hpp"
+#include "islet/mover.hpp"
 #include "islet/recording.hpp"
 #include "support/image.hpp"
 #include "support/test_world.hpp"
@@ -181,6 +182,11 @@ const Refused all_calls[] = {
     {"validate", [](Stage& s) { return s.world->validate() == nullptr; }},
     {"export_island", [](Stage& s) { IslandProblem problem; return s.world->export_island(s.box, 0.01f, s.memory, problem) != 0; }},
     {"draw", [](Stage& s) { DebugDraw d; d.body_colors = BodyColors::island; s.world->draw(d); return false; }},
+    {"step_mover", [](Stage& s) {  // onto the box, which it would weigh on
+         MoverState hero{.position = {0, 2.6f}, .velocity = {0, -20}};
+         const bool moved = step_mover(*s.world, {}, hero, {.walk = 3}, 1.0f / 60);
+         return moved || hero.position != Vec2{0, 2.6f} || hero.velocity != Vec2{0, -20};
+     }},
 };
 
 // No public function of World that is not const is missing above.
@@ -221,6 +227,16 @@ void draw(Stage& s, bool all) {
     s.world->draw_shape(d, s.shape, {}, {});
 }
 
+void walk(Stage& s) {
+    MoverState hero{.position = {40, 1.01f}};
+    const MoverFilter asks = [](const Surface&, void* stage) {
+        Stage::came(stage, "collides");
+        return true;
+    };
+    ASSERT_TRUE(step_mover(*s.world, {.collides = asks, .context = &s}, hero, {.walk = 3}, 1.0f / 60));
+    EXPECT_EQ(hero.ground, s.ground);
+}
+
 const Place places[] = {
     {"FilterInAStep", "filter", step},
     {"PreSolveInAStep", "pre_solve", step},
@@ -239,6 +255,7 @@ const Place places[] = {
     {"DrawingAll", "polygon", [](Stage& s) { draw(s, true); }},
     {"DrawingJoints", "segment", [](Stage& s) { draw(s, true); }},
     {"DrawingAShape", "polygon", [](Stage& s) { draw(s, false); }},
+    {"FilterOfAMover", "collides", walk},
 };
 
 class InStep : public testing::TestWithParam<Place> {};
@@ -377,28 +394,62 @@ TEST(InStep, ErrorsInTheErrorHookDoNotCallItAgain) {
     EXPECT_EQ(s.world->step_count(), 4u);
 }
 
-// A query goes through nothing while it calls a visitor: what it found so far is all that it holds.
+// A query goes through nothing while it calls a visitor: what it found so far is all that it holds. (It cannot close the world as a step does, since any
+// number of threads may ask at once.)
+struct Visitors {
+    const char* name;
+    void (*act)(TestWorld& w, ShapeId found, int visit, const std::vector<std::byte>& image);
+};
+
+const Visitors visitors[] = {
+    {"destroys what it found", [](TestWorld& w, ShapeId s, int, const auto&) { if (w->is_valid(s)) w->destroy_body(w->body(s)); }},
+    {"destroys everything", [](TestWorld& w, ShapeId, int, const auto&) { for (const BodyId body : w.bodies()) w->destroy_body(body); }},
+    {"makes more", [](TestWorld& w, ShapeId, int visit, const auto&) { if (visit < 50) w.add_box({60 - 0.7f * static_cast<float>(visit), 0}); }},
+    {"moves it on", [](TestWorld& w, ShapeId s, int, const auto&) { w->set_transform(w->body(s), w->position(w->body(s)) + Vec2{2, 0}, 0.3f); }},
+    {"steps", [](TestWorld& w, ShapeId, int, const auto&) { w.step(5); }},
+    {"loads", [](TestWorld& w, ShapeId, int, const auto& image) { ASSERT_TRUE(w->load(image)); }},
+    {"asks and changes", [](TestWorld& w, ShapeId, int visit, const auto&) {
+         const auto wake = [](ShapeId s, void* world) { return static_cast<World*>(world)->wake(static_cast<World*>(world)->body(s)), true; };
+         w->overlap_box_each({{-1, -1}, {100, 1}}, {}, wake, w.get());
+         w->set_gravity({0, -static_cast<float>(visit)});
+     }},
+};
+
 TEST(InStep, VisitorsOfQueriesMayChangeTheWorld) {
-    for (const bool all_at_once : {false, true}) {
-        TestWorld w;
-        for (int i = 0; i < 40; ++i) w.add_box({1.5f * static_cast<float>(i), 0}, 0.5f, 0.5f, {}, i % 2 == 0 ? BodyType::static_body : BodyType::dynamic);
-        struct Visit {
-            TestWorld& w;
-            bool all;
-            int seen = 0;
-        } visit{w, all_at_once};
-        const auto destroy = [](ShapeId shape, Visit& v) {
-            ++v.seen;
-            if (!v.w->is_valid(shape)) return;  // destroyed since it was found
-            if (!v.all) return v.w->destroy_body(v.w->body(shape));
-            for (const BodyId body : v.w.bodies()) v.w->destroy_body(body);
-        };
-        static const auto act = destroy;
-        w->cast_ray_each({-1, 0}, {30, 0}, {}, [](const QueryHit& hit, void* v) { act(hit.shape, *static_cast<Visit*>(v)); return -1.0f; }, &visit);
-        w->overlap_box_each({{-1, -1}, {100, 1}}, {}, [](ShapeId shape, void* v) { act(shape, *static_cast<Visit*>(v)); return true; }, &visit);
-        EXPECT_GT(visit.seen, 0);
-        EXPECT_EQ(w->body_count(), 0u);
-        EXPECT_STREQ(w->validate(), nullptr);
+    for (const Visitors& v : visitors) {
+        for (int query = 0; query < 5; ++query) {
+            SCOPED_TRACE(std::string(v.name) + ", query " + std::to_string(query));
+            TestWorld w({.bodies = 128, .shapes = 128, .contacts = 256});
+            for (int i = 0; i < 40; ++i) w.add_box({1.5f * static_cast<float>(i), 0}, 0.5f, 0.5f, {}, i % 2 == 0 ? BodyType::static_body : BodyType::dynamic);
+            std::vector<std::byte> image(w->snapshot_bytes());
+            ASSERT_GT(w->save(image), 0u);
+            w.step(3);
+            struct Visit {
+                TestWorld& w;
+                const Visitors& v;
+                const std::vector<std::byte>& image;
+                int seen = 0;
+                void come(ShapeId s) {
+                    ASSERT_LT(seen, 2000) << "it goes on for ever";
+                    v.act(w, s, seen++, image);
+                }
+            } visit{w, v, image};
+            const CastVisitor cast = [](const QueryHit& hit, void* it) { static_cast<Visit*>(it)->come(hit.shape); return -1.0f; };
+            const OverlapVisitor overlap = [](ShapeId shape, void* it) { static_cast<Visit*>(it)->come(shape); return true; };
+            switch (query) {
+            case 0: w->cast_ray_each({-1, 0}, {70, 0}, {}, cast, &visit); break;
+            case 1: w->cast_shape_each(make_proxy(Circle{{-1, 0}, 0.2f}), {70, 0}, {}, cast, &visit); break;
+            case 2: w->overlap_box_each({{-1, -1}, {100, 1}}, {}, overlap, &visit); break;
+            case 3: w->overlap_shape_each(make_proxy(make_box(50, 0.2f)), {}, overlap, &visit); break;
+            case 4: w->overlap_point_each({0, 0}, {}, overlap, &visit); break;
+            }
+            EXPECT_GT(visit.seen, 0);
+            EXPECT_STREQ(w->validate(), nullptr);
+            w.step(10);
+            EXPECT_STREQ(w->validate(), nullptr);
+            // What came late in a search may be stale; nothing else goes wrong.
+            for (const Error e : w.errors) EXPECT_EQ(e, Error::stale_id) << describe(e);
+        }
     }
 }
 

@@ -51,7 +51,10 @@ ShapeDef upwards() {
 }
 
 TEST(OneWay, OfTenThousandThrowsThoseThatClearTheLedgeStandOnItAndTheOthersFallBack) {
-    // What it should be is told by the same throw without the ledge: it is held if all of the body was above the ledge's top at the end of any step.
+    // What it should be is told by the same throw without the ledge: it is held if all of the body was above the ledge's top at the end of any step. What
+    // misses that by the slop (5 mm, by which what rests on something may be sunk into it) or less may be held too.
+    constexpr double slop = 0.005;
+    constexpr double rounding = 1e-4;  // m; the body moves alike in both worlds, but the engine computes the height in another frame: 20 roundings of 40 m
     int wrong = 0, held = 0, lifted = 0;
     double least_lift = 0;
     for (std::uint64_t seed = 0; seed < 10000; ++seed) {
@@ -73,7 +76,7 @@ TEST(OneWay, OfTenThousandThrowsThoseThatClearTheLedgeStandOnItAndTheOthersFallB
             without.world.step(1, dt);
             highest = std::fmax(highest, without.lowest(free) - double(ledge_top));
         }
-        if (std::fabs(highest) < 0.015) continue;  // that near either will do
+        if (highest > -slop - rounding && highest < rounding) continue;
         Site with(thickness, upwards());
         const BodyId body = add_thrown(with.world, kind, def);
         with.world.step(steps, dt);

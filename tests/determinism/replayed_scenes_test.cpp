@@ -39,9 +39,9 @@ TEST_P(Recorded, SceneIsReplayedToTheSameHashesAtAnyNumberOfLanes) {
 
     RecordingInfo head;
     ASSERT_EQ(read_recording(bytes, head), Error::none);
-    for (const std::uint32_t lanes : {1u, 0u}) {
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 0u}) {
         WorldDef def = {.lanes = lanes};
-        TestWorld other(lanes == 1 ? head.needed : head.capacity, def);
+        TestWorld other(lanes != 0 ? head.needed : head.capacity, def);
         const ReplayResult result = replay(*other, bytes);
         ASSERT_EQ(result.end, ReplayEnd::complete) << describe(result.error) << " step " << result.steps << ", body " << result.body.index1;
         EXPECT_EQ(result.steps, std::uint64_t(steps));

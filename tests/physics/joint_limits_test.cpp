@@ -54,14 +54,74 @@ TEST_P(Limit, HoldsWhereItIsSet) {
             world->create_joint(RevoluteJointDef{.base = hung});
         }
         if (kind == Kind::rope && !up) world->set_transform(door, {limit + 0.5f, 0}, 0);
-        double farthest = 0;
+        // What is driven is at its limit from its arrival on. What falls arrives with a blow and rebounds: the limit stops it within one step's way, takes at least
+        // half of its energy, so that it gets up no more than half as high, and it is at its limit after two thirds of ten seconds.
+        const double at = double(up || kind == Kind::rope ? limit : -limit), outwards = up ? 1 : -1;
+        bool arrived = false;
+        double farthest = 0, beyond = 0, rebound = 0;
         for (int i = 0; i < 600; ++i) {
             if (kind == Kind::wheel && drive == Drive::motor) world->apply_force_to_center(door, {side * motor.max_force, 0});
             world.step();
-            if (i > 400) farthest = std::fmax(farthest, std::fabs(double(world->joint_position(joint)) - double(up || kind == Kind::rope ? limit : -limit)));
+            const double past = outwards * (double(world->joint_position(joint)) - at);
+            arrived = arrived || past > -tolerance;
+            if (!arrived) continue;
+            beyond = std::fmax(beyond, past);
+            rebound = std::fmax(rebound, -past);
+            if (drive == Drive::motor || i > 400) farthest = std::fmax(farthest, std::fabs(past));
         }
+        EXPECT_TRUE(arrived) << "start " << start;
         EXPECT_LT(farthest, tolerance) << "start " << start;
+        if (drive == Drive::load) {
+            // Where it has fallen, m; the squared speed on arrival is 2 g times that, and for the hinge 10.5 / 10.34 of it: moment by moment of inertia.
+            const auto depth = [&](double x) { return kind == Kind::hinge ? std::sin(x) : x; };
+            const double fall = depth(kind == Kind::rope ? double(limit) - 0.2 : double(limit));
+            EXPECT_LT(beyond, std::sqrt(20 * fall * 10.5 / 10.34) / 60 + tolerance) << "start " << start;
+            EXPECT_LT(depth(double(limit)) - depth(double(limit) - rebound), 0.5 * fall + tolerance) << "start " << start;
+        }
         ASSERT_EQ(world.errors.size(), 0u);
+    }
+}
+
+// The part of a steady force F that the limit does not yet take for its load, F exp(-t / T), presses the joint past the limit by its share of F / (m (2 pi hertz)^2).
+constexpr double load_time = 128.0 / 60;  // s, T
+
+/// A slider of which 100 m/s^2 pull at its limit, where it begins.
+struct Pulled {
+    TestWorld world;
+    JointId slider;
+    Pulled() : world(roomy, definition()) {
+        const BodyId ground = world->create_body({}), box = world.add_box({0, 0});
+        slider = world->create_joint(PrismaticJointDef{.base = {.body_a = ground, .body_b = box}, .limit = {.enable = true, .lower = -1, .upper = 0}});
+    }
+    static WorldDef definition() {
+        WorldDef def = sleepless();
+        def.gravity = {100, 0};
+        return def;
+    }
+    double past_after(double seconds, float dt) {
+        world.step(static_cast<int>(std::lround(seconds / double(dt))), dt);
+        return double(world->joint_position(slider));
+    }
+};
+
+TEST(LimitLoad, ALimitTakesUpItsLoadInTheSameTimeWhateverTheTimeStep) {
+    for (const float dt : {1.0f / 480, 1.0f / 240, 1.0f / 60, 1.0f / 30}) {
+        Pulled pulled;
+        const double early = pulled.past_after(0.5, dt), late = pulled.past_after(1.5, dt);
+        EXPECT_GT(early, 1e-4) << "dt 1/" << std::lround(1 / dt);
+        // The mean is an Euler step at a time: off by dt / 2T in the exponent.
+        EXPECT_NEAR(late / early, std::exp(-1.5 / load_time), 0.03) << "dt 1/" << std::lround(1 / dt);
+    }
+}
+
+TEST(LimitLoad, ALimitHoldsItsLoadWhenTheTimeStepChanges) {
+    for (const float then : {1.0f / 240, 1.0f / 120, 1.0f / 30, 1.0f / 15}) {
+        Pulled pulled;
+        pulled.past_after(20, 1.0f / 60);
+        const double hertz = std::fmin(60, 1 / double(then)), give = 100 / (2 * double(pi) * hertz * 2 * double(pi) * hertz);  // a quarter of 4 substeps
+        double farthest = 0;
+        for (int i = 0; i < 20; ++i) farthest = std::fmax(farthest, std::fabs(pulled.past_after(0.1, then)));
+        EXPECT_LT(farthest, 0.05 * give) << "then 1/" << std::lround(1 / then);
     }
 }
 

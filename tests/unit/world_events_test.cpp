@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "support/test_world.hpp"
@@ -191,6 +192,37 @@ TEST(Sleep, TheWholeIslandWakesTogether) {
         for (const BodyId id : stack) EXPECT_TRUE(w->is_awake(id));
         EXPECT_FALSE(w->is_awake(apart)) << "another island";
         EXPECT_EQ(w->validate(), nullptr);
+    }
+}
+
+TEST(Sleep, WhatLiesOnASurfaceWakesWhenTheSurfaceChanges) {
+    for (int way = 0; way < 3; ++way) {
+        SCOPED_TRACE(way);
+        TestWorld w;
+        // A slope that friction holds a box on, a floor, and a second shape of the same body that does not change.
+        const BodyId ground = w->create_body({});
+        const float angle = 0.3f;  // rad; friction holds up to atan 0.6 = 0.54
+        const ShapeId floor = w->create_shape(ground, make_offset_box(5, 1, {{0, -1}, {}}));
+        const ShapeId slope = w->create_shape(ground, make_offset_box(5, 1, {{20, 0}, make_rot(-angle)}));
+        w->create_shape(ground, make_offset_box(5, 1, {{40, -1}, {}}));
+        const BodyId on_floor = w.add_box({0, 0.5f}), apart = w.add_box({40, 0.5f});
+        const Vec2 across = rotate(make_rot(-angle), {0, 1.5f});
+        const BodyId on_slope = w.add(make_box(0.5f, 0.5f), BodyDef{.type = BodyType::dynamic, .position = Vec2{20, 0} + across, .angle = -angle});
+        w.step(240);
+        ASSERT_EQ(w->report().awake_bodies, 0u);
+        const Vec2 before[] = {w->position(on_floor), w->position(on_slope)};
+        switch (way) {
+        case 0: w->set_tangent_speed(floor, 1); break;
+        case 1: w->set_friction(slope, 0); break;
+        case 2: w->set_material(slope, {.friction = 0}); break;
+        }
+        EXPECT_EQ(w->is_awake(on_floor), way == 0);
+        EXPECT_EQ(w->is_awake(on_slope), way != 0);
+        EXPECT_FALSE(w->is_awake(apart));
+        w.step(60);
+        if (way == 0) EXPECT_GT(std::fabs(w->position(on_floor).x - before[0].x), 0.5f);
+        else EXPECT_LT(w->position(on_slope).y, before[1].y - 0.3f);
+        EXPECT_STREQ(w->validate(), nullptr);
     }
 }
 

@@ -118,9 +118,12 @@ struct Surface {
 
 /// Called for each hit, from the first on the way to the last, and in the order of their slots where fractions are equal. What it returns decides how to go
 /// on: 0 stops; a fraction above 0 cuts the way there, so that only hits up to it are still reported (1 cuts nothing, hit.fraction leaves what is as near);
-/// a negative number ignores the hit. It may call const functions of the world, queries too.
+/// a negative number ignores the hit.
+///
+/// A visitor may call any function of the world, and change it too if no other thread asks it anything meanwhile. Up to seven hits after a change may have been
+/// found before it: their ids may be stale (World::is_valid), their places old. Those after them are of the world as it is then.
 using CastVisitor = float (*)(const QueryHit& hit, void* context);
-/// Called for each shape found, in the order of their slots; false stops. It may call const functions of the world.
+/// Called for each shape found, in the order of their slots; false stops. It may change the world as a CastVisitor may.
 using OverlapVisitor = bool (*)(ShapeId shape, void* context);
 
 }  // namespace islet

@@ -174,8 +174,8 @@ struct SolverDef {
                                     ///< the two bodies it joins. Lower: more trees. (Not for masses above 1e18 kg: their squares overflow.)
     SweepOrder sweep_order = SweepOrder::colored;  ///< With block_contacts, colored stands for as_found.
     bool block_contacts = false;                   ///< Solve the two normal impulses of a contact together, exactly.
-    float shock = 0;                ///< 0 to max_shock. Shock propagation: by this share a body is taken for lighter than what it lies on. For what stands: blows
-                                    ///< and the forces reported are those of the lighter bodies. From 0.5 on not with joints in the pile.
+    float shock = 0;  ///< 0 to max_shock. Shock propagation: by this share a body is taken for lighter than what it lies on. For what stands: blows
+                      ///< and the forces reported are those of the lighter bodies. From 0.5 on not with joints in the pile.
     bool measure_residual = false;  ///< Measure after each step how far the impulses are from a solution: World::residual.
     float tolerance = 0;            ///< m/s, >= 0. Above 0: no more sweeps of a kind within a substep once the residual is at most this; islands that
                                     ///< are solved together (neighbours, see StepReport::batches) end together. Measuring costs two to three sweeps.
@@ -267,7 +267,9 @@ struct ShapeDef {
                                  ///< until all of it is beyond the platform's farthest point along the direction; from then on it is held, until it
                                  ///< leaves. Bodies, fast ones too, and movers are held; queries see the platform as any other shape. What stands
                                  ///< on it drops through if the pre_solve hook disables the contact once (pre_solve of either shape), or if a
-                                 ///< filter forbids the contact. Errors: not_finite; feature_cut.
+                                 ///< filter forbids the contact. Of two one-way shapes each must hold the other. Where the two were before they met is
+                                 ///< told by their velocities: a body may pass if one of these is set in the very step that they meet in.
+                                 ///< Errors: not_finite; feature_cut.
     std::uint32_t material = 0;  ///< SurfaceMaterial::id
     std::uint64_t user_data = 0;
 };

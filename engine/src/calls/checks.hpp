@@ -19,14 +19,14 @@ inline bool check(const Core& core, bool good, Error error) {
     return good;
 }
 
-/// False, with the error recorded, if the world is calling a function of the user's (Inside). Every public function that changes the world or shows all of it
-/// asks; those that are given an id ask through the next three functions.
-ISLET_SHARED bool may_change(const Core& core) { return check(core, core.inside == 0, Error::in_step); }
+/// False, with in_step recorded, if the world is calling a function of the user's (Inside, Closed). Every public function that changes the world or shows all
+/// of it checks this first; those that are given an id do so through the next three functions.
+ISLET_SHARED bool check_open(const Core& core) { return check(core, core.inside == 0, Error::in_step); }
 
 /// The slot of what is about to be changed. (Functions that only read have a const Core, and so call the three above.)
-ISLET_SHARED std::uint32_t find_body(Core& core, BodyId id) { return may_change(core) ? find_body(static_cast<const Core&>(core), id) : null_index; }
-ISLET_SHARED std::uint32_t find_shape(Core& core, ShapeId id) { return may_change(core) ? find_shape(static_cast<const Core&>(core), id) : null_index; }
-ISLET_SHARED std::uint32_t find_joint(Core& core, JointId id) { return may_change(core) ? find_joint(static_cast<const Core&>(core), id) : null_index; }
+ISLET_SHARED std::uint32_t find_body(Core& core, BodyId id) { return check_open(core) ? find_body(static_cast<const Core&>(core), id) : null_index; }
+ISLET_SHARED std::uint32_t find_shape(Core& core, ShapeId id) { return check_open(core) ? find_shape(static_cast<const Core&>(core), id) : null_index; }
+ISLET_SHARED std::uint32_t find_joint(Core& core, JointId id) { return check_open(core) ? find_joint(static_cast<const Core&>(core), id) : null_index; }
 
 /// Nothing times a number is 0, but for infinities and NaN.
 template <class... Floats>

@@ -139,7 +139,7 @@ void write_stepped(World& world) {
 
 bool World::start_recording(std::span<std::byte> buffer, bool bodies) {
     Core& c = core();
-    if (!may_change(c) || !check(c, has_recorder, Error::feature_cut)) return false;
+    if (!check_open(c) || !check(c, has_recorder, Error::feature_cut)) return false;
     if (!check(c, reinterpret_cast<std::uintptr_t>(buffer.data()) % recording_alignment == 0, Error::image_misaligned)) return false;
     const std::size_t image_bytes = snapshot_bytes();
     if (!check(c, buffer.size() >= calls_at(image_bytes), Error::recording_full)) return false;
@@ -158,7 +158,7 @@ std::size_t World::recorded_bytes() const { return core().recording != nullptr ?
 bool World::move_recording(std::span<std::byte> buffer) {
     Core& c = core();
     RecordingHead* head = c.recording;
-    if (!may_change(c) || !check(c, head != nullptr, Error::not_a_recording)) return false;
+    if (!check_open(c) || !check(c, head != nullptr, Error::not_a_recording)) return false;
     if (!check(c, reinterpret_cast<std::uintptr_t>(buffer.data()) % recording_alignment == 0, Error::image_misaligned)) return false;
     if (!check(c, buffer.size() / 8 * 8 >= head->used, Error::recording_full)) return false;
     std::memmove(buffer.data(), head, static_cast<std::size_t>(head->used));
@@ -169,7 +169,7 @@ bool World::move_recording(std::span<std::byte> buffer) {
 
 std::size_t World::stop_recording() {
     Core& c = core();
-    if (!may_change(c) || !check(c, c.recording != nullptr, Error::not_a_recording)) return 0;
+    if (!check_open(c) || !check(c, c.recording != nullptr, Error::not_a_recording)) return 0;
     {
         const std::uint64_t sum = c.recording->sum;
         CallWriter writer(c, Call::ended);

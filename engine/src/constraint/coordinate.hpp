@@ -8,8 +8,8 @@
 //     upper     C = upper - x >= 0,  lambda >= 0, pulls the other way
 // A rigid row is soft (softness.hpp): in each sweep it loses a part of its impulse, and under a steady load it gives way until its error makes up for
 // that. A limit loses a part only of the impulse that exceeds its load, so that it holds where it is set. The load is what the joint's own motor puts on the
-// limit, and a running mean of what else the limit bore (load_share). (Without any loss the impulse follows the error like an integrating controller, which
-// swings up where the load is much heavier than the bodies of the joint. A mean over fewer steps does the same.)
+// limit, and a running mean of what else the limit bore (load_rate). (Without any loss the impulse follows the error like an integrating controller, which
+// swings up where the load is much heavier than the bodies of the joint. A mean over a shorter time does the same.)
 // Units: rad, N m s and so on for an angle; m, N s for a length. Limits are speculative: they may be reached within the substep, not passed
 // (Catto, "Solver2D", 2024).
 #pragma once
@@ -33,7 +33,7 @@ struct CoordinateRows {
     std::uint8_t pad[W * 4 - 4];
 };
 
-inline constexpr float load_share = 1.0f / 128;  // share of the difference by which the load follows the impulse in each step: slower than joints swing
+inline constexpr float load_rate = 60.0f / 128;  // 1/s, at which the load follows the impulse: slower than joints swing
 
 inline constexpr float no_bound = 1.0e12f;  // m or rad: what is farther is out of reach, and its products could leave the range of float
 inline float within_bound(float a) { return within_bounds(a, no_bound); }
@@ -77,19 +77,21 @@ float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, c
         r.upper[lane] = within_bound(j.upper);
         r.low[lane] = n.warm * j.lower_impulse;
         r.high[lane] = n.warm * j.upper_impulse;
-        r.load[lane] = n.warm * (j.limit_load() - own_drive(j));
+        r.load[lane] = n.warm * (j.limit_load - own_drive(j));
     }
     return r.spring[lane] + r.motor[lane] + r.friction[lane] + r.low[lane] - r.high[lane];
 }
 
 template <std::uint32_t W>
-ISLET_SHARED void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane, Joint& j) {
+ISLET_SHARED void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
     j.spring_impulse = r.spring[lane];
     j.motor_impulse = r.motor[lane];
     j.friction_impulse = r.friction[lane];
     j.lower_impulse = r.low[lane];
     j.upper_impulse = r.high[lane];
-    if ((j.flags & joint_limit) != 0) j.limit_load() += load_share * (r.low[lane] - r.high[lane] + own_drive(j) - j.limit_load());
+    if ((j.flags & joint_limit) == 0) return;
+    const float before = out.warm * j.limit_load;  // in this step's substeps
+    j.limit_load = before + load_rate * out.dt * (r.low[lane] - r.high[lane] + own_drive(j) - before);
 }
 
 /// The sum of the impulses so far.

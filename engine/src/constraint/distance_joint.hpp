@@ -70,8 +70,8 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, DistanceRows<
 }
 
 template <std::uint32_t W>
-void store(const DistanceRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
-    get_coordinate(r.free, lane, j);
+void store(const DistanceRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+    get_coordinate(r.free, lane, j, out);
     j.impulse = {r.rod[lane], 0};
     j.torque_impulse = 0;
 }

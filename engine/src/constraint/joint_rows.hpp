@@ -173,7 +173,8 @@ struct JointOutput {
     Joint* joints;
     Body* bodies;
     const SolverBody* solved;
-    float h;  // s, substep
+    float dt, h;  // s, step and substep
+    float warm;   // StepNumbers::warm
 };
 
 template <class L>
@@ -287,7 +288,7 @@ inline void forget_unsound(Joint& j) {
     for (const float impulse : impulses) size += impulse;
     if (abs(j.force_impulse.x) + abs(j.force_impulse.y) + abs(j.torque_impulse) < unsound_impulse && is_finite(size)) return;
     std::memset(reinterpret_cast<std::byte*>(&j) + first, 0, bytes);
-    if ((j.flags & joint_limit) != 0) j.limit_load() = 0;
+    if ((j.flags & joint_limit) != 0) j.limit_load = 0;
 }
 
 /// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in free_motion.hpp). What cannot

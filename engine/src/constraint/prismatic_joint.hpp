@@ -86,8 +86,8 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, SliderRows<L:
 }
 
 template <std::uint32_t W>
-void store(const SliderRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput&) {
-    get_coordinate(r.free, lane, j);
+void store(const SliderRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+    get_coordinate(r.free, lane, j, out);
     j.impulse = {r.across[lane], 0};
     j.angular_impulse = j.torque_impulse = r.turning[lane];
 }

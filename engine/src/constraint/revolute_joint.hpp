@@ -90,7 +90,7 @@ void store(const PointRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
 template <std::uint32_t W>
 void store(const HingeRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
     j.impulse = j.force_impulse;
-    get_coordinate(r.free, lane, j);
+    get_coordinate(r.free, lane, j, out);
     j.torque_impulse = coordinate_impulse(j);
     j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
 }

@@ -82,7 +82,7 @@ enum ShapeFlags : std::uint32_t {
     shape_unseen = 2u,  // sensors do not see it
     shape_hit_events = 4u,
     shape_pre_solve = 8u,        // the pre-solve hook is asked about its contacts
-    shape_all_flags = 15u,       // all flags that State::asked keeps
+    shape_single_bits = 15u,     // those above
     asked_one_way = 16u,         // in State::asked alone: some shape was one-way
     shape_one_way_bits = ~255u,  // ShapeDef::one_way, x and y of 12 bits each (flags_of_direction); 0: no one-way shape
 };
@@ -104,7 +104,7 @@ struct Shape {
 
 /// What State::asked keeps of a shape's flags.
 inline std::uint32_t asked_of(std::uint32_t flags) {
-    return (flags & shape_all_flags) | ((flags & shape_one_way_bits) != 0 ? std::uint32_t{asked_one_way} : 0u);
+    return (flags & shape_single_bits) | ((flags & shape_one_way_bits) != 0 ? std::uint32_t{asked_one_way} : 0u);
 }
 
 /// Packs the direction of a one-way shape into its flags, to 1/1000 rad, exactly if it is along an axis; and unpacks it, unit or zero.
@@ -188,6 +188,10 @@ struct ContactManifold {
     ISLET_INLINE std::uint32_t count() const { return flags >> contact_count_shift & 3u; }
     ISLET_INLINE std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
+    void forget_points() {  // and made anew in the next step
+        flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead);
+        separation[0] = separation[1] = 0;
+    }
     void forget_impulses() { normal_impulse[0] = normal_impulse[1] = tangent_impulse[0] = tangent_impulse[1] = rolling_impulse = 0; }
 };
 
@@ -220,8 +224,11 @@ struct Joint {
     float lower = 0, upper = 0;
     float motor_speed = 0, motor_max = 0;  // of a motor joint: angular velocity, greatest force
     float friction = 0;
-    float length = 0;                                                                                // distance: of the rod; pulley, gear: the constant
-    float ratio = 0;                                                                                 // pulley, gear; of a joint with a limit: limit_load()
+    float length = 0;      // distance: of the rod; pulley, gear: the constant
+    union {                // by type
+        float ratio = 0;   // pulley, gear
+        float limit_load;  // of joints with a limit: N s or N m s over a substep, without the joint's own motor (constraint/coordinate.hpp)
+    };
     float linear_hertz = 0, linear_damping_ratio = 0, angular_hertz = 0, angular_damping_ratio = 0;  // weld, motor, mouse
     Vec2 velocity;                                                                                   // motor
     float max_torque = 0;                                                                            // motor
@@ -239,8 +246,6 @@ struct Joint {
     std::uint64_t user_data = 0;
 
     JointType joint_type() const { return known(static_cast<JointType>(type)); }
-    float limit_load() const { return ratio; }  // N s or N m s over a substep, without the joint's own motor: coordinate.hpp
-    float& limit_load() { return ratio; }
     ISLET_INLINE std::uint32_t color() const { return flags >> joint_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << joint_color_shift)) | color << joint_color_shift; }
 };

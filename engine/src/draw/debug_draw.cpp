@@ -141,7 +141,7 @@ void World::draw_shape(const DebugDraw& d, ShapeId shape, const Transform& pose,
 void World::draw(const DebugDraw& d) const {
     const Core& c = core();
     const DefaultFloatMode mode;
-    if (!may_change(c) || !check_draw(c, d)) return;
+    if (!check_open(c) || !check_draw(c, d)) return;
     const Closed closed(c);
     if (d.shapes) draw_shapes(c, d);
     if (d.boxes || d.fat_boxes) draw_boxes(c, d);

@@ -50,8 +50,7 @@ void ask_pre_solve(Core& core, std::uint32_t index) {
     core.hooks.pre_solve(asked, core.hooks.context);
 
     if (!asked.enabled) {
-        // Made anew in the next step, so that the hook can be asked again.
-        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed);
+        m.forget_points();  // so that the hook can be asked again
         if ((m.flags & contact_one_way) != 0) m.flags |= contact_passes | contact_dropped;
         return m.forget_impulses();
     }
@@ -71,7 +70,7 @@ Hooks World::hooks() const {
 
 void World::set_hooks(const Hooks& hooks) {
     link_hooks();
-    if (may_change(core()) && check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
+    if (check_open(core()) && check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
 }
 
 }  // namespace islet

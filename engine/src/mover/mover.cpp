@@ -226,7 +226,7 @@ void press(Mover& m, float wanted) {
 
 bool check_mover(const Core& core, const MoverDef& d, const MoverState& s, const MoverInput& in, float dt) {
     const Vec2 v = s.velocity;
-    return may_change(core) && check(core, is_time_step(dt), Error::bad_time_step) && check(core, islet::is_valid(d.capsule), Error::bad_geometry) &&
+    return check_open(core) && check(core, is_time_step(dt), Error::bad_time_step) && check(core, islet::is_valid(d.capsule), Error::bad_geometry) &&
            check_finite(core, d.up) && check(core, abs(length(d.up) - 1) <= 1e-3f, Error::out_of_range) &&
            check_range(core, d.gravity_scale, -max_coefficient, max_coefficient) && check_range(core, d.max_slope, 0, 1.5f) &&
            check_range(core, d.step_height, 0, max_position) && check_range(core, d.snap_distance, 0, max_position) &&

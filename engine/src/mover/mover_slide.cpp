@@ -26,10 +26,12 @@ bool stands_in_the_way(const Mover& m, const Surface& s) {
     if (has_one_way && one_way_is_linked()) {
         const Vec2 points[] = {m.def.capsule.point1, m.def.capsule.point2};
         const Corners capsule = {points, 2, m.def.capsule.radius};
-        if (height_above(Core::of(m.world), s.shape.index1 - 1, capsule, {m.state.position, {}}) < -linear_slop) return false;
+        if (height_above(Core::of(m.world), s.shape.index1 - 1, capsule, {m.state.position, {}}) < least_above) return false;
     }
     const MoverFilter collides_hook = m.def.collides;
-    return collides_hook == nullptr || collides_hook(s, m.def.context);
+    if (collides_hook == nullptr) return true;
+    const Closed closed(Core::of(m.world));
+    return collides_hook(s, m.def.context);
 }
 
 float worst_breach(Vec2 x, const Bound* bounds, std::uint32_t count) {

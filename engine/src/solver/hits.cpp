@@ -71,7 +71,7 @@ float World::hit_threshold() const { return core().state->hit_threshold; }
 
 void World::set_hit_threshold(float speed) {
     note_call<Call::set_hit_threshold>(core(), speed);
-    if (may_change(core()) && check_range(core(), speed, 0, no_limit)) core().state->hit_threshold = speed;
+    if (check_open(core()) && check_range(core(), speed, 0, no_limit)) core().state->hit_threshold = speed;
 }
 
 }  // namespace islet

@@ -442,7 +442,7 @@ void BatchSolve<K>::store() {
     ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
-    const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.h};
+    const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.dt, s.numbers.h, s.numbers.warm};
     if (tree_count() != 0) store_trees(s.trees + batch.first_tree, tree_count(), out);
     for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
         const JointRun& r = s.plan.runs[i];

@@ -13,8 +13,8 @@ bool check_solver(const SolverDef& d, Error& error) {
     const bool sane = (d.schedule == Schedule::soft || d.schedule == Schedule::classic) && d.substeps >= 1 && d.substeps <= 64 && d.iterations >= 1 &&
                       d.iterations <= 256 && d.relax_iterations <= 256 && d.contact_hertz > 0 && d.contact_damping_ratio >= 0 && d.contact_push_speed >= 0 &&
                       d.joint_hertz > 0 && d.joint_damping_ratio >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 && d.omega < 2 &&
-                      d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1 && d.sweep_order <= SweepOrder::downward && d.shock >= 0 && d.shock <= max_shock &&
-                      d.tolerance >= 0;
+                      d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1 && d.sweep_order <= SweepOrder::downward && d.shock >= 0 &&
+                      d.shock <= max_shock && d.tolerance >= 0;
     const bool cut = (!has_tuning && needs_tuning(d)) || (!ISLET_IS_LINKED(solve_in_order) && needs_ordering(d));
     error = !finite ? Error::not_finite : !sane ? Error::out_of_range : cut ? Error::feature_cut : Error::none;
     return error == Error::none;

@@ -48,7 +48,7 @@ bool is_valid_geometry(const Geometry& g) {
 
 const char* fault_in_numbers(const State& s) {
     if (s.solver.schedule > 1 || s.solver.warm_start > 1 || s.solver.joint_trees > 2 || s.solver.sweep_order > 3 || s.solver.block_contacts > 1 ||
-        s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1 || s.continuous > 1 || s.asked > (shape_all_flags | asked_one_way))
+        s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1 || s.continuous > 1 || s.asked > (shape_single_bits | asked_one_way))
         return "a setting of the world is none";
     Error error = Error::none;
     const bool sane = check_solver(unpack(s.solver), error) && is_finite(s.gravity) && not_negative(s.restitution_threshold) && s.max_speed > 0 &&
@@ -79,7 +79,7 @@ const char* fault_in_numbers(const Shape& s, const Aabb& box) {
     const bool sane = within(s.friction, 0, max_coefficient) && within(s.restitution, 0, 1) && within(s.rolling_resistance, 0, max_coefficient) &&
                       within(s.tangent_speed, -max_speed_limit, max_speed_limit) && not_negative(s.density) && within(s.margin, 0, max_box_margin);
     if (!sane) return "a shape's material is out of range";
-    if ((s.flags & ~static_cast<std::uint32_t>(shape_all_flags | shape_one_way_bits)) != 0) return "a shape's flags are none";
+    if ((s.flags & ~static_cast<std::uint32_t>(shape_single_bits | shape_one_way_bits)) != 0) return "a shape's flags are none";
     const bool ordered = box.lower.x <= box.upper.x && box.lower.y <= box.upper.y;
     return ordered && is_near(box.lower) && is_near(box.upper) ? nullptr : "a box is inside out or far away";
 }

@@ -63,7 +63,7 @@ private:
 
 std::uint64_t World::hash() const {
     const Core& c = core();
-    if (!may_change(c)) return 0;
+    if (!check_open(c)) return 0;
     const State& s = *c.state;
     Hasher h;
     h.pool(s.body_pool);

@@ -233,7 +233,7 @@ std::size_t World::snapshot_bytes() const { return static_cast<std::size_t>(head
 std::size_t World::save(std::span<std::byte> out) const {
     const Core& c = core();
     ImageHeader h = header_of(c);
-    if (!may_change(c) || !check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
+    if (!check_open(c) || !check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
     Writer writer(out.data());
     writer.write(reinterpret_cast<const std::byte*>(&h) + sizeof h.head, sizeof h - sizeof h.head);
     for_each_part(c, h, [&](const auto* from, std::uint64_t bytes) { writer.write(waiting(c, from), bytes); });
@@ -246,7 +246,7 @@ bool World::restore(std::span<const std::byte> image) {
     Core& c = core();
     ImageHeader h;
     const Error error = read_header(image, h);
-    if (!may_change(c) || !check(c, error == Error::none, error) || !check(c, fits(c.capacity, h), Error::image_too_large)) return false;
+    if (!check_open(c) || !check(c, error == Error::none, error) || !check(c, fits(c.capacity, h), Error::image_too_large)) return false;
     if (!check(c, h.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
     if (!check(c, can_tell(image.data()), Error::feature_cut)) return false;
     take_over(c, h, image.data());
@@ -258,7 +258,7 @@ bool World::load(std::span<const std::byte> image) {
     Core& c = core();
     ImageHeader h;
     const Error error = read_header(image, h);
-    if (!may_change(c) || !check(c, error == Error::none, error)) return false;
+    if (!check_open(c) || !check(c, error == Error::none, error)) return false;
     if (!check(c, reinterpret_cast<std::uintptr_t>(image.data()) % snapshot_alignment == 0, Error::image_misaligned)) return false;
     if (!check(c, image_checksum(image) == h.head.checksum, Error::corrupt_image)) return false;
     if (!check(c, fits(c.capacity, h), Error::image_too_large)) return false;

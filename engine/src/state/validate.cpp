@@ -29,7 +29,7 @@ const char* fault_in_pair_set(const Core& c) {
 
 const char* World::validate() const {
     const Core& c = core();
-    if (!may_change(c)) return "the world is in the middle of a call";
+    if (!check_open(c)) return "the world is in the middle of a call";
     const char* bad = find_fault(c, c.arena());
     return bad != nullptr ? bad : fault_in_pair_set(c);
 }

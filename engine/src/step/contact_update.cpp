@@ -176,7 +176,7 @@ Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32
         return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
     const bool one_way = has_one_way && (m.flags & contact_one_way) != 0;
     if (one_way && !decide_one_way(core, index, m.flags, dt)) {
-        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead);
+        m.forget_points();
         m.forget_impulses();
         return (m.flags & contact_touching) != 0 ? Change::changes : Change::none;
     }

@@ -25,6 +25,8 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float least_lean = 1.0e-4f;            // a normal that leans less does not lean
+inline constexpr float least_slope = 1.0e-6f;           // sine of the angle below which a line is parallel to a face
+inline constexpr std::uint32_t most_pieces = 4;         // in a row that cover one side: a side behind more is no part of a floor
 inline constexpr float gap_width = 0.2f * linear_slop;  // m: a neighbour that covers a side holds what is this far in front of it
 
 // Signed distance of a point from the plane of a face of the core, body frame.
@@ -48,7 +50,7 @@ Span held_by(const Polygon& p, Vec2 start, Vec2 direction, Span part) {
     for (std::uint32_t i = 0; i < p.count; ++i) {
         const float height = height_over(p, i, start) - p.radius;
         const float slope = dot(p.normals[i], direction);
-        if (abs(slope) < 1.0e-6f) {
+        if (abs(slope) < least_slope) {
             if (height > 0) return {1, 0};
         } else if (slope > 0) {
             part.high = min(part.high, -height / slope);
@@ -107,9 +109,9 @@ struct Floor {
         const float end = clamp(reach.high + radius, inset, length - inset);
         float covered = clamp(reach.low - radius, inset, length - inset);
         float lean = 0;
-        // Each pass goes on where the last one ended. Four passes are enough: a side behind more pieces in a row is no part of a floor.
+        // Each pass goes on where the last one ended.
         bool found = true;
-        for (std::uint32_t pass = 0; pass < 4 && found; ++pass) {
+        for (std::uint32_t pass = 0; pass < most_pieces && found; ++pass) {
             found = false;
             for_each_neighbor([&](const Polygon& its, const Transform& to_its) {
                 const Span held = held_by(its, transform_point(to_its, start), rotate(to_its.q, along), {covered, end});

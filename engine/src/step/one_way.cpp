@@ -4,15 +4,15 @@
 
 #include "../bodies/bounds.hpp"
 #include "../collide/corners.hpp"
-#include "../collide/manifold.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {
 
 namespace {
 
-inline constexpr float out_of_reach = 1.0e12f;  // m
-inline constexpr float least_rise = 0.1f;       // cosine between a normal and `up` from which the normal leads up: what slides past an end is not held there
+inline constexpr float out_of_reach = 1.0e12f;      // m
+inline constexpr float clear_height = linear_slop;  // m, from which what was dropped is held again
+inline constexpr float least_rise = 0.1f;  // cosine between a normal and `up` from which the normal leads up: what slides past an end is not held there
 
 /// The lowest point of a shape along a direction.
 struct Lowest {
@@ -77,12 +77,12 @@ void link_one_way() {}
 bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flags, float dt) {
     const Contact& c = core.contacts[contact];
     const float height = min(height_above(core, c.shape_a, c.shape_b), height_above(core, c.shape_b, c.shape_a));
-    const bool dropped = (flags & contact_dropped) != 0 && height < linear_slop;
-    bool passes = (flags & contact_passes) != 0 && height < -linear_slop;
+    const bool dropped = (flags & contact_dropped) != 0 && height < clear_height;
+    bool passes = (flags & contact_passes) != 0 && height < least_above;
     if ((flags & (contact_passes | contact_posed)) == 0) {
         // A new contact. Before their boxes met, the other may have gone a step's way into the shape: so it also holds if the other was above a step ago.
         const float before = min(height_before(core, c.shape_a, c.shape_b, dt), height_before(core, c.shape_b, c.shape_a, dt));
-        passes = max(height, before) < -linear_slop;
+        passes = max(height, before) < least_above;
     }
     flags &= ~static_cast<std::uint32_t>(contact_passes | contact_dropped);
     flags |= (dropped ? std::uint32_t{contact_dropped} : 0u) | (dropped || passes ? std::uint32_t{contact_passes} : 0u);
@@ -99,8 +99,7 @@ void mend_one_way(Core& core, std::uint32_t contact) {
         const Vec2 up = rotate(core.poses[is_a ? m.body_a : m.body_b].q, pair.up);
         const float rise = is_a ? dot(up, m.normal) : -dot(up, m.normal);
         if (rise >= least_rise) continue;
-        m.flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead);
-        m.separation[0] = m.separation[1] = 0;
+        m.forget_points();
         if (rise > -least_rise) continue;
         const Lowest low = pair.lowest();
         const Transform pose = body_transform(core, core.shapes[other].body);
@@ -115,7 +114,7 @@ void mend_one_way(Core& core, std::uint32_t contact) {
         m.flags |= 1u << contact_count_shift;
     }
     // Not above, and no point of contact: the other has left past an end.
-    if (m.count() == 0 && min(height_above(core, c.shape_a, c.shape_b), height_above(core, c.shape_b, c.shape_a)) < -linear_slop) m.flags |= contact_passes;
+    if (m.count() == 0 && min(height_above(core, c.shape_a, c.shape_b), height_above(core, c.shape_b, c.shape_a)) < least_above) m.flags |= contact_passes;
 }
 
 }  // namespace islet::detail

@@ -11,9 +11,12 @@
 #pragma once
 
 #include "../collide/corners.hpp"
+#include "../collide/manifold.hpp"
 #include "../data/core.hpp"
 
 namespace islet::detail {
+
+inline constexpr float least_above = -linear_slop;  // m: from this height on a shape is above, for what rests may be sunk in by a slop
 
 /// How far the other shape is above the highest point of `shape`, m along its direction; huge if the shape is not one-way.
 ISLET_OPTIONAL float height_above(const Core& core, std::uint32_t shape, std::uint32_t other);

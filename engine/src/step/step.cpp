@@ -60,7 +60,7 @@ void World::step(float dt) {
     Core& c = core();
     if (!c.exact) return c.fail(Error::inexact_build);
     note_call<Call::step>(c, dt);
-    if (!may_change(c) || !check(c, is_time_step(dt), Error::bad_time_step)) return;
+    if (!check_open(c) || !check(c, is_time_step(dt), Error::bad_time_step)) return;
     const DefaultFloatMode mode;
     c.inside = inside_call;
     note(c, Stage::begin);

@@ -23,7 +23,7 @@ namespace {
 bool check_def(const Core& core, const BodyDef& d) {
     const bool finite = all_finite(d.position.x, d.position.y, d.angle, d.linear_velocity.x, d.linear_velocity.y, d.angular_velocity, d.linear_damping,
                                    d.angular_damping, d.gravity_scale, d.sleep_threshold);
-    return may_change(core) && check(core, finite, Error::not_finite) && check_position(core, d.position) &&
+    return check_open(core) && check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
            check(core, has_sleep || d.awake, Error::feature_cut) &&
            check(core, !d.bullet || (has_continuous && ISLET_IS_LINKED(stop_bullets)), Error::feature_cut) &&

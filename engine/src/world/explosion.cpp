@@ -61,7 +61,7 @@ void World::explode(const ExplosionDef& d) {
     Core& c = core();
     note_call<Call::explode>(c, d);
     const DefaultFloatMode mode;
-    if (!may_change(c) || !check_explosion(c, d)) return;
+    if (!check_open(c) || !check_explosion(c, d)) return;
     const float reach = d.radius + d.falloff;
     const Aabb box = expand({d.position, d.position}, reach);
     for (std::uint32_t i = 0; i < c.state->shape_pool.high_water; ++i) {

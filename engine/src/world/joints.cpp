@@ -40,7 +40,7 @@ std::uint32_t find_joint(const Core& core, JointId id, std::uint32_t types) {
 }
 
 std::uint32_t find_joint(Core& core, JointId id, std::uint32_t types) {
-    return may_change(core) ? find_joint(static_cast<const Core&>(core), id, types) : null_index;
+    return check_open(core) ? find_joint(static_cast<const Core&>(core), id, types) : null_index;
 }
 
 void wake_bodies(Core& core, const Joint& j) {

@@ -159,12 +159,15 @@ Vec2 World::one_way(ShapeId id) const {
 
 void World::set_one_way(ShapeId id, Vec2 direction) {
     link_one_way();
-    note_call<Call::set_one_way>(core(), id, direction);
+    Core& c = core();
+    note_call<Call::set_one_way>(c, id, direction);
     const DefaultFloatMode mode;
-    if (find_shape(core(), id) == null_index || !check_finite(core(), direction)) return;
-    if (!check(core(), has_one_way || direction == Vec2{}, Error::feature_cut)) return;
-    set_flag(core(), id, shape_one_way_bits, false);
-    set_flag(core(), id, flags_of_direction(normalize(direction)), true);
+    const std::uint32_t i = find_shape(c, id);
+    if (i == null_index || !check_finite(c, direction) || !check(c, has_one_way || direction == Vec2{}, Error::feature_cut)) return;
+    Shape& s = c.shapes[i];
+    s.flags = (s.flags & ~std::uint32_t{shape_one_way_bits}) | flags_of_direction(normalize(direction));
+    c.state->asked |= asked_of(s.flags);
+    remix(c, i, contact_one_way);  // each contact is decided anew: one_way.cpp
 }
 
 void World::enable_sensor_events(ShapeId id, bool enable) {

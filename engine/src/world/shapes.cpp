@@ -67,8 +67,15 @@ void end_unwanted_contacts(Core& core, std::uint32_t shape) {
     });
 }
 
-void remix(Core& core, std::uint32_t shape) {
-    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t) { mix_materials(core, contact); });
+void remix(Core& core, std::uint32_t shape, std::uint32_t forget) {
+    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t side) {
+        const Contact& c = core.contacts[contact];
+        if (c.shape_a != shape && c.shape_b != shape) return;
+        ContactManifold& m = core.manifolds[contact];
+        m.flags &= ~forget;
+        mix_materials(core, contact);
+        if ((m.flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), core.arena());
+    });
     wake_island(core, core.shapes[shape].body, core.arena());
 }
 

@@ -10,8 +10,9 @@ void remove_shape(Core& core, std::uint32_t shape);
 /// Destroys the shape's contacts, or those that may no longer be, and wakes who was touched.
 void end_contacts_of_shape(Core& core, std::uint32_t shape);
 void end_unwanted_contacts(Core& core, std::uint32_t shape);
-/// After its material changed: materials are mixed when a contact is made, so this goes through the shape's contacts. Wakes the body.
-void remix(Core& core, std::uint32_t shape);
+/// After its material or its one-way direction changed: mixes materials again for the shape's contacts, after taking the flags `forget` (ContactFlags) from
+/// them. Wakes the body and what touches the shape.
+void remix(Core& core, std::uint32_t shape, std::uint32_t forget = 0);
 
 // The parts of making a shape:
 

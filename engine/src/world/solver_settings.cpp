@@ -14,7 +14,7 @@ void World::set_solver(const SolverDef& solver) {
     link_ordering();
     note_call<Call::set_solver>(core(), solver);
     Error error = Error::none;
-    if (!may_change(core())) return;
+    if (!check_open(core())) return;
     if (!check_solver(solver, error)) return core().fail(error);
     State& state = *core().state;
     const SolverState before = state.solver;

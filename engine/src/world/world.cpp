@@ -176,7 +176,7 @@ Vec2 World::gravity() const { return core().state->gravity; }
 
 void World::set_gravity(Vec2 gravity) {
     note_call<Call::set_gravity>(core(), gravity);
-    if (may_change(core()) && check_finite(core(), gravity)) core().state->gravity = gravity;
+    if (check_open(core()) && check_finite(core(), gravity)) core().state->gravity = gravity;
 }
 
 SolverDef World::solver() const { return unpack(core().state->solver); }
@@ -190,13 +190,13 @@ float World::residual(BodyId body) const {
 TaskSystem World::tasks() const { return core().tasks; }
 
 void World::set_tasks(const TaskSystem& tasks) {
-    if (may_change(core()) && check(core(), is_usable(tasks), Error::out_of_range)) core().tasks = tasks;
+    if (check_open(core()) && check(core(), is_usable(tasks), Error::out_of_range)) core().tasks = tasks;
 }
 
 void World::enable_sleep(bool enable) {
     Core& c = core();
     note_call<Call::enable_sleep>(c, enable);
-    if (!may_change(c) || !check(c, has_sleep || !enable, Error::feature_cut)) return;
+    if (!check_open(c) || !check(c, has_sleep || !enable, Error::feature_cut)) return;
     c.state->enable_sleep = enable ? 1 : 0;
     if (enable) return;
     for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)
@@ -207,7 +207,7 @@ bool World::continuous() const { return core().state->continuous != 0; }
 
 void World::enable_continuous(bool enable) {
     note_call<Call::enable_continuous>(core(), enable);
-    if (may_change(core()) && check(core(), has_continuous || !enable, Error::feature_cut)) core().state->continuous = enable ? 1 : 0;
+    if (check_open(core()) && check(core(), has_continuous || !enable, Error::feature_cut)) core().state->continuous = enable ? 1 : 0;
 }
 
 const Capacity& World::capacity() const { return core().capacity; }

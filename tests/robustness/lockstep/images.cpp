@@ -1,8 +1,7 @@
 #include "images.hpp"
 
 #include "support/busy_world.hpp"
-#include "support/forge.hpp"
-#include "calls/recorder.hpp"
+#include "support/forge_recording.hpp"
 
 namespace islet::lockstep {
 
@@ -246,7 +245,8 @@ void ImageHunt::attack(std::uint64_t seed, Chorus& all) {
     at_home = true;
     const Setup setup = ImageHunt::setup(seed);
 
-    if (random.one_in(32) && base.recording_bytes > 0) {  // a recording with something else in it
+    if (recordings_alone && base.recording_bytes == 0) return;
+    if (base.recording_bytes > 0 && (random.one_in(32) || recordings_alone)) {  // a recording with something else in it
         scratch_ = base.recording;
         std::span<std::byte> bytes = bytes_of(scratch_).first(base.recording_bytes);
         std::uint64_t image_bytes = 0;
@@ -258,9 +258,9 @@ void ImageHunt::attack(std::uint64_t seed, Chorus& all) {
             const std::uint32_t word = evil(word_at(scratch_, at), random);
             std::memcpy(bytes.data() + 4 * at, &word, 4);
         }
-        if (image_bytes <= bytes.size() - sizeof(detail::RecordingHead)) test::seal(bytes.subspan(sizeof(detail::RecordingHead), static_cast<std::size_t>(image_bytes)));
-        replay(all.first(), bytes);
+        const ReplayResult result = test::replay_forged(all.first(), bytes);
         ++replays;
+        if (result.end == ReplayEnd::complete) ++complete_replays;
         if (const char* fault = all.first().validate()) test::broken(fault);
         all.check();
         for (std::uint32_t i = 0; i < all.size(); ++i) all.voice(i).world->set_hooks({});

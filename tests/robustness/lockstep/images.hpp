@@ -16,7 +16,8 @@ public:
 
     /// Of even seeds one lane is compared with eight, of odd ones with four.
     static Setup setup(std::uint64_t seed);
-    unsigned long accepted = 0, deltas = 0, replays = 0;
+    unsigned long accepted = 0, deltas = 0, replays = 0, complete_replays = 0;
+    bool recordings_alone = false;
 
 private:
     struct Base {

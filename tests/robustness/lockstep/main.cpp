@@ -26,19 +26,19 @@ struct Options {
     std::uint32_t calls = ~0u;
     double seconds = 60, shrink_seconds = 60;
     int family = -1;
-    bool images = false, whole = false;
+    bool images = false, recordings = false, whole = false;
 };
 
 /// What the hunting process leaves for the one that watches it.
 struct Shared {
     std::uint64_t seed, worlds, calls, steps;
-    unsigned long accepted, deltas, replays;  // of mutants
+    unsigned long accepted, deltas, replays, complete_replays;  // of mutants
     std::uint32_t told;
     char what[256];
 };
 
 int usage() {
-    std::printf("islet_lockstep [--seed N] [--worlds N] [--seconds S] [--steps N] [--calls N] [--family NAME] [--images] [--whole] [--shrink-seconds S]\n"
+    std::printf("islet_lockstep [--seed N] [--worlds N] [--seconds S] [--steps N] [--calls N] [--family NAME] [--images] [--recordings] [--whole] [--shrink-seconds S]\n"
                 "  --seed N     the first world's (or mutants'); the next ones follow. Default 1\n"
                 "  --worlds N   so many worlds (mutants with --images) at most\n"
                 "  --seconds S  ends after so many seconds; 0: never. Default 60\n"
@@ -48,6 +48,7 @@ int usage() {
     for (const fuzz::Family& f : fuzz::families) std::printf(" %s", f.name);
     std::printf(". Default: all of them\n"
                 "  --images     forged images, deltas and recordings instead of calls\n"
+                "  --recordings  forged recordings alone\n"
                 "  --whole      prints a finding's program without making it small\n");
     return 2;
 }
@@ -56,6 +57,7 @@ int usage() {
 [[noreturn]] void hunt(const Options& o, Shared& shared) {
     static Stand stands[2];
     static ImageHunt images;
+    images.recordings_alone = o.recordings;
     const double end = o.seconds > 0 ? seconds_now() + o.seconds : 1e300;
     for (std::uint64_t i = 0; i < o.worlds && shared.steps < o.steps && seconds_now() < end; ++i) {
         shared.seed = o.seed + i;
@@ -82,6 +84,7 @@ int usage() {
         shared.accepted = images.accepted;
         shared.deltas = images.deltas;
         shared.replays = images.replays;
+        shared.complete_replays = images.complete_replays;
     }
     _exit(0);
 }
@@ -100,6 +103,7 @@ int report(const Options& o, const Shared& shared) {
         all.last_call = shared.told;
         try {
             static ImageHunt images;
+            images.recordings_alone = o.recordings;
             if (o.images) images.attack(shared.seed, all);
             else play(setup, all, o.calls);
         } catch (const Broken& broken) {
@@ -127,8 +131,8 @@ int watch(const Options& o) {
     const double took = seconds_now() - begin;
     const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
     if (o.images) {
-        std::printf("%llu mutants from seed %llu: %lu images accepted, %lu deltas applied, %lu recordings replayed; %llu steps in lockstep; %.0f mutants/s\n",
-                    number(shared->worlds), number(o.seed), shared->accepted, shared->deltas, shared->replays, number(shared->steps),
+        std::printf("%llu mutants from seed %llu: %lu images accepted, %lu deltas applied, %lu recordings replayed, %lu of them to the end; %llu steps in lockstep; %.0f mutants/s\n",
+                    number(shared->worlds), number(o.seed), shared->accepted, shared->deltas, shared->replays, shared->complete_replays, number(shared->steps),
                     static_cast<double>(shared->worlds) / took);
     } else {
         std::printf("%llu worlds from seed %llu: %llu calls, %llu steps in lockstep, %.0f steps/s\n", number(shared->worlds), number(o.seed),
@@ -149,8 +153,9 @@ int main(int count, char** arguments) {
     Options o;
     for (int i = 1; i < count; ++i) {
         const std::string name = arguments[i];
-        if (name == "--images") {
+        if (name == "--images" || name == "--recordings") {
             o.images = true;
+            o.recordings = o.recordings || name == "--recordings";
             continue;
         }
         if (name == "--whole") {
