@@ -73,7 +73,7 @@ TEST_P(Limit, HoldsWhereItIsSet) {
         EXPECT_LT(farthest, tolerance) << "start " << start;
         if (drive == Drive::load) {
             // Where it has fallen, m; the squared speed on arrival is 2 g times that, and for the hinge 10.5 / 10.34 of it: moment by moment of inertia.
-            const auto depth = [&](double x) { return kind == Kind::hinge ? std::sin(x) : x; };
+            const auto depth = [swings = kind == Kind::hinge](double x) { return swings ? std::sin(x) : x; };
             const double fall = depth(kind == Kind::rope ? double(limit) - 0.2 : double(limit));
             EXPECT_LT(beyond, std::sqrt(20 * fall * 10.5 / 10.34) / 60 + tolerance) << "start " << start;
             EXPECT_LT(depth(double(limit)) - depth(double(limit) - rebound), 0.5 * fall + tolerance) << "start " << start;

@@ -177,7 +177,7 @@ void World::enable_sensor_events(ShapeId id, bool enable) {
     if (i == null_index || ((c.shapes[i].flags & shape_unseen) == 0) == enable) return;
     c.shapes[i].flags ^= shape_unseen;
     c.state->asked |= asked_of(c.shapes[i].flags);
-    end_unwanted_contacts(c, i);
+    end_contacts_of_shape(c, i, true);
     mark_moved(c, i);
 }
 

@@ -22,10 +22,9 @@ using namespace detail;
 
 namespace {
 
-// Of a body's contact: wakes who was touched at the other side.
-void end_contact(Core& core, std::uint32_t contact, std::uint32_t side) {
+// Of a body's contact: wakes who is touched at the other side.
+ISLET_SHARED void wake_touched(Core& core, std::uint32_t contact, std::uint32_t side) {
     if ((core.manifolds[contact].flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), core.arena());
-    destroy_contact(core, contact);
 }
 
 }  // namespace
@@ -53,17 +52,12 @@ void remove_shape(Core& core, std::uint32_t index) {
     pool_give(core.state->shape_pool, core.shapes, index);
 }
 
-void end_contacts_of_shape(Core& core, std::uint32_t shape) {
+void end_contacts_of_shape(Core& core, std::uint32_t shape, bool unwanted) {
     for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t side) {
         const Contact& c = core.contacts[contact];
-        if (c.shape_a == shape || c.shape_b == shape) end_contact(core, contact, side);
-    });
-}
-
-void end_unwanted_contacts(Core& core, std::uint32_t shape) {
-    for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t side) {
-        const Contact& c = core.contacts[contact];
-        if ((c.shape_a == shape || c.shape_b == shape) && !may_collide(core, c.shape_a, c.shape_b)) end_contact(core, contact, side);
+        if ((c.shape_a != shape && c.shape_b != shape) || (unwanted && may_collide(core, c.shape_a, c.shape_b))) return;
+        wake_touched(core, contact, side);
+        destroy_contact(core, contact);
     });
 }
 
@@ -71,10 +65,9 @@ void remix(Core& core, std::uint32_t shape, std::uint32_t forget) {
     for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t side) {
         const Contact& c = core.contacts[contact];
         if (c.shape_a != shape && c.shape_b != shape) return;
-        ContactManifold& m = core.manifolds[contact];
-        m.flags &= ~forget;
+        core.manifolds[contact].flags &= ~forget;
         mix_materials(core, contact);
-        if ((m.flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), core.arena());
+        wake_touched(core, contact, side);
     });
     wake_island(core, core.shapes[shape].body, core.arena());
 }
@@ -314,7 +307,7 @@ void World::set_filter(ShapeId id, const Filter& filter) {
     if (i == null_index) return;
     c.shapes[i].filter = filter;
     wake_island(c, c.shapes[i].body, c.arena());
-    end_unwanted_contacts(c, i);
+    end_contacts_of_shape(c, i, true);
     mark_moved(c, i);
 }
 

@@ -7,9 +7,8 @@ namespace islet::detail {
 /// Takes a shape off its body and frees it, contacts first. The body's mass is left to the caller.
 void remove_shape(Core& core, std::uint32_t shape);
 
-/// Destroys the shape's contacts, or those that may no longer be, and wakes who was touched.
-void end_contacts_of_shape(Core& core, std::uint32_t shape);
-void end_unwanted_contacts(Core& core, std::uint32_t shape);
+/// Destroys the shape's contacts, or only those that may no longer be (`unwanted`), and wakes who was touched.
+void end_contacts_of_shape(Core& core, std::uint32_t shape, bool unwanted = false);
 /// After its material or its one-way direction changed: mixes materials again for the shape's contacts, after taking the flags `forget` (ContactFlags) from
 /// them. Wakes the body and what touches the shape.
 void remix(Core& core, std::uint32_t shape, std::uint32_t forget = 0);
