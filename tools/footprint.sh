@@ -17,7 +17,7 @@ targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 ris
 # Limits, so that nothing grows unseen: what was measured, and up to 200 bytes. Of flash for each target, bytes: every function, every feature, the smallest
 # program. (They rose by 3 kB with inner corners that hold, one-way shapes, calls refused from within hooks, and builds that would lose bits refused.)
 declare -A most_flash=(
-    [cortex-m3]='190800 86200 52200' [cortex-m4f]='173900 73400 44600' [cortex-m4f-lto]='- 68700 42800' [cortex-m7]='173500 73200 44500'
+    [cortex-m3]='190800 86200 52200' [cortex-m4f]='173900 73400 44600' [cortex-m4f-lto]='- 68800 42800' [cortex-m7]='173500 73200 44500'
     [cortex-m33]='173500 73200 44500' [cortex-m55]='173900 73300 44500' [riscv32]='184800 78000 48000'
 )
 most_stack=4096          # bytes
