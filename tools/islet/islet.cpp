@@ -307,7 +307,7 @@ struct CommandLine {
                                                                               {"downward", islet::SweepOrder::downward}};
         add_choice(*run, "--sweep-order", o.sweep_order, sweep_orders, "the order in which contacts are swept");
         run->add_flag("--block-contacts", o.block_contacts, "solve the two points of a contact together");
-        run->add_option("--shock", o.shock, "shock propagation: 0 none, 0.5 the most")->check(CLI::Range(0.0f, max_shock))->check(finite_number);
+        run->add_option("--shock", o.shock, "shock propagation: 0 none, 0.5 the most")->check(CLI::Range(0.0f, islet::max_shock))->check(finite_number);
         run->add_option("--tolerance", o.tolerance, "end sweeps at this residual, m/s")->check(CLI::NonNegativeNumber)->check(finite_number);
         run->add_flag("--residual", o.measure_residual, "measure how far the impulses are from a solution");
         run->add_option("--workers", o.workers, "threads to step with")->check(CLI::Range(1u, islet::max_workers));
