@@ -271,7 +271,7 @@ struct BatchSolve {
     /// work(first, end) over the slots of the batch's bodies.
     template <class Work>
     void over_bodies(Work&& work) {
-        over(batch.end_slot - batch.first_slot, slot_grain,
+        over(batch.body_count, slot_grain,
              [&](std::uint32_t first, std::uint32_t end) { work(batch.first_slot + first, batch.first_slot + end); });
     }
 
@@ -367,7 +367,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
 template <class K>
 float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
     const std::uint32_t* const island_of = s.plan.island_of;
-    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot)
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
         if (island_of[slot] != null_index) s.residuals[island_of[slot]] = 0;
     const auto try_contacts = [&]<class Kernel>(Kernel, typename Kernel::Rows& r, const SweepNumbers& numbers) {
         Trial trial(reinterpret_cast<std::byte*>(&r), sizeof r);
@@ -388,7 +388,7 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) try_joints(s.plan.runs[i], joints);
 
     float largest = 0;
-    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot)
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
         if (island_of[slot] != null_index) largest = max(largest, s.residuals[island_of[slot]]);
     return largest;
 }
