@@ -271,8 +271,7 @@ struct BatchSolve {
     /// work(first, end) over the slots of the batch's bodies.
     template <class Work>
     void over_bodies(Work&& work) {
-        over(batch.body_count, slot_grain,
-             [&](std::uint32_t first, std::uint32_t end) { work(batch.first_slot + first, batch.first_slot + end); });
+        over(batch.body_count, slot_grain, [&](std::uint32_t first, std::uint32_t end) { work(batch.first_slot + first, batch.first_slot + end); });
     }
 
     /// work(first block, end block, colour), colour by colour: rows of one colour share no body that can be pushed.
