@@ -20,7 +20,7 @@ ln -s "$root" islet
 for name in samples tools engine docs; do ln -s "$root/$name" "$name"; done
 mkdir build
 ln -s "$build" build/release
-PATH=$build/samples:$PATH
+PATH=$build/tools/islet:$build/samples:$PATH
 
 # has_options SCRIPT OPTION...: its help names each of them.
 has_options() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # promises_test.sh ROOT: each row of docs/promises.md names a page that exists and at least one test or script, and all of these exist.
-#   `folder.Suite.Test`, `folder.Suite.*`    a GoogleTest in tests/FOLDER; a name before a slash is that of an instance
+#   `folder.Suite.Test`, `folder.Suite.*`    a GoogleTest in tests/FOLDER (a.b: tests/a/b); a name before a slash is that of an instance
 #   `folder.name`                            a test that some CMakeLists.txt adds under this name
 #   `path/of/a/file`                         a script or program, from the root
 # shellcheck disable=SC2016  # what stands in single quotes is for grep
@@ -23,15 +23,15 @@ exists() {
     local name=$1 folder suite test
     case $name in
     */*.*.* | *.*.*) # an instance: physics.Rooms/Continuous.*
-        if [[ $name =~ ^([a-z_]+)\.([A-Za-z0-9_]+/)?([A-Za-z0-9_]+)\.([A-Za-z0-9_]+|\*)$ ]]; then
-            folder=${BASH_REMATCH[1]} suite=${BASH_REMATCH[3]} test=${BASH_REMATCH[4]}
+        if [[ $name =~ ^([a-z_]+(\.[a-z_]+)?)\.([A-Za-z0-9_]+/)?([A-Z][A-Za-z0-9_]*)\.([A-Za-z0-9_]+|\*)$ ]]; then
+            folder=${BASH_REMATCH[1]//.//} suite=${BASH_REMATCH[4]} test=${BASH_REMATCH[5]}
             has_test "$folder" "$suite" "$test"
             return
         fi
         ;;
     esac
     [ ! -e "$root/$name" ] || return 0
-    [[ $name =~ ^[a-z_]+\.[a-z_]+$ ]] && grep -qrE "NAME $name( |\$)" "$root/tests" --include=CMakeLists.txt
+    [[ $name =~ ^[a-z_.]+$ ]] && grep -qrE "NAME $name( |\$)" "$root/tests" --include=CMakeLists.txt
 }
 
 rows=0

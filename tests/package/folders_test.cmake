@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.25)
 get_filename_component(ISLET ${ISLET} ABSOLUTE)
 set(sample_folders firmware prefabs programs workers harness scenes rollback)
-set(tool_folders common engines islet bench compare lab)
+set(tool_folders common engines islet bench compare lab pictures)
 set(complaints 0)
 
 function(complain)

@@ -290,7 +290,6 @@ private:
             const double delta = -mass(c, i, normal(c)) * (mass_scale * speed(c, i, normal(c)) + bias) - impulse_scale * lambda.n[i];
             apply(c, i, normal(c), lambda.n[i], delta, 0, 1e300);
         }
-        if (!n.friction) return;
         for (std::uint32_t i = 0; i < m.count(); ++i) {
             const double bound = wide(m.friction) * lambda.n[i];
             const double slip = speed(c, i, tangent(c)) - wide(p_.materials[c].tangent_speed);

@@ -73,7 +73,7 @@ void check_batches(const Core& core, const Plan& plan, const std::vector<Touch>&
     std::map<std::uint32_t, int> planned;
     std::vector<int> owner(plan.slot_count, -1);
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
-        for (std::uint32_t slot = plan.batches[b].first_slot; slot < plan.batches[b].end_slot; ++slot) {
+        for (std::uint32_t slot = plan.batches[b].first_slot; slot < plan.batches[b].end_slot(); ++slot) {
             ASSERT_EQ(owner[slot], -1) << "a body is in two batches";
             owner[slot] = static_cast<int>(b);
         }

@@ -15,21 +15,19 @@ using namespace islet;
 using namespace islet::detail;
 using namespace islet::test;
 
-SweepNumbers soft_numbers(bool friction) {
+SweepNumbers soft_numbers() {
     SweepNumbers n;
     n.inv_h = 240;
     n.bias_rate = 9.0f;
     n.mass_scale = 0.9f;
     n.impulse_scale = 0.1f;
     n.push_speed = 3;
-    n.friction = friction;
     return n;
 }
 
-SweepNumbers rigid_numbers(bool friction) {
+SweepNumbers rigid_numbers() {
     SweepNumbers n;
     n.inv_h = 240;
-    n.friction = friction;
     return n;
 }
 
@@ -56,8 +54,8 @@ TEST(ContactKernel, OneLaneAndFourGiveTheSameBits) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         for (const std::uint32_t per_group : {1u, 3u, 4u, 7u, 32u}) {  // with padding and without
             const ContactProblem p = random_problem(seed, 5, per_group, true);
-            const Solved one = run_kernel<Lane1>(p, soft_numbers(false), rigid_numbers(true), 4, true);
-            const Solved four = run_kernel<Lane4>(p, soft_numbers(false), rigid_numbers(true), 4, true);
+            const Solved one = run_kernel<Lane1>(p, soft_numbers(), rigid_numbers(), 4, true);
+            const Solved four = run_kernel<Lane4>(p, soft_numbers(), rigid_numbers(), 4, true);
             ASSERT_NO_FATAL_FAILURE(expect_same_bits(one, four)) << "seed " << seed << ", " << per_group << " contacts a group";
             ASSERT_TRUE(is_finite(one.bodies[1].v));
         }
@@ -135,9 +133,9 @@ void compare_with_plain(const SweepNumbers& first, const SweepNumbers& second, i
 }
 
 // One round: a speculative contact then closes its gap exactly, and a soft row jumps at a separation of 0, where rounding alone would decide.
-TEST(ContactKernel, MatchesAPlainSolverForSoftContacts) { compare_with_plain(soft_numbers(false), rigid_numbers(true), 1, false); }
+TEST(ContactKernel, MatchesAPlainSolverForSoftContacts) { compare_with_plain(soft_numbers(), rigid_numbers(), 1, false); }
 TEST(ContactKernel, MatchesAPlainSolverForBaumgarte) { compare_with_plain(baumgarte_numbers(), baumgarte_numbers(), 2, false); }
-TEST(ContactKernel, MatchesAPlainSolverWithMovingSurfaces) { compare_with_plain(rigid_numbers(true), rigid_numbers(true), 2, true); }
+TEST(ContactKernel, MatchesAPlainSolverWithMovingSurfaces) { compare_with_plain(rigid_numbers(), rigid_numbers(), 2, true); }
 
 // -- the contact laws ----------------------------------------------------------------------------------------------------------------------
 
@@ -179,7 +177,7 @@ Speeds speeds_at(const ContactProblem& p, const Solved& s, std::size_t c, std::u
 TEST(ContactKernel, AConvergedSolveObeysTheContactLaws) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         ContactProblem p = towers(seed);
-        SweepNumbers rigid = rigid_numbers(true);
+        SweepNumbers rigid = rigid_numbers();
         rigid.inv_h = 60;
         p.numbers.h = 0;  // positions stay, so the separation stays 0
         const Solved s = run_kernel<Lane4>(p, rigid, rigid, 3000, false);
@@ -217,7 +215,7 @@ TEST(ContactKernel, MomentumIsExchangedNotMade) {
         }
         for (ContactManifold& m : p.manifolds) m.rotation_a = m.rotation_b = Rot{};
         for (Pose& pose : p.poses) pose.q = Rot{};
-        const Solved s = run_kernel<Lane1>(p, soft_numbers(false), rigid_numbers(true), 3, true);
+        const Solved s = run_kernel<Lane1>(p, soft_numbers(), rigid_numbers(), 3, true);
         // sum m v, and the angular momentum about the origin: sum m c x v + I w. Bodies that cannot turn take up any angular momentum.
         const auto momentum = [&](const std::vector<SolverBody>& bodies) {
             double px = 0, py = 0, l = 0;
@@ -247,7 +245,7 @@ TEST(ContactKernel, ABallBouncesWithItsRestitution) {
             p.add_body({}, 0, 0);
             p.add_body({0, 1}, 2, 1, {1, -speed});
             p.add_contact(0, 0, 1, {0, 1}, {{0, 0}}, 0, {e, 0, 0});
-            const Solved s = run_kernel<Lane4>(p, rigid_numbers(true), rigid_numbers(true), 1, true);
+            const Solved s = run_kernel<Lane4>(p, rigid_numbers(), rigid_numbers(), 1, true);
             const float rebound = speed > 1 ? e * speed : 0;  // slower than the threshold of 1 m/s it does not bounce
             EXPECT_NEAR(s.bodies[1].v.y, rebound, 1e-5f);
             EXPECT_EQ(s.bodies[1].v.x, 1.0f);
@@ -263,7 +261,7 @@ TEST(ContactKernel, RollingResistanceStopsTurningUpToItsBound) {
     p.add_body({0, 1}, 1, 0.5f, {0, -2}, 3);  // lambda_n = 2
     p.numbers.h = 0;
     p.add_contact(0, 0, 1, {0, 1}, {{0, 0}}, 0, {0, 0.25f, 0});
-    const Solved s = run_kernel<Lane4>(p, rigid_numbers(true), rigid_numbers(true), 1, false);
+    const Solved s = run_kernel<Lane4>(p, rigid_numbers(), rigid_numbers(), 1, false);
     EXPECT_NEAR(s.manifolds[0].normal_impulse[0], 2, 1e-6f);
     EXPECT_NEAR(s.manifolds[0].rolling_impulse, -0.25f * 2, 1e-6f);
     EXPECT_NEAR(s.bodies[1].w, 3 - 0.5f / 0.5f, 1e-6f);

@@ -132,7 +132,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
                              joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 10 * 64;
     const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_kernel_count) * 4 + 5 * 64;
     const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * 64;
-    const std::size_t planning = bodies * 4 * 2 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 4 * 64 + max_of(tables, trees);
+    const std::size_t planning = bodies * 4 * 4 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 6 * 64 + max_of(tables, trees);
     const std::size_t rows =
         row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 + tree_capacity(c) * tree_link_bytes + 5 * 64;
     const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * 64;

@@ -29,9 +29,9 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
 /// Every function checks its arguments in every build. On bad input it changes nothing, returns a null or zero value, sets last_error() and
 /// calls the error hook, if there is one. Units: metres, kilograms, seconds, radians.
 ///
-/// Functions that a world calls (hooks, the error hook, the clock, the task system, drawing functions, a mover's filter) may read its bodies and shapes. They
-/// may not change the world, nor step, save, hash, validate, export or draw it: such a call fails with in_step, changes nothing and is not recorded. Visitors of
-/// queries alone may (query.hpp).
+/// Functions that a world calls (hooks, the error hook, the clock, the task system, drawing functions, a mover's filter) may read its
+/// bodies and shapes. They may not change the world, nor step, save, hash, validate, export or draw it: such a call fails with in_step,
+/// changes nothing and is not recorded. Visitors of queries alone may (query.hpp).
 ///
 /// Spans returned by a world are valid until the next call that changes it.
 class World {
@@ -298,8 +298,8 @@ public:
     bool pre_solve_enabled(ShapeId shape) const;
     void enable_pre_solve(ShapeId shape, bool enable);
     /// ShapeDef::one_way; the direction returned is a unit vector, or zero. Setting it wakes the body and what touches the shape: that goes on standing if it
-    /// is above in the new direction too. Errors: those of the id; not_finite; feature_cut. (In a lean build, ISLET_LEAN, only programs that call one of these two functions, or load,
-    /// have one-way shapes; others are refused them.)
+    /// is above in the new direction too. Errors: those of the id; not_finite; feature_cut. (In a lean build, ISLET_LEAN, only programs that
+    /// call one of these two functions, or load, have one-way shapes; others are refused them.)
     Vec2 one_way(ShapeId shape) const;
     void set_one_way(ShapeId shape, Vec2 direction);
     /// Adds the force of a wind on what of the shape's outline faces it, from the shape's own motion too; acts over the next step, as apply_force does:

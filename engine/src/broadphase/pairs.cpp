@@ -140,12 +140,13 @@ bool may_meet_on(const Aabb& a, const Way& way_a, const Aabb& b, const Way& way_
 
 /// The shapes in motion, and those among them whose boxes changed.
 struct Moving {
+    const Core& core;
     Columns all;
     Columns moved;
     const Mover* movers;
     const std::uint32_t* order;  // by place in `all`: which mover
     bool along_x;
-    float fall;
+    float dt, fall;
 
     Aabb box(std::uint32_t i) const {  // of one that moved
         const Vec2 lower = {moved.lower[i], moved.lower2[i]}, upper = {moved.upper[i], moved.upper2[i]};
@@ -157,7 +158,9 @@ struct Moving {
         const Mover& a = movers[order[place_1]];
         const Mover& b = movers[order[place_2]];
         if (a.body == b.body) return false;
-        return (!a.leaves && !b.leaves) || meet(a.box, b.box) || may_meet_on(a.box, a.way, b.box, b.way, fall);
+        if ((!a.leaves && !b.leaves) || meet(a.box, b.box)) return true;
+        if (!may_meet_on(a.box, a.way, b.box, b.way, fall)) return false;
+        return a.way.turn + b.way.turn < fast_way || detail::may_meet(core, a.shape, b.shape, dt);
     }
 };
 
@@ -188,7 +191,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     }
     const std::uint32_t* sorted = sort_by_key(keys, order, keys2, order2, n, counts);
 
-    Moving c{take_columns(arena, n), take_columns(arena, n), movers, sorted, along_x, fall_in(core, dt)};
+    Moving c{core, take_columns(arena, n), take_columns(arena, n), movers, sorted, along_x, dt, fall_in(core, dt)};
     for (std::uint32_t i = 0; i < n; ++i) {
         const Mover& mover = movers[sorted[i]];
         const Aabb box = box_of(core, mover);
@@ -339,9 +342,8 @@ void mark_moved(Core& core, std::uint32_t shape) {
 bool may_meet(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt) {
     const std::uint32_t body_a = core.shapes[shape_a].body, body_b = core.shapes[shape_b].body;
     if (((core.poses[body_a].flags | core.poses[body_b].flags) & pose_leaves) == 0) return false;
-    const Way still;
-    return may_meet_on(core.boxes[shape_a], core.is_awake(body_a) ? way_of(core, body_a, dt) : still, core.boxes[shape_b],
-                       core.is_awake(body_b) ? way_of(core, body_b, dt) : still, fall_in(core, dt));
+    const Approach approach = approach_of(core.poses[body_a], core.poses[body_b], core.motions[body_a], core.motions[body_b], dt, fall_in(core, dt));
+    return meet(core.boxes[shape_a], grow(core.boxes[shape_b], {approach.way, approach.turn}, 3.0e38f));
 }
 
 void find_pairs(Core& core, float dt) {

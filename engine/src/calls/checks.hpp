@@ -6,16 +6,13 @@
 
 namespace islet::detail {
 
-// The error state is not part of the world's value, so const functions may record errors too.
-inline Core& writable(const Core& core) { return const_cast<Core&>(core); }
-
 /// Slot of a live body, or null_index with the error recorded.
 std::uint32_t find_body(const Core& core, BodyId id);
 std::uint32_t find_shape(const Core& core, ShapeId id);
 std::uint32_t find_joint(const Core& core, JointId id);
 
 inline bool check(const Core& core, bool good, Error error) {
-    if (!good) writable(core).fail(error);
+    if (!good) core.fail(error);
     return good;
 }
 

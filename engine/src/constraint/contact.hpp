@@ -12,7 +12,7 @@
 
 #include <cstddef>
 
-#include "../collide/manifold.hpp"
+#include "../constraint/contact_prepare.hpp"
 #include "../constraint/contact_rows.hpp"
 #include "../constraint/lane_vectors.hpp"
 #include "../math/lanes.hpp"
@@ -20,21 +20,7 @@
 
 namespace islet::detail {
 
-inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
-inline constexpr std::uint32_t body_words = sizeof(SolverBody) / 4;
 inline constexpr std::uint32_t restitution_passes = 6;
-inline constexpr std::uint8_t landing_passes = 5;  // more than one, over what lands: a blow leaves no time to make good what one row does to the others
-inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
-
-/// Where prepare finds its inputs.
-struct PrepareInput {
-    const ContactManifold* manifolds;
-    const Pose* poses;
-    const std::uint32_t* slot_of;  // solver slot of a body
-    SolverBody* bodies;
-    const SolverMotion* motions;
-    StepNumbers numbers;
-};
 
 template <class L>
 struct ContactKernel {
@@ -59,249 +45,162 @@ private:
     static F size_of(const Rows& r);
 };
 
+/// How one sweep treats contacts, in all lanes.
 template <class L>
-void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
-    const float* manifolds = reinterpret_cast<const float*>(in.manifolds);
-    const float* poses = reinterpret_cast<const float*>(in.poses);
-    const float* motions = reinterpret_cast<const float*>(in.motions);
-    float* bodies = reinterpret_cast<float*>(in.bodies);
+struct SweepLanes {
+    using F = typename L::F;
+    F inv_h, bias_rate, mass_scale, impulse_scale, push, slop;
+    bool biased;
+
+    ISLET_LANE explicit SweepLanes(const SweepNumbers& n)
+        : inv_h(L::splat(n.inv_h)),
+          bias_rate(L::splat(n.bias_rate)),
+          mass_scale(L::splat(n.mass_scale)),
+          impulse_scale(L::splat(n.impulse_scale)),
+          push(L::splat(-n.push_speed)),
+          slop(L::splat(n.slop)),
+          biased(n.bias_rate > 0) {}
+};
+
+/// A block of contacts while it is solved. Impulses along n leave the centres' velocities along t alone, and the other way round; so both are
+/// summed, and the centres get them at the end.
+template <class L>
+struct ContactBlock : BodyPair<L> {
+    using F = typename L::F;
+    using BodyPair<L>::va, BodyPair<L>::vb, BodyPair<L>::wa, BodyPair<L>::wb, BodyPair<L>::ma, BodyPair<L>::mb, BodyPair<L>::ia, BodyPair<L>::ib;
+    LaneVec<F> n;
+    F rn_ab, rt_ab;
+    F sum_n, sum_t;  // N s, of this sweep
+
+    ISLET_LANE ContactBlock(const SolverBody* bodies, const ContactRows<L::width>& r) {
+        this->gather(bodies, r.body_a, r.body_b);
+        n = {L::load(r.nx), L::load(r.ny)};
+        rn_ab = L::load(r.rn_ab);
+        rt_ab = L::load(r.rt_ab);
+        sum_n = sum_t = L::splat(0.0f);
+    }
+    ISLET_LANE void spin_by_normal(F rna, F rnb, F impulse) {
+        wa = wa - ia * (rna * impulse);
+        wb = wb + ib * (rnb * impulse);
+    }
+    ISLET_LANE void spin_by_tangent(F rta, F rtb, F impulse) {
+        wa = wa + ia * (rta * impulse);
+        wb = wb - ib * (rtb * impulse);
+    }
+    ISLET_LANE void push_centres(LaneVec<F> impulse) {
+        va = va - ma * impulse;
+        vb = vb + mb * impulse;
+    }
+};
+
+/// The normal rows. Returns the sum of their impulses so far.
+template <class L>
+ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep) {
+    using F = typename L::F;
     const F zero = L::splat(0.0f);
-    const F one = L::splat(1.0f);
-    const F omega = L::splat(in.numbers.omega);
-    const F warm = L::splat(in.numbers.warm);
-    const F tiny = L::splat(1.0e-9f);
-    const F dt_step = L::splat(in.numbers.dt);
-
-    for (std::uint32_t block = 0; block < count; ++block) {
-        Rows& r = rows[block];
-        // Whole words first: who, and which lanes are live. A padded lane reads the first lane's contact and acts on slot 0 with no impulse.
-        std::uint32_t contact[W], pose_a[W], pose_b[W];
-        float live[W], second[W];
-        r.two_points = r.special = r.bouncy = false;
-        for (std::uint32_t i = 0; i < W; ++i) {
-            // The next block's manifolds may be anywhere in memory.
-            if (W > 1 && block + 1 < count && rows[block + 1].contact[i] != null_index) {
-                const ContactManifold& soon = in.manifolds[rows[block + 1].contact[i]];
-                __builtin_prefetch(&soon);
-                __builtin_prefetch(&soon.rolling_impulse);
-            }
-            const bool is_live = W == 1 || r.contact[i] != null_index;  // single rows need no padding
-            contact[i] = is_live ? r.contact[i] : r.contact[0];
-            const ContactManifold& m = in.manifolds[contact[i]];
-            pose_a[i] = m.body_a;
-            pose_b[i] = m.body_b;
-            r.body_a[i] = is_live ? in.slot_of[m.body_a] : 0;
-            r.body_b[i] = is_live ? in.slot_of[m.body_b] : 0;
-            live[i] = is_live ? 1.0f : 0.0f;
-            second[i] = is_live && m.count() == 2 ? 1.0f : 0.0f;
-            r.two_points |= second[i] != 0;
-            r.special |= is_live && (m.flags & contact_special) != 0;
-            r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
-            r.ahead[i] =
-                is_live && (m.flags & contact_ahead) != 0 && (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0)
-                    ? landing_passes
-                    : 0;
+    const F mass = s.ma + s.mb;
+    F vn = dot(s.n, s.vb - s.va);
+    // How far the two surfaces moved apart along n: the row's Jacobian times the bodies' motion. The part that does not depend on the point first.
+    const F turned = s.dqb - s.dqa;
+    const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
+    F total = zero;
+    const std::uint32_t points = r.two_points ? 2 : 1;
+    for (std::uint32_t i = 0; i < points; ++i) {
+        typename ContactRows<L::width>::Point& p = r.points[i];
+        const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
+        const F separation = L::load(p.separation) + moved + rna * turned;
+        const F normal_mass = L::load(p.normal_mass);
+        const F old = L::load(p.normal_impulse);
+        const F speed = vn + (s.wb * rnb - s.wa * rna);
+        F delta;
+        if (sweep.biased) {
+            // Apart: may close the gap within the substep, no faster. Overlapping: pushed apart softly.
+            const auto apart = separation > zero;
+            const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
+            const F mass_scale = select(apart, L::splat(1.0f), sweep.mass_scale);
+            delta = zero - normal_mass * (mass_scale * speed + bias) - select(apart, zero, sweep.impulse_scale) * old;
+        } else {
+            delta = zero - normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         }
+        const F lambda = max(old + delta, zero);
+        delta = lambda - old;
+        L::store(p.normal_impulse, lambda);
+        if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
+        s.sum_n = s.sum_n + delta;
+        total = total + lambda;
+        vn = vn + mass * delta;
+        s.spin_by_normal(rna, rnb, delta);
+    }
+    return total;
+}
 
-        F m1[8], m2[8], m3[4];  // normal, offset, rotations | anchors, impulses | rolling impulse, separations, friction
-        L::template gather8<manifold_words>(manifolds + 4, contact, m1);
-        L::template gather8<manifold_words>(manifolds + 12, contact, m2);
-        L::template gather4<manifold_words>(manifolds + 20, contact, m3);
-        F pa[4], pb[4];  // centre, rotation
-        L::template gather4<8>(poses, pose_a, pa);
-        L::template gather4<8>(poses, pose_b, pb);
-        F a[8], b[8];
-        L::template gather8<body_words>(bodies, r.body_a, a);
-        L::template gather8<body_words>(bodies, r.body_b, b);
-
-        // How far the centres moved apart along the normal since the manifold was made, and how far each body has turned.
-        const F nx = m1[0], ny = m1[1];
-        const F moved = nx * ((pb[0] - pa[0]) - m1[2]) + ny * ((pb[1] - pa[1]) - m1[3]);
-        const F ca = m1[4] * pa[2] + m1[5] * pa[3] - one, sa = m1[4] * pa[3] - m1[5] * pa[2];
-        const F cb = m1[6] * pb[2] + m1[7] * pb[3] - one, sb = m1[6] * pb[3] - m1[7] * pb[2];
-        const F dn = zero - (nx * m1[2] + ny * m1[3]), dt = zero - (ny * m1[2] - nx * m1[3]);
-        L::store(r.nx, nx);
-        L::store(r.ny, ny);
-        L::store(r.friction, m3[3]);
-        L::store(r.dn, dn);
-        L::store(r.dt, dt);
-
-        const F dvn = nx * (b[0] - a[0]) + ny * (b[1] - a[1]);
-        const F mass = a[3] + b[3];
-        F gain = zero;  // m/s^2, of the normal velocity
-        if (r.is_bouncy()) {
-            F ga[8], gb[8];
-            L::template gather8<motion_words>(motions, r.body_a, ga);
-            L::template gather8<motion_words>(motions, r.body_b, gb);
-            gain = (nx * (gb[4] - ga[4]) + ny * (gb[5] - ga[5])) * L::splat(in.numbers.inv_h);
-        }
-        const F fastest = L::splat(-2.0f * in.numbers.max_speed);  // m/s, that two bodies can meet at, whatever pulls at them
-
-        F sum_n = zero, sum_t = zero, wa = zero, wb = zero;
-        const std::uint32_t points = r.two_points ? 2 : 1;
-        for (std::uint32_t i = 0; i < points; ++i) {
-            typename Rows::Point& p = r.points[i];
-            const F on = L::load(i == 0 ? live : second);
-            const F ax = m2[2 * i], ay = m2[2 * i + 1];
-            const F an = nx * ax + ny * ay, at = ny * ax - nx * ay;
-            const F bn = an + dn, bt = at + dt;
-            const F turned = (cb * bn + sb * bt) - (ca * an + sa * at);
-            L::store(p.an, an);
-            L::store(p.at, at);
-            L::store(p.separation, m3[1 + i] + moved + turned);
-
-            const F kn = mass + a[7] * at * at + b[7] * bt * bt;
-            const F kt = mass + a[7] * an * an + b[7] * bn * bn;
-            const F usable = on * omega;
-            L::store(p.normal_mass, select(kn > zero, usable / kn, zero));
-            L::store(p.tangent_mass, select(kt > zero, usable / kt, zero));
-
-            const F ln = on * warm * m2[4 + i], lt = on * warm * m2[6 + i];
-            L::store(p.normal_impulse, ln);
-            L::store(p.tangent_impulse, lt);
-            sum_n = sum_n + ln;
-            sum_t = sum_t + lt;
-            wa = wa + (at * ln - an * lt);
-            wb = wb + (bt * ln - bn * lt);
-            if (r.is_bouncy()) {
-                // The normal velocity at the moment the surfaces will meet, gravity and forces included until then.
-                const F now = dvn + b[2] * bt - a[2] * at;
-                const F gap = max(m3[1 + i] + moved + turned, zero);
-                const F time = select(now < zero, min(gap / max(zero - now, tiny), dt_step), zero);
-                // A point that comes down behind the first does so at another speed: it does not bounce.
-                const F late = m3[1 + i] - select(L::load(second) > zero, min(m3[1], m3[2]), m3[1]);
-                const F meeting = select(late > L::splat(2.0f * linear_slop), zero, now + time * gain);
-                L::store(r.approach[i], select(meeting < fastest, fastest, meeting));
-                L::store(r.peak[i], zero);
-            }
-        }
-        if (r.is_special()) {
-            // A contact without rolling resistance has no rolling impulse, though a neighbour in its block may have one, or it had one a step ago.
-            const F k = a[7] + b[7];
-            const auto rolls = L::load(r.rolling_resistance) > zero;
-            L::store(r.rolling_mass, select(k > zero, omega / k, zero));
-            const F rolling = select(rolls, warm * m3[0], zero);
-            L::store(r.rolling_impulse, rolling);
-            wa = wa + rolling;
-            wb = wb + rolling;
-        }
-
-        // Warm start, kept apart from the velocities until the first substep has integrated them.
-        const F px = nx * sum_n + ny * sum_t, py = ny * sum_n - nx * sum_t;
-        const F out_a[4] = {a[4] - a[3] * px, a[5] - a[3] * py, a[6] - a[7] * wa, a[7]};
-        const F out_b[4] = {b[4] + b[3] * px, b[5] + b[3] * py, b[6] + b[7] * wb, b[7]};
-        scatter_pushed<L>(bodies + 4, r.body_a, r.body_b, a[3], b[3], out_a, out_b);
+/// The friction rows, with the normal impulses just found.
+template <class L>
+ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r) {
+    using F = typename L::F;
+    const F mass = s.ma + s.mb;
+    const F mu = L::load(r.friction);
+    F vt = cross(s.vb - s.va, s.n);
+    if (r.is_special()) vt = vt - L::load(r.tangent_speed);
+    const std::uint32_t points = r.two_points ? 2 : 1;
+    for (std::uint32_t i = 0; i < points; ++i) {
+        typename ContactRows<L::width>::Point& p = r.points[i];
+        const F rta = L::load(p.rta), rtb = rta + s.rt_ab;
+        const F old = L::load(p.tangent_impulse);
+        const F bound = mu * L::load(p.normal_impulse);
+        const F speed = vt - (s.wb * rtb - s.wa * rta);
+        const F lambda = max(min(old - L::load(p.tangent_mass) * speed, bound), L::splat(0.0f) - bound);
+        const F delta = lambda - old;
+        L::store(p.tangent_impulse, lambda);
+        s.sum_t = s.sum_t + delta;
+        vt = vt + mass * delta;
+        s.spin_by_tangent(rta, rtb, delta);
     }
 }
 
+/// The rolling row: wb - wa = 0, bounded by the sum of the normal impulses.
 template <class L>
-void ContactKernel<L>::solve(SolverBody* bodies_in, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
-    float* bodies = reinterpret_cast<float*>(bodies_in);
+ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F normal_impulses) {
+    using F = typename L::F;
     const F zero = L::splat(0.0f);
-    const F one = L::splat(1.0f);
-    const F inv_h = L::splat(numbers.inv_h);
-    const F bias_rate = L::splat(numbers.bias_rate);
-    const F mass_scale = L::splat(numbers.mass_scale);
-    const F impulse_scale = L::splat(numbers.impulse_scale);
-    const F push = L::splat(-numbers.push_speed);
-    const F slop = L::splat(numbers.slop);
-    const bool biased = numbers.bias_rate > 0;
+    const F old = L::load(r.rolling_impulse);
+    const F resistance = L::load(r.rolling_resistance);
+    const F bound = select(resistance > zero, resistance * normal_impulses, zero);  // even if the normal impulse has overflowed
+    const F lambda = max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound);
+    const F delta = lambda - old;
+    L::store(r.rolling_impulse, lambda);
+    s.wa = s.wa - s.ia * delta;
+    s.wb = s.wb + s.ib * delta;
+}
 
+template <class L>
+void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
+    prepare_contacts<L>(in, rows, count);
+}
+
+template <class L>
+void ContactKernel<L>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
+    const SweepLanes<L> sweep(numbers);
     std::uint32_t more = 0;  // passes over this block
     for (std::uint32_t block = 0; block < count;) {
         Rows& r = rows[block];
-        F a[8], b[8];
-        L::template gather8<body_words>(bodies, r.body_a, a);
-        L::template gather8<body_words>(bodies, r.body_b, b);
-        const F nx = L::load(r.nx), ny = L::load(r.ny);
-        const F dn = L::load(r.dn), dt = L::load(r.dt);
-        const F mass = a[3] + b[3];
-        const F vx = b[0] - a[0], vy = b[1] - a[1];
-        F vn = nx * vx + ny * vy;
-        F wa = a[2], wb = b[2];
-
-        // How far the two surfaces moved apart along n: the row's Jacobian times the bodies' way. The part that does not depend on the point first.
-        const F turn = b[6] - a[6];
-        const F base = nx * (b[4] - a[4]) + ny * (b[5] - a[5]) + b[6] * dt;
-
-        F sum_n = zero, total_n = zero;
-        const std::uint32_t points = r.two_points ? 2 : 1;
-        for (std::uint32_t i = 0; i < points; ++i) {
-            typename Rows::Point& p = r.points[i];
-            const F at = L::load(p.at);
-            const F bt = at + dt;
-            const F s = L::load(p.separation) + base + at * turn;
-            const F m = L::load(p.normal_mass);
-            const F old = L::load(p.normal_impulse);
-            const F speed = vn + (wb * bt - wa * at);
-            F delta;
-            if (biased) {
-                // Apart: may close the gap within the substep, no faster. Overlapping: pushed apart softly.
-                const auto apart = s > zero;
-                const F bias = select(apart, s * inv_h, max(bias_rate * min(s + slop, zero), push));
-                const F scale = select(apart, one, mass_scale);
-                delta = zero - m * (scale * speed + bias) - select(apart, zero, impulse_scale) * old;
-            } else {
-                delta = zero - m * (speed + max(s, zero) * inv_h);
-            }
-            const F lambda = max(old + delta, zero);
-            delta = lambda - old;
-            L::store(p.normal_impulse, lambda);
-            if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
-            sum_n = sum_n + delta;
-            total_n = total_n + lambda;
-            vn = vn + mass * delta;
-            wa = wa - a[7] * (at * delta);
-            wb = wb + b[7] * (bt * delta);
-        }
-
-        F sum_t = zero;
-        if (numbers.friction) {
-            const F mu = L::load(r.friction);
-            F vt = ny * vx - nx * vy;
-            if (r.is_special()) vt = vt - L::load(r.tangent_speed);
-            for (std::uint32_t i = 0; i < points; ++i) {
-                typename Rows::Point& p = r.points[i];
-                const F an = L::load(p.an);
-                const F bn = an + dn;
-                const F old = L::load(p.tangent_impulse);
-                const F bound = mu * L::load(p.normal_impulse);
-                const F speed = vt - (wb * bn - wa * an);
-                const F lambda = max(min(old - L::load(p.tangent_mass) * speed, bound), zero - bound);
-                const F delta = lambda - old;
-                L::store(p.tangent_impulse, lambda);
-                sum_t = sum_t + delta;
-                vt = vt + mass * delta;
-                wa = wa + a[7] * (an * delta);
-                wb = wb - b[7] * (bn * delta);
-            }
-            if (r.is_special()) {
-                const F old = L::load(r.rolling_impulse);
-                const F resistance = L::load(r.rolling_resistance);
-                const F bound = select(resistance > zero, resistance * total_n, zero);  // even if the normal impulse has overflowed
-                const F lambda = max(min(old - L::load(r.rolling_mass) * (wb - wa), bound), zero - bound);
-                const F delta = lambda - old;
-                L::store(r.rolling_impulse, lambda);
-                wa = wa - a[7] * delta;
-                wb = wb + b[7] * delta;
-            }
-        }
-
-        const F px = nx * sum_n + ny * sum_t, py = ny * sum_n - nx * sum_t;
-        const F out_a[4] = {a[0] - a[3] * px, a[1] - a[3] * py, wa, a[3]};
-        const F out_b[4] = {b[0] + b[3] * px, b[1] + b[3] * py, wb, b[3]};
-        scatter_pushed<L>(bodies, r.body_a, r.body_b, a[3], b[3], out_a, out_b);
+        ContactBlock<L> s(bodies, r);
+        const F normal_impulses = solve_normals<L>(s, r, sweep);
+        solve_friction<L>(s, r);
+        if (r.is_special()) solve_rolling<L>(s, r, normal_impulses);
+        s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
+        s.scatter(bodies, r.body_a, r.body_b);
 
         // What lands is solved again at once, alone: its lane as a row of its own.
         std::uint64_t ahead = 0;
         std::memcpy(&ahead, r.ahead, W);
         if (ahead != 0) {
             float changed[W];  // a pass that changed nothing needs no other
-            L::store(changed, select(sum_n * sum_n + sum_t * sum_t > zero, one, zero));
+            L::store(changed, select(s.sum_n * s.sum_n + s.sum_t * s.sum_t > L::splat(0.0f), L::splat(1.0f), L::splat(0.0f)));
             if constexpr (W == 1) {
                 more = changed[0] == 0 ? 0 : more != 0 ? more - 1 : r.ahead[0];
             } else {
-                land(bodies_in, r, changed, numbers);
+                land(bodies, r, changed, numbers);
             }
         }
         if (W > 1 || more == 0) ++block;
@@ -327,47 +226,45 @@ void ContactKernel<L>::land(SolverBody* bodies, Rows& rows, const float* changed
     }
 }
 
+/// The normal rows once more, towards the rebound speed -e approach: only where the surfaces met (an impulse was needed) faster than the threshold, and the
+/// material bounces. The two points of a manifold share the blow: a few passes over them solve their 2 x 2 problem, so that a box that lands flat bounces flat.
 template <class L>
-void ContactKernel<L>::restitute(SolverBody* bodies_in, Rows* rows, std::uint32_t count, float threshold_in) {
-    float* bodies = reinterpret_cast<float*>(bodies_in);
+ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F threshold) {
+    using F = typename L::F;
     const F zero = L::splat(0.0f);
-    const F threshold = L::splat(-threshold_in);
+    const F e = L::load(r.restitution);
+    F vn = dot(s.n, s.vb - s.va);
+    const F second = r.two_points ? L::load(r.points[1].normal_mass) : zero;  // zero where a lane has one point: that one is solved once
+    const std::uint32_t rows_to_solve = r.two_points ? 2 * restitution_passes : 1;
+    for (std::uint32_t k = 0; k < rows_to_solve; ++k) {
+        const std::uint32_t i = k & 1u;
+        typename ContactRows<L::width>::Point& p = r.points[i];
+        const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
+        const F approach = L::load(r.approach[i]);
+        const F old = L::load(p.normal_impulse);
+        const F speed = vn + (s.wb * rnb - s.wa * rna);
+        F lambda = max(old - L::load(p.normal_mass) * (speed + e * approach), zero);
+        lambda = select(approach < threshold, lambda, old);
+        lambda = select(L::load(r.peak[i]) > zero, lambda, old);
+        lambda = select(e > zero, lambda, old);
+        if (k >= 2) lambda = select(second > zero, lambda, old);
+        const F delta = lambda - old;
+        L::store(p.normal_impulse, lambda);
+        s.sum_n = s.sum_n + delta;
+        vn = vn + (s.ma + s.mb) * delta;
+        s.spin_by_normal(rna, rnb, delta);
+    }
+}
+
+template <class L>
+void ContactKernel<L>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold) {
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
         if (!r.is_bouncy()) continue;
-        F a[8], b[8];
-        L::template gather8<body_words>(bodies, r.body_a, a);
-        L::template gather8<body_words>(bodies, r.body_b, b);
-        const F nx = L::load(r.nx), ny = L::load(r.ny), dt = L::load(r.dt), e = L::load(r.restitution);
-        F vn = nx * (b[0] - a[0]) + ny * (b[1] - a[1]);
-        F wa = a[2], wb = b[2], sum = zero;
-        // The two points of a manifold share the blow: a few passes over them solve their 2 x 2 problem, so that a box that lands flat bounces flat.
-        const F second = r.two_points ? L::load(r.points[1].normal_mass) : zero;  // zero where a lane has one point: that one is solved once
-        const std::uint32_t rows_to_solve = r.two_points ? 2 * restitution_passes : 1;
-        for (std::uint32_t k = 0; k < rows_to_solve; ++k) {
-            const std::uint32_t i = k & 1u;
-            typename Rows::Point& p = r.points[i];
-            const F at = L::load(p.at), bt = at + dt;
-            const F approach = L::load(r.approach[i]);
-            const F old = L::load(p.normal_impulse);
-            const F speed = vn + (wb * bt - wa * at);
-            F lambda = max(old - L::load(p.normal_mass) * (speed + e * approach), zero);
-            // Only where the surfaces met (an impulse was needed) faster than the threshold, and the material bounces.
-            lambda = select(approach < threshold, lambda, old);
-            lambda = select(L::load(r.peak[i]) > zero, lambda, old);
-            lambda = select(e > zero, lambda, old);
-            if (k >= 2) lambda = select(second > zero, lambda, old);
-            const F delta = lambda - old;
-            L::store(p.normal_impulse, lambda);
-            sum = sum + delta;
-            vn = vn + (a[3] + b[3]) * delta;
-            wa = wa - a[7] * (at * delta);
-            wb = wb + b[7] * (bt * delta);
-        }
-        const F px = nx * sum, py = ny * sum;
-        const F out_a[4] = {a[0] - a[3] * px, a[1] - a[3] * py, wa, a[3]};
-        const F out_b[4] = {b[0] + b[3] * px, b[1] + b[3] * py, wb, b[3]};
-        scatter_pushed<L>(bodies, r.body_a, r.body_b, a[3], b[3], out_a, out_b);
+        ContactBlock<L> s(bodies, r);
+        solve_restitution<L>(s, r, L::splat(-threshold));
+        s.push_centres(s.sum_n * s.n);
+        s.scatter(bodies, r.body_a, r.body_b);
     }
 }
 

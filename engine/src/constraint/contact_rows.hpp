@@ -10,12 +10,12 @@ namespace islet::detail {
 
 /// The rows of W contacts of one colour: for each of up to two points one row along the normal n and one along the tangent t = right_perp(n).
 ///
-/// Anchors are kept in the contact's own frame: r = an n + at t. So r x n = at and r x t = -an, which are the angular entries of the two
-/// Jacobians. The contact point is the same for both bodies, so B's anchor is A's plus (dn, dt), the vector from B's centre to A's.
+/// With r the arm from a body's centre to the contact point, rn = r x n and rt = t x r: a body's spin w moves its point by w rn along n and by -w rt along
+/// t. The point is the same for both bodies, so B's rn and rt are A's plus those of the vector from B's centre to A's, for both points alike.
 template <std::uint32_t W>
 struct alignas(W * 4) ContactRows {
     struct Point {
-        float an[W], at[W];        // m
+        float rta[W], rna[W];      // m
         float separation[W];       // m, at the start of the step
         float normal_mass[W];      // kg, times the relaxation factor
         float tangent_mass[W];     // kg, times the relaxation factor
@@ -26,7 +26,7 @@ struct alignas(W * 4) ContactRows {
     std::uint32_t contact[W];            // null_index in the padding
     float nx[W], ny[W];
     float friction[W];
-    float dn[W], dt[W];
+    float rt_ab[W], rn_ab[W];  // m: rtb - rta, rnb - rna
     Point points[2];
     float rolling_mass[W], rolling_impulse[W], rolling_resistance[W], tangent_speed[W];  // if special
     float restitution[W], approach[2][W], peak[2][W];  // if bouncy (or to tell of hits): normal velocity as the surfaces meet, largest impulse
@@ -48,7 +48,6 @@ struct SweepNumbers {
     float impulse_scale = 0;
     float push_speed = 0;
     float slop = 0;
-    bool friction = true;
 };
 
 }  // namespace islet::detail

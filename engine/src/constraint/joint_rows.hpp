@@ -193,7 +193,7 @@ struct JointArms {
     using F = typename L::F;
     LaneVec<F> ra, rb, d;  // m
     ISLET_LANE JointArms(const JointEnds<L::width>& r, const JointBodies<L>& s)
-        : ra(turn<L>(s.dqa, load<L>(r.rax, r.ray))), rb(turn<L>(s.dqb, load<L>(r.rbx, r.rby))), d(load<L>(r.dx, r.dy) + s.dp + rb - ra) {}
+        : ra(turn<L>(s.dqa, load<L>(r.rax, r.ray))), rb(turn<L>(s.dqb, load<L>(r.rbx, r.rby))), d(load<L>(r.dx, r.dy) + (s.dpb - s.dpa) + rb - ra) {}
 };
 
 template <class L>

@@ -1,4 +1,4 @@
-// Vectors of lanes, and the two bodies of a joint as lanes: what the joints' kernels are written in.
+// Vectors of lanes, and the two bodies of a contact or joint as lanes: what the kernels are written in.
 #pragma once
 
 #include "../constraint/solver_body.hpp"
@@ -40,6 +40,12 @@ ISLET_LANE LaneVec<F> cross(F w, LaneVec<F> r) {
 template <class F>
 ISLET_LANE LaneVec<F> left_perp(LaneVec<F> a) {
     return {-a.y, a.x};
+}
+
+/// A vector given along n and along t = right_perp(n).
+template <class F>
+ISLET_LANE LaneVec<F> in_world(LaneVec<F> n, F along_n, F along_t) {
+    return {n.x * along_n + n.y * along_t, n.y * along_n - n.x * along_t};
 }
 
 /// 1 / k, or 0 where k is not above 0.
@@ -91,17 +97,15 @@ ISLET_LANE void scatter_pushed(float* bodies, const std::uint32_t* body_a, const
     }
 }
 
-/// The two bodies of a block of joints.
+/// The two bodies of a block of contacts or joints. As in the papers, v and w are velocities, m and i inverse masses and inertias.
 template <class L>
-struct JointBodies {
+struct BodyPair {
     using F = typename L::F;
-    LaneVec<F> va, vb;  // m/s
-    F wa, wb;           // rad/s
-    F ma, mb, ia, ib;   // inverse masses and inertias
-    LaneVec<F> dp;      // m that B's centre has gone since the step began, less A's
-    F dqa, dqb;         // rad turned since the step began
-    LaneVec<F> p;       // N s: what the joint has applied so far, p and tb to B, -p and -ta to A
-    F ta, tb;           // N m s
+    LaneVec<F> va, vb;    // m/s
+    F wa, wb;             // rad/s
+    F ma, mb, ia, ib;     // 1/kg, 1/(kg m^2)
+    LaneVec<F> dpa, dpb;  // m that the centre has gone since the step began
+    F dqa, dqb;           // rad turned since the step began
 
     ISLET_LANE void gather(const SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) {
         constexpr std::uint32_t words = sizeof(SolverBody) / 4;
@@ -114,17 +118,35 @@ struct JointBodies {
         wb = b[2];
         ma = a[3];
         mb = b[3];
-        dp = {b[4] - a[4], b[5] - a[5]};
+        dpa = {a[4], a[5]};
+        dpb = {b[4], b[5]};
         dqa = a[6];
         dqb = b[6];
         ia = a[7];
         ib = b[7];
     }
+    /// Writes the velocities back.
     ISLET_LANE void scatter(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
         const F out_a[4] = {va.x, va.y, wa, ma};
         const F out_b[4] = {vb.x, vb.y, wb, mb};
         scatter_pushed<L>(reinterpret_cast<float*>(bodies), body_a, body_b, ma, mb, out_a, out_b);
     }
+    /// Writes dp and dq back.
+    ISLET_LANE void scatter_motion(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
+        const F out_a[4] = {dpa.x, dpa.y, dqa, ia};
+        const F out_b[4] = {dpb.x, dpb.y, dqb, ib};
+        scatter_pushed<L>(reinterpret_cast<float*>(bodies) + 4, body_a, body_b, ma, mb, out_a, out_b);
+    }
+};
+
+/// The two bodies of a block of joints, and what the joints have applied to them.
+template <class L>
+struct JointBodies : BodyPair<L> {
+    using F = typename L::F;
+    using BodyPair<L>::va, BodyPair<L>::vb, BodyPair<L>::wa, BodyPair<L>::wb, BodyPair<L>::ma, BodyPair<L>::mb, BodyPair<L>::ia, BodyPair<L>::ib;
+    LaneVec<F> p;  // N s: what the joint has applied so far, p and tb to B, -p and -ta to A
+    F ta, tb;      // N m s
+
     /// An impulse on B and its opposite on A, and an angular impulse on each: B turned by its own, A against its own.
     ISLET_LANE void push(LaneVec<F> impulse, F angular_a, F angular_b) {
         va = va - effect<L>(ma, impulse);

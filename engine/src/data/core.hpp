@@ -28,9 +28,10 @@ enum Inside : std::uint32_t {
 struct Core {
     Capacity capacity;
     std::uint32_t lanes = 1;
-    Error last_error = Error::none;
-    std::uint32_t inside = 0;  // Inside
-    bool exact = true;         // false: no step is taken (Error::inexact_build)
+    // Not part of the world's value: functions that only read record errors too, and close the world while they call the user's functions.
+    mutable Error last_error = Error::none;
+    mutable std::uint32_t inside = 0;  // Inside
+    bool exact = true;                 // false: no step is taken (Error::inexact_build)
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     TaskSystem tasks;
@@ -77,7 +78,7 @@ struct Core {
 
     Arena arena() const { return {scratch, scratch_end}; }
 
-    ISLET_SHARED void fail(Error error) {
+    ISLET_SHARED void fail(Error error) const {
         last_error = error;
         if (error_hook == nullptr || (inside & inside_error) != 0) return;
         inside |= inside_error;
@@ -97,8 +98,8 @@ struct Core {
 
 /// While it lives, nothing may change the world. Within a step, which has closed the world already, it writes nothing: so workers may make one.
 struct Closed {
-    Core* core;
-    explicit Closed(const Core& open) : core(open.inside == 0 ? const_cast<Core*>(&open) : nullptr) {
+    const Core* core;
+    explicit Closed(const Core& open) : core(open.inside == 0 ? &open : nullptr) {
         if (core != nullptr) core->inside = inside_call;
     }
     ~Closed() {

@@ -159,10 +159,16 @@ struct Contact {
     std::uint32_t shape_a = null_index, shape_b = null_index;
     std::uint32_t next[2] = {0, 0}, prev[2] = {0, 0};  // contact keys, in the lists of the two bodies
     std::uint32_t generation = 0;
-    std::uint32_t next_free = null_index;  // of a live contact: the bits of a tangent speed (m/s) given by the pre_solve hook, null_index if there is none
+    union {
+        std::uint32_t next_free = null_index;  // of a free slot
+        std::uint32_t own_speed_bits;          // of a contact: the tangent speed (m/s) that the pre_solve hook gave it, or no_own_speed
+    };
+    static constexpr std::uint32_t no_own_speed = 0xffffffffu;  // the bits of no finite number
 
-    bool has_own_speed() const { return next_free != null_index; }
-    float own_speed() const { return __builtin_bit_cast(float, next_free); }
+    bool has_own_speed() const { return own_speed_bits != no_own_speed; }
+    float own_speed() const { return __builtin_bit_cast(float, own_speed_bits); }
+    void set_own_speed(float speed) { own_speed_bits = __builtin_bit_cast(std::uint32_t, speed); }
+    void forget_own_speed() { own_speed_bits = no_own_speed; }
 };
 
 /// What the narrow phase found and the solver keeps. Directions are the world's at the moment the manifold was made; the two rotations and the offset

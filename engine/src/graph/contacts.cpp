@@ -101,7 +101,7 @@ void mix_materials(Core& core, std::uint32_t contact) {
     const Shape& a = core.shapes[c.shape_a];
     const Shape& b = core.shapes[c.shape_b];
     ContactManifold& m = core.manifolds[contact];
-    c.next_free = null_index;
+    c.forget_own_speed();
     if (has_sensors && (m.flags & contact_sensor) != 0) return;
     m.friction = mixed_friction(core, a, b);
     const bool bouncy = has_restitution && mixed_restitution(core, a, b) > 0;

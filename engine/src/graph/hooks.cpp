@@ -57,7 +57,7 @@ void ask_pre_solve(Core& core, std::uint32_t index) {
     if (asked.friction != before.friction && check_range(core, asked.friction, 0, max_coefficient)) m.friction = asked.friction;
     if (asked.tangent_speed == before.tangent_speed || !check_range(core, asked.tangent_speed, -max_speed_limit, max_speed_limit)) return;
     if (!check(core, has_surfaces, Error::feature_cut)) return;
-    c.next_free = bits_of(asked.tangent_speed);
+    c.set_own_speed(asked.tangent_speed);
     m.flags |= contact_special;
 }
 

@@ -12,8 +12,8 @@ namespace islet::detail {
 
 namespace {
 
-/// Sets of linked bodies. What links nothing has the parent null_index: static and kinematic bodies, and those at rest.
-struct Islands : UnionFind {
+/// Sets of linked bodies, by body. What links nothing has the parent null_index: static and kinematic bodies, and those at rest.
+struct LinkedBodies : UnionFind {
     BitSet guided;  // bodies that touch a kinematic one or are joined to one
 
     std::uint32_t parent_of(std::uint32_t i) const { return i != null_index ? parent[i] : null_index; }
@@ -30,8 +30,6 @@ struct Islands : UnionFind {
         join(root_of(over_a), root_of(over_b));
     }
 };
-
-constexpr std::uint32_t guided_bit = 1u << 31;
 
 inline constexpr std::uint32_t word_grain = 16;  // words of 64 bodies that are worth a task
 
@@ -53,10 +51,11 @@ struct EdgeList {
     }
 };
 
-EdgeList list_edges(const Core& core, Edge* edges) {
+// Lists the touching contacts, in the order in which they are to be solved.
+EdgeList list_contacts(const Core& core, Plan& plan, Arena& temporary) {
     const BitSet awake = core.awake_contacts;
     EdgeList list;
-    list.edges = edges;
+    Edge* const edges = list.edges = temporary.take<Edge>(core.state->contact_pool.count);
     list.words = awake.word_count;
     if (has_workers(core) && !is_ordered(core.state->solver) && !has_shock(core.state->solver)) {
         list.words = range_count(awake.word_count, plan_parts(core.capacity));
@@ -73,6 +72,9 @@ EdgeList list_edges(const Core& core, Edge* edges) {
         });
         list.end[part] = at;
     });
+    for (std::uint32_t p = 0; p < list.parts(); ++p) plan.touching_count += list.end[p] - list.first[p];
+    if (has_shock(core.state->solver)) lighten_by_height(core, edges, list.end[0], plan.lightness);
+    if (is_ordered(core.state->solver)) put_in_order(core, edges, list.end[0]);
     return list;
 }
 
@@ -176,13 +178,10 @@ void plan_joints(const Core& core, Plan& plan, Edge* edges, BatchOf&& batch_of, 
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) plan.joints[next[edges[k].place]++] = edges[k].constraint;
 }
 
-}  // namespace
-
-Plan make_plan(const Core& core, Arena& arena) {
-    Plan plan;
+// The plan's arrays, not filled yet.
+Plan take_plan(const Core& core, Arena& arena) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
-    const std::uint32_t contacts = core.state->contact_pool.count;
-    const std::uint32_t joints = core.state->joint_pool.count;
+    Plan plan;
     plan.slot_of = arena.take<std::uint32_t>(bodies);
     plan.body_of = arena.take<std::uint32_t>(bodies + 1);
     plan.island_of = arena.take<std::uint32_t>(bodies + 1);
@@ -193,35 +192,37 @@ Plan make_plan(const Core& core, Arena& arena) {
     plan.tree_bodies = arena.take<TreeBody>(tree_capacity(core.capacity));
     plan.tree_parents = arena.take<std::uint32_t>(tree_capacity(core.capacity));
     if (has_shock(core.state->solver)) plan.lightness = arena.take<float>(bodies);
-    Arena temporary = arena;  // what follows is used only here, so the solve may take the same scratch
+    return plan;
+}
 
-    const BitSet awake = core.awake_bodies;
+// Every body by itself: in slot 0, and in a set of its own if it is awake and can be pushed.
+LinkedBodies unlinked_bodies(const Core& core, Plan& plan, Arena& temporary) {
+    const std::uint32_t bodies = core.state->body_pool.high_water;
     const auto words = static_cast<std::uint32_t>(words_for(bodies));
-    const Islands links{{temporary.take<std::uint32_t>(bodies)}, {temporary.take<std::uint64_t>(words), words}};
+    const LinkedBodies links{{temporary.take<std::uint32_t>(bodies)}, {temporary.take<std::uint64_t>(words), words}};
     for_ranges(core, words, word_grain, [&](std::uint32_t first, std::uint32_t end) {
         const std::uint32_t begin = 64 * first;
         const std::size_t count = (64 * end < bodies ? 64 * end : bodies) - begin;
         std::memset(plan.slot_of + begin, 0, count * 4);
         std::memset(links.parent + begin, 0xff, count * 4);
         std::memset(links.guided.words + first, 0, std::size_t{end - first} * 8);
-        awake.for_each_in(first, end, [&](std::uint32_t body) {
+        core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) {
             if (core.poses[body].inv_mass > 0) links.parent[body] = body;
         });
     });
+    return links;
+}
 
-    const EdgeList edges = list_edges(core, temporary.take<Edge>(contacts));
-    if (has_shock(core.state->solver)) lighten_by_height(core, edges.edges, edges.end[0], plan.lightness);
-    if (is_ordered(core.state->solver)) put_in_order(core, edges.edges, edges.end[0]);
-    edges.for_each([&](const Edge& e) { links.link(core, e.a, e.b); });
-    for (std::uint32_t p = 0; p < edges.parts(); ++p) plan.touching_count += edges.end[p] - edges.first[p];
-    Edge* joint_edges = temporary.take<Edge>(joints);
+// Links the bodies of awake joints, and lists those joints that are swept; the others are solved exactly, in trees.
+Edge* list_joints(const Core& core, Plan& plan, const LinkedBodies& links, Arena& temporary) {
+    Edge* edges = temporary.take<Edge>(core.state->joint_pool.count);
     const BitSet awake_joints = has_joints ? core.awake_joints : BitSet{};
     awake_joints.for_each([&](std::uint32_t i) {
         const Joint& j = core.joints[i];
         if (links.parent_of(j.body_a) == null_index && links.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
         ++plan.awake_joints;
         plan.has_trees = plan.has_trees || (j.flags & joint_exact) != 0;
-        if ((j.flags & joint_exact) == 0) joint_edges[plan.joint_count++] = {i, j.body_a, j.body_b, j.color()};
+        if ((j.flags & joint_exact) == 0) edges[plan.joint_count++] = {i, j.body_a, j.body_b, j.color()};
         links.link(core, j.body_a, j.body_b);
         if (j.joint_type() != JointType::gear) return;
         // A gear's row reads the four bodies of its two joints, and not all of them are its own.
@@ -231,65 +232,85 @@ Plan make_plan(const Core& core, Arena& arena) {
             links.link(core, moving, core.joints[joint].body_b);
         }
     });
+    return edges;
+}
 
-    // Number the islands by their roots and count their bodies; a root is the smallest of its island, so one pass in order is enough. `slot_of` keeps the
-    // body's island until there are slots.
-    std::uint32_t* island = plan.slot_of;
-    std::uint32_t* size = temporary.take<std::uint32_t>(bodies);
-    std::uint32_t kinematic = 0;
-    awake.for_each([&](std::uint32_t body) {
+// Numbers the islands by their roots and counts their bodies. A root is the smallest of its island, so one pass in order is enough.
+Islands number_islands(const Core& core, Plan& plan, const LinkedBodies& links, Arena& temporary) {
+    const std::uint32_t bodies = core.state->body_pool.high_water;
+    Islands found{temporary.take<Island>(bodies), temporary.take<std::uint32_t>(bodies), 0};
+    core.awake_bodies.for_each([&](std::uint32_t body) {
         if (links.parent[body] == null_index) {
-            ++kinematic;
+            found.island_of[body] = null_index;
+            ++found.kinematic_count;
             return;
         }
         const std::uint32_t root = links.root_of(body);
         if (root == body) {
-            size[plan.island_count] = 0;
-            island[body] = plan.island_count++;
+            found.islands[plan.island_count] = Island{};
+            found.island_of[body] = plan.island_count++;
         }
-        const std::uint32_t k = island[body] = island[root];
-        ++size[k];
-        if (links.guided.test(body)) size[k] |= guided_bit;
+        const std::uint32_t number = found.island_of[body] = found.island_of[root];
+        Island& island = found.islands[number];
+        ++island.bodies;
+        if (links.guided.test(body)) island.batch = kinematic_batch;
     });
+    return found;
+}
 
-    // Islands into batches, in order. Those that touch a kinematic body all go to batch 0, together with the kinematic bodies, so that no two batches ever
-    // share a moving body. `size` becomes the batch of the island, and `parent` that of the body.
-    plan.batches[0] = Batch{};
-    plan.batches[1] = Batch{};
-    plan.batches[0].end_slot = kinematic;
+// Puts the islands into batches, in order, and says which slots each batch has. No two batches ever share a moving body: see kinematic_batch.
+void fill_batches(Plan& plan, const Islands& found) {
+    plan.batches[kinematic_batch] = plan.batches[1] = Batch{};
+    plan.batches[kinematic_batch].body_count = found.kinematic_count;
     std::uint32_t batch = 1;
     for (std::uint32_t i = 0; i < plan.island_count; ++i) {
-        const std::uint32_t count = size[i] & ~guided_bit;
-        size[i] = (size[i] & guided_bit) != 0 ? 0 : batch;
-        plan.batches[size[i]].end_slot += count;
-        if (plan.batches[batch].end_slot >= batch_bodies) plan.batches[++batch] = Batch{};
+        Island& island = found.islands[i];
+        if (island.batch != kinematic_batch) island.batch = batch;
+        plan.batches[island.batch].body_count += island.bodies;
+        if (plan.batches[batch].body_count >= batch_bodies) plan.batches[++batch] = Batch{};
     }
     plan.batch_count = batch + 1;
     plan.slot_count = 1;
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
-        Batch& to = plan.batches[b];
-        to.first_slot = plan.slot_count;
-        plan.slot_count += to.end_slot;
-        to.end_slot = to.first_slot;
+        plan.batches[b].first_slot = plan.slot_count;
+        plan.slot_count += plan.batches[b].body_count;
     }
-    plan.body_of[0] = null_index;
-    awake.for_each([&](std::uint32_t body) {
-        const bool moves = links.parent[body] != null_index;
-        const std::uint32_t in = moves ? size[island[body]] : 0;
-        const std::uint32_t slot = plan.batches[in].end_slot++;
-        plan.body_of[slot] = body;
-        plan.island_of[slot] = moves ? island[body] : null_index;
-        plan.slot_of[body] = slot;
-        if (moves) links.parent[body] = in;
-    });
+}
 
-    const auto batch_of = [&](const Edge& e) {
-        const std::uint32_t of_a = links.parent_of(e.a);
-        return of_a != null_index ? of_a : links.parent[e.b];
-    };
-    plan_contacts(core, plan, edges, batch_of, temporary);
-    plan_joints(core, plan, joint_edges, batch_of, temporary);
-    if (plan.has_trees) plan_trees(core, plan, links.parent, temporary);
+// Gives the bodies of each batch its slots, in their own order.
+void give_slots(const Core& core, Plan& plan, const Islands& found, Arena temporary) {
+    std::uint32_t* next = temporary.take<std::uint32_t>(plan.batch_count);  // slot, by batch
+    for (std::uint32_t b = 0; b < plan.batch_count; ++b) next[b] = plan.batches[b].first_slot;
+    plan.body_of[0] = null_index;
+    core.awake_bodies.for_each([&](std::uint32_t body) {
+        const std::uint32_t island = found.island_of[body];
+        const std::uint32_t slot = next[island != null_index ? found.islands[island].batch : kinematic_batch]++;
+        plan.body_of[slot] = body;
+        plan.island_of[slot] = island;
+        plan.slot_of[body] = slot;
+    });
+}
+
+}  // namespace
+
+Plan make_plan(const Core& core, Arena& arena) {
+    Plan plan = take_plan(core, arena);
+    Arena temporary = arena;  // what follows is used only here, so the solve may take the same scratch
+
+    const LinkedBodies links = unlinked_bodies(core, plan, temporary);
+    const EdgeList contacts = list_contacts(core, plan, temporary);
+    contacts.for_each([&](const Edge& e) { links.link(core, e.a, e.b); });
+    Edge* const joints = list_joints(core, plan, links, temporary);
+
+    const Islands islands = number_islands(core, plan, links, temporary);
+    fill_batches(plan, islands);
+    give_slots(core, plan, islands, temporary);
+
+    // One of an edge's bodies can be pushed, and says which batch.
+    const auto batch_of = [&](const Edge& e) { return islands.batch_of(links.parent_of(e.a) != null_index ? e.a : e.b); };
+    plan_contacts(core, plan, contacts, batch_of, temporary);
+    plan_joints(core, plan, joints, batch_of, temporary);
+    if (plan.has_trees) plan_trees(core, plan, islands, temporary);
     return plan;
 }
 

@@ -18,12 +18,14 @@ namespace islet::detail {
 
 /// A run of islands solved together. Offsets are in blocks of `lanes` contacts; overflow in contacts.
 struct Batch {
-    std::uint32_t first_slot = 0, end_slot = 0;
+    std::uint32_t first_slot = 0, body_count = 0;  // slots of its bodies
     std::uint32_t first_block[color_count + 1] = {};
     std::uint32_t first_overflow = 0, end_overflow = 0;
     std::uint32_t first_run = 0, end_run = 0;    // of joints
     std::uint32_t first_tree = 0, end_tree = 0;  // bodies of trees
     std::uint32_t sweeps = 0;                    // that the solve made of it
+
+    std::uint32_t end_slot() const { return first_slot + body_count; }
 };
 
 /// Joints of one kernel and one colour, in whole blocks of `lanes` joints; those without a colour come first and are solved one by one.
@@ -64,8 +66,26 @@ struct Plan {
     std::uint32_t touching_count = 0;
 };
 
-/// The bodies of trees by batch, in each leaves first. `batch_of`: by body.
-ISLET_OPTIONAL void plan_trees(const Core& core, Plan& plan, const std::uint32_t* batch_of, Arena temporary);
+/// Batch 0 holds the kinematic bodies, and all islands that touch one or are joined to one.
+inline constexpr std::uint32_t kinematic_batch = 0;
+
+/// An island while the plan is made.
+struct Island {
+    std::uint32_t bodies = 0;
+    std::uint32_t batch = null_index;  // kinematic_batch from the start where it belongs there; others get theirs in order
+};
+
+/// The islands of a plan, and where each body belongs.
+struct Islands {
+    Island* islands;
+    std::uint32_t* island_of;       // by awake body; null_index for kinematic ones
+    std::uint32_t kinematic_count;  // that are awake
+
+    std::uint32_t batch_of(std::uint32_t dynamic_body) const { return islands[island_of[dynamic_body]].batch; }
+};
+
+/// The bodies of trees by batch, in each leaves first.
+ISLET_OPTIONAL void plan_trees(const Core& core, Plan& plan, const Islands& islands, Arena temporary);
 
 Plan make_plan(const Core& core, Arena& arena);
 

@@ -101,11 +101,11 @@ std::uint32_t order_trees(const Core& core, bool awake, TreeBody* out, Arena tem
     return count;
 }
 
-ISLET_APART void plan_trees(const Core& core, Plan& plan, const std::uint32_t* batch_of, Arena temporary) {
+ISLET_APART void plan_trees(const Core& core, Plan& plan, const Islands& islands, Arena temporary) {
     TreeBody* ordered = temporary.take<TreeBody>(tree_capacity(core.capacity));
     std::uint32_t* place_of = temporary.take<std::uint32_t>(core.state->body_pool.high_water);  // of a body, among its batch's
     const std::uint32_t count = order_trees(core, true, ordered, temporary);
-    for (std::uint32_t i = 0; i < count; ++i) ++plan.batches[batch_of[ordered[i].body]].end_tree;
+    for (std::uint32_t i = 0; i < count; ++i) ++plan.batches[islands.batch_of(ordered[i].body)].end_tree;
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         Batch& batch = plan.batches[b];
         batch.first_tree = plan.tree_count;
@@ -113,7 +113,7 @@ ISLET_APART void plan_trees(const Core& core, Plan& plan, const std::uint32_t* b
         batch.end_tree = batch.first_tree;
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        Batch& batch = plan.batches[batch_of[ordered[i].body]];
+        Batch& batch = plan.batches[islands.batch_of(ordered[i].body)];
         place_of[ordered[i].body] = batch.end_tree - batch.first_tree;
         plan.tree_bodies[batch.end_tree++] = ordered[i];
     }

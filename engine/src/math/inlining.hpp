@@ -17,3 +17,6 @@
 #define ISLET_COPIED [[gnu::always_inline]] inline
 #define ISLET_APART
 #endif
+
+/// Before a named part of a long function that has no other caller: copied into it in every build.
+#define ISLET_PART [[gnu::always_inline]] inline

@@ -16,7 +16,7 @@ namespace detail {
 namespace {
 
 template <std::uint32_t W>
-void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uint32_t count, float* speeds) {
+void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uint32_t count, Hit* hits) {
     for (std::uint32_t block = 0; block < count; ++block) {
         const ContactRows<W>& r = rows[block];
         for (std::uint32_t i = 0; i < W; ++i) {
@@ -25,7 +25,7 @@ void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uin
             if ((m.flags & contact_hits) == 0) continue;
             const float first = r.peak[0][i] > 0 ? max(-r.approach[0][i], 0.0f) : 0.0f;
             const float second = m.count() == 2 && r.peak[1][i] > 0 ? max(-r.approach[1][i], 0.0f) : 0.0f;
-            speeds[r.contact[i]] = second > first ? -second : first;
+            hits[r.contact[i]] = Hit::of_points(first, second);
         }
     }
 }
@@ -34,28 +34,28 @@ void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uin
 
 void link_hits() {}
 
-void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, Hit* hits) { note(manifolds, rows, count, hits); }
 #if ISLET_MAX_LANES >= 4
-void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, Hit* hits) { note(manifolds, rows, count, hits); }
 #endif
 #if ISLET_MAX_LANES >= 8
-void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, float* speeds) { note(manifolds, rows, count, speeds); }
+void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, Hit* hits) { note(manifolds, rows, count, hits); }
 #endif
 
-void report_hits(Core& core, const float* speeds) {
+void report_hits(Core& core, const Hit* hits) {
     const float threshold = core.state->hit_threshold;
     const std::uint32_t room = hit_capacity(core.capacity);
     const BitSet awake = core.awake_contacts;
     awake.for_each([&](std::uint32_t i) {
         constexpr std::uint32_t wanted = contact_touching | contact_hits;
-        if ((core.manifolds[i].flags & wanted) != wanted || !(abs(speeds[i]) > threshold)) return;
+        if ((core.manifolds[i].flags & wanted) != wanted || !(hits[i].speed() > threshold)) return;
         if (core.hit_count == room) {
             ++core.report.dropped_hits;
             return;
         }
         ContactInfo contact;
         read_contact(core, i, contact);
-        core.hit_events[core.hit_count++] = {contact.shape_a, contact.shape_b, contact.points[speeds[i] < 0 ? 1 : 0].point, contact.normal, abs(speeds[i])};
+        core.hit_events[core.hit_count++] = {contact.shape_a, contact.shape_b, contact.points[hits[i].point()].point, contact.normal, hits[i].speed()};
     });
     if (core.report.dropped_hits != 0) core.fail(Error::hits_full);
 }

@@ -20,16 +20,16 @@ ISLET_SHARED void push_body(SolverBody& body, Vec2 impulse, float turning) {
 // The two normal impulses of a contact, exactly: w_i = sum over j of K_ij (x_j - old_j) + speed_i + softness_i x_i, its bias in the speed.
 void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumbers& n) {
     const Vec2 normal = {r.nx[0], r.ny[0]};
-    const float vn = dot(normal, b.v - a.v), moved = dot(normal, b.dp - a.dp) + b.dq * r.dt[0];
-    float at[2], bt[2], old[2], speed[2], k[2], m[2];  // m: K_ii + softness_i
+    const float vn = dot(normal, b.v - a.v), moved = dot(normal, b.dp - a.dp) + b.dq * r.rn_ab[0];
+    float rna[2], rnb[2], old[2], speed[2], k[2], m[2];  // m: K_ii + softness_i
     for (std::uint32_t i = 0; i < 2; ++i) {
         const ContactRows<1>::Point& p = r.points[i];
-        at[i] = p.at[0];
-        bt[i] = at[i] + r.dt[0];
+        rna[i] = p.rna[0];
+        rnb[i] = rna[i] + r.rn_ab[0];
         old[i] = p.normal_impulse[0];
-        const float s = p.separation[0] + moved + at[i] * (b.dq - a.dq);
-        speed[i] = vn + b.w * bt[i] - a.w * at[i];
-        m[i] = k[i] = a.inv_mass + b.inv_mass + a.inv_inertia * at[i] * at[i] + b.inv_inertia * bt[i] * bt[i];
+        const float s = p.separation[0] + moved + rna[i] * (b.dq - a.dq);
+        speed[i] = vn + b.w * rnb[i] - a.w * rna[i];
+        m[i] = k[i] = a.inv_mass + b.inv_mass + a.inv_inertia * rna[i] * rna[i] + b.inv_inertia * rnb[i] * rnb[i];
         if (s > 0) {
             speed[i] += s * n.inv_h;
         } else if (n.bias_rate > 0) {
@@ -38,7 +38,7 @@ void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumb
             m[i] = k[i] / n.mass_scale;
         }
     }
-    const float k01 = a.inv_mass + b.inv_mass + a.inv_inertia * at[0] * at[1] + b.inv_inertia * bt[0] * bt[1], m00 = m[0], m11 = m[1];
+    const float k01 = a.inv_mass + b.inv_mass + a.inv_inertia * rna[0] * rna[1] + b.inv_inertia * rnb[0] * rnb[1], m00 = m[0], m11 = m[1];
     const float q0 = speed[0] - k[0] * old[0] - k01 * old[1], q1 = speed[1] - k01 * old[0] - k[1] * old[1];
 
     float x[2] = {old[0], old[1]};  // should rounding leave no case
@@ -62,8 +62,8 @@ void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumb
         if (r.is_bouncy()) r.peak[i][0] = max(r.peak[i][0], x[i]);
     }
     const Vec2 push = (d0 + d1) * normal;
-    push_body(a, -push, -(at[0] * d0 + at[1] * d1));
-    push_body(b, push, bt[0] * d0 + bt[1] * d1);
+    push_body(a, -push, -(rna[0] * d0 + rna[1] * d1));
+    push_body(b, push, rnb[0] * d0 + rnb[1] * d1);
 }
 
 void solve_one(SolverBody* bodies, ContactRows<1>& r, const SweepNumbers& numbers, bool block) {

@@ -37,23 +37,28 @@ struct Kernel8 {
 
 namespace {
 
+/// The numbers of a solve: how it treats time and impulses, and how each kind of sweep treats contacts and joints.
+struct SolveNumbers {
+    StepNumbers step;
+    SweepNumbers biased, ground, relaxed;  // `ground`: for the colours of static contacts, which are stiffer
+    JointSweep biased_joints, relaxed_joints;
+    float tolerance = 0;  // m/s; 0: as many sweeps as there are to be
+    bool is_ordered = false;
+};
+
 /// What all batches of one solve share.
 struct Solve {
     Core& core;
     const Plan& plan;
-    StepNumbers numbers;
-    SweepNumbers biased, ground, relaxed;  // `ground`: for the colours of static contacts, which are stiffer
-    SolverBody* bodies;
-    SolverMotion* motions;
-    JointSweep biased_joints, relaxed_joints;
-    bool is_ordered = false;
-    std::byte* joint_rows;
-    TreeLink* trees;
-    std::byte* blocks;  // ContactRows of the core's lanes
-    ContactRows<1>* overflow;
-    float* residuals;       // m/s, by island; null if not wanted
-    float tolerance;        // m/s; 0: as many sweeps as there are to be
-    float* hits = nullptr;  // m/s, by contact: how fast the shapes came together (hits.hpp); null if not wanted
+    SolveNumbers numbers;
+    SolverBody* bodies = nullptr;     // by slot
+    SolverMotion* motions = nullptr;  // by slot
+    std::byte* joint_rows = nullptr;
+    TreeLink* trees = nullptr;
+    std::byte* blocks = nullptr;  // ContactRows of the core's lanes
+    ContactRows<1>* overflow = nullptr;
+    float* residuals = nullptr;  // m/s, by island; null if not wanted
+    Hit* hits = nullptr;         // by contact; null if not wanted
 };
 
 SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, float h) {
@@ -67,10 +72,10 @@ SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, floa
     return n;
 }
 
-void choose_numbers(Solve& s, float dt) {
-    const State& state = *s.core.state;
+SolveNumbers choose_numbers(const State& state, float dt) {
+    SolveNumbers s;
     const SolverState& def = state.solver;
-    StepNumbers& n = s.numbers;
+    StepNumbers& n = s.step;
     n.dt = dt;
     n.h = dt / static_cast<float>(def.substeps);
     n.inv_h = 1.0f / n.h;
@@ -118,11 +123,12 @@ void choose_numbers(Solve& s, float dt) {
     } else {
         s.biased_joints.soft.rate = s.biased_joints.tree_rate = def.baumgarte * n.inv_h;
     }
+    return s;
 }
 
 void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
-    const Core& core = s.core;
-    const float h = s.numbers.h;
+    Core& core = s.core;
+    const float h = s.numbers.step.h;
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         const std::uint32_t i = s.plan.body_of[slot];
         const Pose& pose = core.poses[i];
@@ -138,15 +144,15 @@ void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
         b.inv_mass *= lightness;
         b.inv_inertia = stiffened(lightness * pose.inv_inertia, core.bodies[i].stretch);
         gather_motion(s.motions[slot], core, i, h);
-        s.core.bodies[i].stretch = 0;  // the joints' forces of this step give the next one's
+        core.bodies[i].stretch = 0;  // the joints' forces of this step give the next one's
     }
 }
 
 // v <- factor (v + a) + warm start. Within a step anchors and normals do not change, so the warm start of a later substep, M^-1 J^T lambda summed over a
 // body's rows, is just what the sweeps of the substep before made of its velocity: v - v_free. One addition a body replaces a pass over all rows.
 void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot, bool first) {
-    const float max_speed = s.numbers.max_speed;
-    const float max_turn = s.numbers.max_turn;
+    const float max_speed = s.numbers.step.max_speed;
+    const float max_turn = s.numbers.step.max_turn;
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
         SolverMotion& m = s.motions[slot];
@@ -168,9 +174,9 @@ void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_
 }
 
 void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
-    const float h = s.numbers.h;
-    const float max_speed = s.numbers.max_speed;
-    const float max_turn = s.numbers.max_turn;  // separations follow the turning to first order, so no substep may turn far
+    const float h = s.numbers.step.h;
+    const float max_speed = s.numbers.step.max_speed;
+    const float max_turn = s.numbers.step.max_turn;  // separations follow the turning to first order, so no substep may turn far
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
         SolverBody& b = s.bodies[slot];
         if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
@@ -198,8 +204,8 @@ void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) 
         b.dq = within_bounds(b.dq, max_turn);
         Pose& pose = s.core.poses[i];
         Motion& motion = s.core.motions[i];
-        motion.v = limit_speed(b.v, s.numbers.max_speed);
-        motion.w = within(b.w, s.numbers.max_turn);
+        motion.v = limit_speed(b.v, s.numbers.step.max_speed);
+        motion.w = within(b.w, s.numbers.step.max_turn);
         motion.force = {0, 0};
         motion.torque = 0;
         pose.center = max(min(pose.center + b.dp, Vec2{max_position, max_position}), Vec2{-max_position, -max_position});
@@ -271,8 +277,7 @@ struct BatchSolve {
     /// work(first, end) over the slots of the batch's bodies.
     template <class Work>
     void over_bodies(Work&& work) {
-        over(batch.end_slot - batch.first_slot, slot_grain,
-             [&](std::uint32_t first, std::uint32_t end) { work(batch.first_slot + first, batch.first_slot + end); });
+        over(batch.body_count, slot_grain, [&](std::uint32_t first, std::uint32_t end) { work(batch.first_slot + first, batch.first_slot + end); });
     }
 
     /// work(first block, end block, colour), colour by colour: rows of one colour share no body that can be pushed.
@@ -316,7 +321,7 @@ struct BatchSolve {
 template <class K>
 void BatchSolve<K>::prepare() {
     over_bodies([&](std::uint32_t first, std::uint32_t end) { gather_bodies(s, first, end); });
-    const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers};
+    const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers.step};
     over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) {
         name_contacts(s.core, row(first), end - first, s.plan.contacts + std::size_t{first} * W);
         K::prepare(in, row(first), end - first);
@@ -324,7 +329,7 @@ void BatchSolve<K>::prepare() {
     name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
     ContactKernel<Lane1>::prepare(in, overflow, overflow_count);
 
-    const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers};
+    const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers.step};
     if (tree_count() != 0) prepare_trees(s.plan, batch, s.trees, joints, s.motions);
     for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
         const JointRun& r = s.plan.runs[i];
@@ -346,7 +351,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const JointRun& r = s.plan.runs[run];
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
-    if (!s.is_ordered) ContactKernel<Lane1>::solve(s.bodies, overflow, overflow_count, dynamic);
+    if (!s.numbers.is_ordered) ContactKernel<Lane1>::solve(s.bodies, overflow, overflow_count, dynamic);
     for (std::uint32_t c = 0; c < color_count; ++c) {
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
@@ -358,7 +363,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
         over(count, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, row(begin + first), end - first, numbers); });
     }
-    if (has_tuning && s.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
+    if (has_tuning && s.numbers.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
     if (tree_count() != 0) solve_trees(s.bodies, s.trees + batch.first_tree, tree_count(), joints);
     hold();
 }
@@ -367,7 +372,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
 template <class K>
 float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
     const std::uint32_t* const island_of = s.plan.island_of;
-    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot)
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
         if (island_of[slot] != null_index) s.residuals[island_of[slot]] = 0;
     const auto try_contacts = [&]<class Kernel>(Kernel, typename Kernel::Rows& r, const SweepNumbers& numbers) {
         Trial trial(reinterpret_cast<std::byte*>(&r), sizeof r);
@@ -380,7 +385,7 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
         ContactRows<1>& r = overflow[i];
         const bool both_move = s.bodies[r.body_a[0]].inv_mass > 0 && s.bodies[r.body_b[0]].inv_mass > 0;
-        try_contacts(ContactKernel<Lane1>{}, r, s.is_ordered && !both_move ? ground : dynamic);
+        try_contacts(ContactKernel<Lane1>{}, r, s.numbers.is_ordered && !both_move ? ground : dynamic);
     }
     for (std::uint32_t c = 0; c < color_count; ++c)
         for (std::uint32_t block = batch.first_block[c]; block < batch.first_block[c + 1]; ++block)
@@ -388,7 +393,7 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) try_joints(s.plan.runs[i], joints);
 
     float largest = 0;
-    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot; ++slot)
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
         if (island_of[slot] != null_index) largest = max(largest, s.residuals[island_of[slot]]);
     return largest;
 }
@@ -428,7 +433,7 @@ void BatchSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, cons
     for (std::uint32_t i = 0; i < most; ++i) {
         sweep(dynamic, ground, joints);
         ++batch.sweeps;
-        if (has_tuning && s.tolerance > 0 && measure(dynamic, ground, joints) <= s.tolerance) return;
+        if (has_tuning && s.numbers.tolerance > 0 && measure(dynamic, ground, joints) <= s.numbers.tolerance) return;
     }
 }
 
@@ -442,7 +447,7 @@ void BatchSolve<K>::store() {
     ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
-    const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.dt, s.numbers.h, s.numbers.warm};
+    const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
     if (tree_count() != 0) store_trees(s.trees + batch.first_tree, tree_count(), out);
     for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
         const JointRun& r = s.plan.runs[i];
@@ -463,14 +468,14 @@ void BatchSolve<K>::run() {
         hold();
         const bool relaxes = is_soft(def) && def.relax_iterations > 0;
         const bool measures = has_tuning && s.residuals != nullptr && substep + 1 == def.substeps;
-        sweeps(def.iterations, s.biased, s.ground, s.biased_joints);
-        if (measures && !relaxes) measure(s.biased, s.ground, s.biased_joints);
+        sweeps(def.iterations, s.numbers.biased, s.numbers.ground, s.numbers.biased_joints);
+        if (measures && !relaxes) measure(s.numbers.biased, s.numbers.ground, s.numbers.biased_joints);
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_positions(s, first, end); });
         if (!relaxes) continue;
-        sweeps(def.relax_iterations, s.relaxed, s.relaxed, s.relaxed_joints);
-        if (measures) measure(s.relaxed, s.relaxed, s.relaxed_joints);
+        sweeps(def.relax_iterations, s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
+        if (measures) measure(s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
     }
-    const float threshold = s.numbers.restitution_threshold;
+    const float threshold = s.numbers.step.restitution_threshold;
     ContactKernel<Lane1>::restitute(s.bodies, overflow, overflow_count, threshold);
     over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) { K::restitute(s.bodies, row(first), end - first, threshold); });
     hold();
@@ -551,14 +556,13 @@ void report_residuals(Core& core, const Plan& plan, const float* residuals) {
 }  // namespace
 
 SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
-    Solve s{core, plan, {}, {}, {}, {}, nullptr, nullptr, {}, {}, false, nullptr, nullptr, nullptr, nullptr, nullptr, 0};
-    choose_numbers(s, dt);
+    Solve s{.core = core, .plan = plan, .numbers = choose_numbers(*core.state, dt)};
     s.bodies = arena.take<SolverBody>(plan.slot_count);
     s.motions = arena.take<SolverMotion>(plan.slot_count);
     s.bodies[0] = SolverBody{};
     s.motions[0] = SolverMotion{};
     if (has_tuning && measures_residual(core.state->solver)) s.residuals = arena.take<float>(plan.island_count);
-    if (has_hits && (core.state->asked & shape_hit_events) != 0) s.hits = arena.take<float>(core.state->contact_pool.high_water);
+    if (has_hits && (core.state->asked & shape_hit_events) != 0) s.hits = arena.take<Hit>(core.state->contact_pool.high_water);
     Arena rows = arena;  // nobody asks for the rows afterwards
     s.blocks = rows.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
@@ -573,7 +577,7 @@ SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
 #endif
         default: solve_batches<ContactKernel<Lane1>>(s); break;
     }
-    core.state->last_substep = s.numbers.h;
+    core.state->last_substep = s.numbers.step.h;
     if (s.residuals != nullptr) report_residuals(core, plan, s.residuals);
     if (has_hits && s.hits != nullptr) report_hits(core, s.hits);
     return s.bodies;

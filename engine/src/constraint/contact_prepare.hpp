@@ -1,0 +1,248 @@
+// The rows of contacts are filled here, from manifolds and from where the bodies are.
+//
+// With m and i the inverse masses and inertias of the bodies, and rn = r x n and rt = t x r (contact_rows.hpp), the rows of a contact point have
+//     k_normal  = ma + mb + ia rna^2 + ib rnb^2
+//     k_tangent = ma + mb + ia rta^2 + ib rtb^2
+#pragma once
+
+#include "../collide/manifold.hpp"
+#include "../constraint/contact_rows.hpp"
+#include "../constraint/lane_vectors.hpp"
+#include "../math/inlining.hpp"
+#include "../math/lanes.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet::detail {
+
+inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
+inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
+inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
+inline constexpr std::uint8_t landing_passes = 5;  // more than one, over what lands: a blow leaves no time to make good what one row does to the others
+
+/// Where prepare finds its inputs.
+struct PrepareInput {
+    const ContactManifold* manifolds;
+    const Pose* poses;
+    const std::uint32_t* slot_of;  // solver slot of a body
+    SolverBody* bodies;
+    const SolverMotion* motions;
+    StepNumbers numbers;
+};
+
+/// Of W contacts: whose they are, and how many points they have. A padded lane reads the first lane's contact and acts on slot 0 with no impulse.
+template <std::uint32_t W>
+struct ContactLanes {
+    std::uint32_t contact[W], body_a[W], body_b[W];
+    float has_point[2][W];  // 1 or 0
+};
+
+/// The next block's manifolds may be anywhere in memory.
+template <std::uint32_t W>
+ISLET_PART void prefetch_manifolds(const PrepareInput& in, const ContactRows<W>& next) {
+    for (std::uint32_t i = 0; i < W; ++i) {
+        if (next.contact[i] == null_index) continue;
+        const ContactManifold& soon = in.manifolds[next.contact[i]];
+        __builtin_prefetch(&soon);
+        __builtin_prefetch(&soon.rolling_impulse);
+    }
+}
+
+/// Fills in the whole words of a block: its bodies, and what it has in any lane.
+template <std::uint32_t W>
+ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLanes<W>& lanes) {
+    r.two_points = r.special = r.bouncy = false;
+    for (std::uint32_t i = 0; i < W; ++i) {
+        const bool is_live = W == 1 || r.contact[i] != null_index;  // single rows need no padding
+        lanes.contact[i] = is_live ? r.contact[i] : r.contact[0];
+        const ContactManifold& m = in.manifolds[lanes.contact[i]];
+        lanes.body_a[i] = m.body_a;
+        lanes.body_b[i] = m.body_b;
+        r.body_a[i] = is_live ? in.slot_of[m.body_a] : 0;
+        r.body_b[i] = is_live ? in.slot_of[m.body_b] : 0;
+        lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
+        lanes.has_point[1][i] = is_live && m.count() == 2 ? 1.0f : 0.0f;
+        r.two_points |= lanes.has_point[1][i] != 0;
+        r.special |= is_live && (m.flags & contact_special) != 0;
+        r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
+        r.ahead[i] = is_live && (m.flags & contact_ahead) != 0 && (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0)
+                         ? landing_passes
+                         : 0;
+    }
+}
+
+/// The manifolds of a block.
+template <class L>
+struct LaneManifolds {
+    using F = typename L::F;
+    F frame[8];    // normal, offset, rotations of A and B when the manifold was made
+    F points[8];   // anchors, normal impulses, tangent impulses
+    F surface[4];  // rolling impulse, separations, friction
+
+    ISLET_LANE LaneManifolds(const ContactManifold* manifolds, const std::uint32_t* contact) {
+        const float* words = reinterpret_cast<const float*>(manifolds);
+        L::template gather8<manifold_words>(words + 4, contact, frame);
+        L::template gather8<manifold_words>(words + 12, contact, points);
+        L::template gather4<manifold_words>(words + 20, contact, surface);
+    }
+    ISLET_LANE LaneVec<F> normal() const { return {frame[0], frame[1]}; }
+    ISLET_LANE LaneVec<F> offset() const { return {frame[2], frame[3]}; }
+    ISLET_LANE LaneVec<F> rotation_a() const { return {frame[4], frame[5]}; }  // cosine, sine
+    ISLET_LANE LaneVec<F> rotation_b() const { return {frame[6], frame[7]}; }
+    ISLET_LANE LaneVec<F> anchor(std::uint32_t i) const { return {points[2 * i], points[2 * i + 1]}; }
+    ISLET_LANE F normal_impulse(std::uint32_t i) const { return points[4 + i]; }
+    ISLET_LANE F tangent_impulse(std::uint32_t i) const { return points[6 + i]; }
+    ISLET_LANE F rolling_impulse() const { return surface[0]; }
+    ISLET_LANE F separation(std::uint32_t i) const { return surface[1 + i]; }
+    ISLET_LANE F friction() const { return surface[3]; }
+};
+
+/// How the bodies of a block moved since its manifolds were made.
+template <class L>
+struct MotionSince {
+    using F = typename L::F;
+    F along;   // m, the centres apart along the normal
+    F ca, sa;  // cosine - 1 and sine of what A has turned
+    F cb, sb;  // and B
+
+    ISLET_LANE MotionSince(const LaneManifolds<L>& m, const Pose* poses, const std::uint32_t* body_a, const std::uint32_t* body_b) {
+        F a[4], b[4];  // centre, cosine, sine
+        L::template gather4<pose_words>(reinterpret_cast<const float*>(poses), body_a, a);
+        L::template gather4<pose_words>(reinterpret_cast<const float*>(poses), body_b, b);
+        const F one = L::splat(1.0f);
+        const LaneVec<F> qa = {a[2], a[3]}, qb = {b[2], b[3]};
+        along = dot(m.normal(), LaneVec<F>{b[0], b[1]} - LaneVec<F>{a[0], a[1]} - m.offset());
+        ca = dot(m.rotation_a(), qa) - one;
+        sa = cross(m.rotation_a(), qa);
+        cb = dot(m.rotation_b(), qb) - one;
+        sb = cross(m.rotation_b(), qb);
+    }
+    /// m, by which turning moved the two surfaces apart at a contact point.
+    ISLET_LANE F by_turning(F rna, F rta, F rnb, F rtb) const { return (cb * rtb + sb * rnb) - (ca * rta + sa * rna); }
+};
+
+/// The arms of a contact point.
+template <class F>
+struct PointArms {
+    F rta, rna, rtb, rnb;
+};
+
+/// Fills a point's arms and effective masses. `usable`: the relaxation factor, 0 in lanes without this point.
+template <class L>
+ISLET_PART void prepare_point(typename ContactRows<L::width>::Point& p, const BodyPair<L>& s, const PointArms<typename L::F>& r, typename L::F usable) {
+    using F = typename L::F;
+    const F zero = L::splat(0.0f);
+    const F mass = s.ma + s.mb;
+    const F k_normal = mass + s.ia * r.rna * r.rna + s.ib * r.rnb * r.rnb;
+    const F k_tangent = mass + s.ia * r.rta * r.rta + s.ib * r.rtb * r.rtb;
+    L::store(p.rta, r.rta);
+    L::store(p.rna, r.rna);
+    L::store(p.normal_mass, select(k_normal > zero, usable / k_normal, zero));
+    L::store(p.tangent_mass, select(k_tangent > zero, usable / k_tangent, zero));
+}
+
+/// m/s: the normal velocity of a point at the moment the surfaces will meet, gravity and forces included until then. `speed` is what it is now, `gain` what
+/// it gains in a second, `behind` how far the point is behind the contact's first to meet.
+template <class L>
+ISLET_PART typename L::F approach_of(const StepNumbers& n, typename L::F speed, typename L::F separation, typename L::F gain, typename L::F behind) {
+    using F = typename L::F;
+    const F zero = L::splat(0.0f);
+    const F fastest = L::splat(-2.0f * n.max_speed);  // that two bodies can meet at, whatever pulls at them
+    const F gap = max(separation, zero);
+    const F time = select(speed < zero, min(gap / max(zero - speed, L::splat(1.0e-9f)), L::splat(n.dt)), zero);
+    // A point that comes down behind the first does so at another speed: it does not bounce.
+    const F meeting = select(behind > L::splat(2.0f * linear_slop), zero, speed + time * gain);
+    return select(meeting < fastest, fastest, meeting);
+}
+
+/// Fills the rolling row; returns its impulse to start from. A contact without rolling resistance has none, though a neighbour in its block may have one, or
+/// it had one a step ago.
+template <class L>
+ISLET_PART typename L::F prepare_rolling(ContactRows<L::width>& r, const BodyPair<L>& s, const StepNumbers& n, typename L::F old) {
+    using F = typename L::F;
+    const F zero = L::splat(0.0f);
+    const F k_rolling = s.ia + s.ib;
+    const auto rolls = L::load(r.rolling_resistance) > zero;
+    const F impulse = select(rolls, L::splat(n.warm) * old, zero);
+    L::store(r.rolling_mass, select(k_rolling > zero, L::splat(n.omega) / k_rolling, zero));
+    L::store(r.rolling_impulse, impulse);
+    return impulse;
+}
+
+/// Fills the rows of blocks whose `contact` entries are given, and adds the warm start velocity to the bodies' dp and dq. The material of special
+/// and bouncy contacts is filled in by the caller beforehand.
+template <class L>
+ISLET_PART void prepare_contacts(const PrepareInput& in, ContactRows<L::width>* rows, std::uint32_t count) {
+    using F = typename L::F;
+    constexpr std::uint32_t W = L::width;
+    const F zero = L::splat(0.0f);
+    const F omega = L::splat(in.numbers.omega);
+    const F warm = L::splat(in.numbers.warm);
+
+    for (std::uint32_t block = 0; block < count; ++block) {
+        ContactRows<W>& r = rows[block];
+        ContactLanes<W> lanes;
+        if (W > 1 && block + 1 < count) prefetch_manifolds(in, rows[block + 1]);
+        name_bodies(in, r, lanes);
+        const LaneManifolds<L> m(in.manifolds, lanes.contact);
+        const MotionSince<L> since(m, in.poses, lanes.body_a, lanes.body_b);
+        BodyPair<L> s;
+        s.gather(in.bodies, r.body_a, r.body_b);
+
+        const LaneVec<F> n = m.normal();
+        const F rt_ab = zero - dot(n, m.offset()), rn_ab = zero - cross(m.offset(), n);
+        L::store(r.nx, n.x);
+        L::store(r.ny, n.y);
+        L::store(r.friction, m.friction());
+        L::store(r.rt_ab, rt_ab);
+        L::store(r.rn_ab, rn_ab);
+
+        const F vn = dot(n, s.vb - s.va);
+        F gain = zero;  // m/s^2, of the normal velocity
+        if (r.is_bouncy()) {
+            F a[8], b[8];
+            L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_a, a);
+            L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_b, b);
+            gain = dot(n, LaneVec<F>{b[4], b[5]} - LaneVec<F>{a[4], a[5]}) * L::splat(in.numbers.inv_h);
+        }
+
+        F impulse_n = zero, impulse_t = zero, turning_a = zero, turning_b = zero;  // to start from: on B along n and t, and on each body's spin
+        const std::uint32_t points = r.two_points ? 2 : 1;
+        for (std::uint32_t i = 0; i < points; ++i) {
+            typename ContactRows<W>::Point& p = r.points[i];
+            const F has_point = L::load(lanes.has_point[i]);
+            const F rta = dot(n, m.anchor(i)), rna = cross(m.anchor(i), n);
+            const F rtb = rta + rt_ab, rnb = rna + rn_ab;
+            prepare_point<L>(p, s, {rta, rna, rtb, rnb}, has_point * omega);
+
+            const F separation = m.separation(i) + since.along + since.by_turning(rna, rta, rnb, rtb);
+            L::store(p.separation, separation);
+            const F normal_impulse = has_point * warm * m.normal_impulse(i), tangent_impulse = has_point * warm * m.tangent_impulse(i);
+            L::store(p.normal_impulse, normal_impulse);
+            L::store(p.tangent_impulse, tangent_impulse);
+            impulse_n = impulse_n + normal_impulse;
+            impulse_t = impulse_t + tangent_impulse;
+            turning_a = turning_a + (rna * normal_impulse - rta * tangent_impulse);
+            turning_b = turning_b + (rnb * normal_impulse - rtb * tangent_impulse);
+            if (r.is_bouncy()) {
+                const F first = select(L::load(lanes.has_point[1]) > zero, min(m.separation(0), m.separation(1)), m.separation(0));
+                L::store(r.approach[i], approach_of<L>(in.numbers, vn + s.wb * rnb - s.wa * rna, separation, gain, m.separation(i) - first));
+                L::store(r.peak[i], zero);
+            }
+        }
+        if (r.is_special()) {
+            const F rolling = prepare_rolling<L>(r, s, in.numbers, m.rolling_impulse());
+            turning_a = turning_a + rolling;
+            turning_b = turning_b + rolling;
+        }
+
+        // Warm start, kept apart from the velocities until the first substep has integrated them.
+        const LaneVec<F> impulse = in_world(n, impulse_n, impulse_t);
+        s.dpa = s.dpa - s.ma * impulse;
+        s.dpb = s.dpb + s.mb * impulse;
+        s.dqa = s.dqa - s.ia * turning_a;
+        s.dqb = s.dqb + s.ib * turning_b;
+        s.scatter_motion(in.bodies, r.body_a, r.body_b);
+    }
+}
+
+}  // namespace islet::detail
