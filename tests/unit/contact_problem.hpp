@@ -4,13 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "constraint/contact.hpp"
+#include "constraint/kernels.hpp"
+#include "math/lanes.hpp"
 #include "support/random.hpp"
-
-namespace islet::detail {
-extern template struct ContactKernel<Lane1>;
-extern template struct ContactKernel<Lane4>;
-}  // namespace islet::detail
 
 namespace islet::test {
 
@@ -129,7 +125,7 @@ template <class Lane>
 Solved run_kernel(const ContactProblem& problem, const detail::SweepNumbers& biased, const detail::SweepNumbers& relaxed, int sweeps,
                   bool restitution) {
     using namespace detail;
-    using Kernel = ContactKernel<Lane>;
+    using Kernel = ContactKernel<Lane::width>;
     constexpr std::uint32_t W = Lane::width;
     Solved out{problem.bodies, problem.manifolds};
     std::vector<std::vector<typename Kernel::Rows>> rows;

@@ -13,7 +13,7 @@
 #include <cstddef>
 
 #include "../constraint/contact_prepare.hpp"
-#include "../constraint/contact_rows.hpp"
+#include "../constraint/kernels.hpp"
 #include "../constraint/lane_vectors.hpp"
 #include "../math/lanes.hpp"
 #include "../math/scalar.hpp"
@@ -21,29 +21,6 @@
 namespace islet::detail {
 
 inline constexpr std::uint32_t restitution_passes = 6;
-
-template <class L>
-struct ContactKernel {
-    static constexpr std::uint32_t W = L::width;
-    using F = typename L::F;
-    using Rows = ContactRows<W>;
-
-    /// Fills the rows of blocks whose `contact` entries are given, and adds the warm start velocity to the bodies' dp and dq. The material of special
-    /// and bouncy contacts is filled in by the caller beforehand.
-    static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
-    /// One sweep.
-    static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
-    /// Solves those lanes of a block again that land, one by one.
-    static void land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers);
-    /// Gives bouncing contacts their rebound speed.
-    static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
-    /// Writes the impulses back for the next step.
-    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count);
-
-private:
-    /// Magnitude of the sum of a contact's impulses. It is not finite if any of them is not.
-    static F size_of(const Rows& r);
-};
 
 /// How one sweep treats contacts, in all lanes.
 template <class L>
@@ -173,13 +150,15 @@ ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, type
     s.wb = s.wb + s.ib * delta;
 }
 
-template <class L>
-void ContactKernel<L>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
-    prepare_contacts<L>(in, rows, count);
+template <std::uint32_t W>
+void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
+    prepare_contacts<LaneOf<W>>(in, rows, count);
 }
 
-template <class L>
-void ContactKernel<L>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
+template <std::uint32_t W>
+void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
+    using L = LaneOf<W>;
+    using F = typename L::F;
     const SweepLanes<L> sweep(numbers);
     std::uint32_t more = 0;  // passes over this block
     for (std::uint32_t block = 0; block < count;) {
@@ -207,8 +186,8 @@ void ContactKernel<L>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
     }
 }
 
-template <class L>
-void ContactKernel<L>::land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers) {
+template <std::uint32_t W>
+void ContactKernel<W>::land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers) {
     // Rows are words of W lanes each up to the flags.
     constexpr std::uint32_t words = offsetof(Rows, two_points) / (4 * W);
     for (std::uint32_t i = 0; i < W; ++i) {
@@ -221,7 +200,7 @@ void ContactKernel<L>::land(SolverBody* bodies, Rows& rows, const float* changed
         row.special = rows.special;
         row.bouncy = rows.bouncy;
         row.ahead[0] = static_cast<std::uint8_t>(rows.ahead[i] - 1);
-        ContactKernel<Lane1>::solve(bodies, &row, 1, numbers);
+        ContactKernel<1>::solve(bodies, &row, 1, numbers);
         for (std::uint32_t w = 0; w < words; ++w) std::memcpy(lane + 4 * W * w, copy + 4 * w, 4);
     }
 }
@@ -256,8 +235,9 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
     }
 }
 
-template <class L>
-void ContactKernel<L>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold) {
+template <std::uint32_t W>
+void ContactKernel<W>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold) {
+    using L = LaneOf<W>;
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
         if (!r.is_bouncy()) continue;
@@ -268,16 +248,19 @@ void ContactKernel<L>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t c
     }
 }
 
+/// Magnitude of the sum of a contact's impulses. It is not finite if any of them is not.
 template <class L>
-typename L::F ContactKernel<L>::size_of(const Rows& r) {
+ISLET_PART typename L::F size_of(const ContactRows<L::width>& r) {
+    using F = typename L::F;
     F sum = L::load(r.points[0].normal_impulse) + L::load(r.points[0].tangent_impulse);
     if (r.two_points) sum = sum + L::load(r.points[1].normal_impulse) + L::load(r.points[1].tangent_impulse);
     if (r.is_special()) sum = sum + L::load(r.rolling_impulse);
     return L::abs(sum);
 }
 
-template <class L>
-void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) {
+template <std::uint32_t W>
+void ContactKernel<W>::store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) {
+    using L = LaneOf<W>;
     for (std::uint32_t block = 0; block < count; ++block) {
         const Rows& r = rows[block];
         for (std::uint32_t i = 0; i < W; ++i) {
@@ -291,16 +274,11 @@ void ContactKernel<L>::store(ContactManifold* manifolds, const Rows* rows, std::
             }
             m.rolling_impulse = (m.flags & contact_special) != 0 ? r.rolling_impulse[i] : 0;
         }
-        const std::uint32_t sound = L::bits(size_of(r) < L::splat(unsound_impulse));
+        const std::uint32_t sound = L::bits(size_of<L>(r) < L::splat(unsound_impulse));
         if (sound == (1u << W) - 1) continue;
         for (std::uint32_t i = 0; i < W; ++i)
             if ((sound >> i & 1u) == 0 && (W == 1 || r.contact[i] != null_index)) manifolds[r.contact[i]].forget_impulses();
     }
 }
-
-extern template struct ContactKernel<Lane1>;  // kernel_scalar.cpp
-#if ISLET_MAX_LANES >= 4
-extern template struct ContactKernel<Lane4>;
-#endif
 
 }  // namespace islet::detail

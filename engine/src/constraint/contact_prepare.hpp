@@ -6,7 +6,7 @@
 #pragma once
 
 #include "../collide/manifold.hpp"
-#include "../constraint/contact_rows.hpp"
+#include "../constraint/kernels.hpp"
 #include "../constraint/lane_vectors.hpp"
 #include "../math/inlining.hpp"
 #include "../math/lanes.hpp"
@@ -18,16 +18,6 @@ inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
 inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
 inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
 inline constexpr std::uint8_t landing_passes = 5;  // more than one, over what lands: a blow leaves no time to make good what one row does to the others
-
-/// Where prepare finds its inputs.
-struct PrepareInput {
-    const ContactManifold* manifolds;
-    const Pose* poses;
-    const std::uint32_t* slot_of;  // solver slot of a body
-    SolverBody* bodies;
-    const SolverMotion* motions;
-    StepNumbers numbers;
-};
 
 /// Of W contacts: whose they are, and how many points they have. A padded lane reads the first lane's contact and acts on slot 0 with no impulse.
 template <std::uint32_t W>

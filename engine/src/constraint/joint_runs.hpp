@@ -3,6 +3,7 @@
 
 #include "../constraint/distance_joint.hpp"
 #include "../constraint/gear_joint.hpp"
+#include "../constraint/kernels.hpp"
 #include "../constraint/motor_joint.hpp"
 #include "../constraint/prismatic_joint.hpp"
 #include "../constraint/pulley_joint.hpp"
@@ -125,10 +126,9 @@ void prepare_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, c
     });
 }
 
-/// One sweep.
-template <class L>
+template <std::uint32_t W>
 void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
-    constexpr std::uint32_t W = L::width;
+    using L = LaneOf<W>;
     if constexpr (W > 1) {
         visit_rows<W>(kernel, rows, [&](auto* r) {
             for (std::uint32_t i = 0; i < blocks; ++i) {
@@ -178,9 +178,5 @@ void store_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, con
         }
     });
 }
-
-#if ISLET_MAX_LANES >= 4
-extern template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);  // kernel_scalar.cpp
-#endif
 
 }  // namespace islet::detail

@@ -223,4 +223,25 @@ private:
 };
 #endif
 
+template <std::uint32_t width>
+struct LanesByWidth;
+template <>
+struct LanesByWidth<1> {
+    using Type = Lane1;
+};
+template <>
+struct LanesByWidth<4> {
+    using Type = Lane4;
+};
+#if defined(ISLET_AVX2)
+template <>
+struct LanesByWidth<8> {
+    using Type = Lane8;
+};
+#endif
+
+/// The lanes of a width.
+template <std::uint32_t width>
+using LaneOf = typename LanesByWidth<width>::Type;
+
 }  // namespace islet::detail

@@ -1,4 +1,4 @@
-// The kernel for eight lanes, compiled for AVX2 (math/avx2.hpp).
+// The kernels for eight lanes, compiled for AVX2 (math/avx2.hpp).
 #include "../exact.hpp"
 
 #include "../math/avx2.hpp"
@@ -9,17 +9,8 @@
 namespace islet::detail {
 
 #if defined(ISLET_AVX2)
-void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count) { ContactKernel<Lane8>::prepare(in, rows, count); }
-void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers) {
-    ContactKernel<Lane8>::solve(bodies, rows, count, numbers);
-}
-void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, float threshold) {
-    ContactKernel<Lane8>::restitute(bodies, rows, count, threshold);
-}
-void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count) { ContactKernel<Lane8>::store(manifolds, rows, count); }
-void solve_joints_8(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
-    solve_joints<Lane8>(kernel, bodies, rows, blocks, sweep);
-}
+template struct ContactKernel<8>;
+template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 #endif
 
 }  // namespace islet::detail

@@ -1,4 +1,4 @@
-// The kernel for one lane, and for four where the target's baseline has vectors (SSE2, NEON, wasm-simd128).
+// The kernels for one lane, and for four where the target's baseline has vectors (SSE2, NEON, wasm-simd128).
 #include "../exact.hpp"
 
 #include "../constraint/contact.hpp"
@@ -8,10 +8,10 @@
 
 namespace islet::detail {
 
-template struct ContactKernel<Lane1>;
+template struct ContactKernel<1>;
 #if ISLET_MAX_LANES >= 4
-template struct ContactKernel<Lane4>;
-template void solve_joints<Lane4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+template struct ContactKernel<4>;
+template void solve_joints<4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 #endif
 
 }  // namespace islet::detail

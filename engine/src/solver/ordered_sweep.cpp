@@ -2,7 +2,7 @@
 
 #include "../solver/ordered_sweep.hpp"
 
-#include "../constraint/contact.hpp"
+#include "../constraint/kernels.hpp"
 #include "../island/height_order.hpp"
 #include "../math/inlining.hpp"
 
@@ -67,7 +67,7 @@ void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumb
 }
 
 void solve_one(SolverBody* bodies, ContactRows<1>& r, const SweepNumbers& numbers, bool block) {
-    ContactKernel<Lane1>::solve(bodies, &r, 1, numbers);
+    ContactKernel<1>::solve(bodies, &r, 1, numbers);
     if (block && r.two_points) solve_pair(bodies[r.body_a[0]], bodies[r.body_b[0]], r, numbers);
 }
 

@@ -2,7 +2,7 @@
 
 #include "../solver/solver.hpp"
 
-#include "../constraint/contact.hpp"
+#include "../constraint/kernels.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/surface.hpp"
@@ -17,23 +17,6 @@
 #include "../solver/tree_solve.hpp"
 
 namespace islet::detail {
-
-#if ISLET_MAX_LANES >= 8
-// Eight lanes, from kernel_avx2.cpp; only the declarations can be seen here, where AVX2 is not assumed.
-void prepare_8(const PrepareInput& in, ContactRows<8>* rows, std::uint32_t count);
-void solve_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, const SweepNumbers& numbers);
-void restitute_8(SolverBody* bodies, ContactRows<8>* rows, std::uint32_t count, float threshold);
-void store_8(ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count);
-
-struct Kernel8 {
-    static constexpr std::uint32_t W = 8;
-    using Rows = ContactRows<8>;
-    static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { prepare_8(in, rows, count); }
-    static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& n) { solve_8(bodies, rows, count, n); }
-    static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float t) { restitute_8(bodies, rows, count, t); }
-    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) { store_8(manifolds, rows, count); }
-};
-#endif
 
 namespace {
 
@@ -327,7 +310,7 @@ void BatchSolve<K>::prepare() {
         K::prepare(in, row(first), end - first);
     });
     name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
-    ContactKernel<Lane1>::prepare(in, overflow, overflow_count);
+    ContactKernel<1>::prepare(in, overflow, overflow_count);
 
     const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers.step};
     if (tree_count() != 0) prepare_trees(s.plan, batch, s.trees, joints, s.motions);
@@ -351,7 +334,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const JointRun& r = s.plan.runs[run];
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
-    if (!s.numbers.is_ordered) ContactKernel<Lane1>::solve(s.bodies, overflow, overflow_count, dynamic);
+    if (!s.numbers.is_ordered) ContactKernel<1>::solve(s.bodies, overflow, overflow_count, dynamic);
     for (std::uint32_t c = 0; c < color_count; ++c) {
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
@@ -385,7 +368,7 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
         ContactRows<1>& r = overflow[i];
         const bool both_move = s.bodies[r.body_a[0]].inv_mass > 0 && s.bodies[r.body_b[0]].inv_mass > 0;
-        try_contacts(ContactKernel<Lane1>{}, r, s.numbers.is_ordered && !both_move ? ground : dynamic);
+        try_contacts(ContactKernel<1>{}, r, s.numbers.is_ordered && !both_move ? ground : dynamic);
     }
     for (std::uint32_t c = 0; c < color_count; ++c)
         for (std::uint32_t block = batch.first_block[c]; block < batch.first_block[c + 1]; ++block)
@@ -444,7 +427,7 @@ void BatchSolve<K>::store() {
         K::store(s.core.manifolds, row(begin + first), end - first);
         if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, row(begin + first), end - first, s.hits);
     });
-    ContactKernel<Lane1>::store(s.core.manifolds, overflow, overflow_count);
+    ContactKernel<1>::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
     const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
@@ -476,7 +459,7 @@ void BatchSolve<K>::run() {
         if (measures) measure(s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
     }
     const float threshold = s.numbers.step.restitution_threshold;
-    ContactKernel<Lane1>::restitute(s.bodies, overflow, overflow_count, threshold);
+    ContactKernel<1>::restitute(s.bodies, overflow, overflow_count, threshold);
     over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) { K::restitute(s.bodies, row(first), end - first, threshold); });
     hold();
     store();
@@ -568,15 +551,7 @@ SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
     s.joint_rows = place_joint_rows(plan, core.lanes, rows);
     s.trees = rows.take<TreeLink>(plan.tree_count);
-    switch (core.lanes) {
-#if ISLET_MAX_LANES >= 8
-        case 8: solve_batches<Kernel8>(s); break;
-#endif
-#if ISLET_MAX_LANES >= 4
-        case 4: solve_batches<ContactKernel<Lane4>>(s); break;
-#endif
-        default: solve_batches<ContactKernel<Lane1>>(s); break;
-    }
+    with_lanes(core.lanes, [&](auto lanes) { solve_batches<ContactKernel<lanes>>(s); });
     core.state->last_substep = s.numbers.step.h;
     if (s.residuals != nullptr) report_residuals(core, plan, s.residuals);
     if (has_hits && s.hits != nullptr) report_hits(core, s.hits);

@@ -27,23 +27,18 @@ Sym3 inverse(const Sym3& a, bool turns) {
     return {i.xx + z * e.x * e.x, i.xy + z * e.x * e.y, -(z * e.x), i.yy + z * e.y * e.y, -(z * e.y), z};
 }
 
-struct Motion3 {
-    Vec2 v;
-    float w;
-};
-
 Motion3 operator*(const Sym3& m, const Motion3& f) {
-    return {{m.xx * f.v.x + m.xy * f.v.y + m.xz * f.w, m.xy * f.v.x + m.yy * f.v.y + m.yz * f.w}, m.xz * f.v.x + m.yz * f.v.y + m.zz * f.w};
+    return {m.xx * f.x + m.xy * f.y + m.xz * f.turning, m.xy * f.x + m.yy * f.y + m.yz * f.turning, m.xz * f.x + m.yz * f.y + m.zz * f.turning};
 }
 Vec2 operator*(const Sym2& m, Vec2 v) { return {m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y}; }
 
 // Velocity of the point at `arm`.
-Vec2 at_point(const Motion3& m, Vec2 arm) { return m.v + cross(m.w, arm); }
+Vec2 at_point(const Motion3& m, Vec2 arm) { return m.linear() + cross(m.turning, arm); }
 
 // S = J m J^T for a point at `arm` of a body with the inverse mass m.
 Sym2 point_of(const Sym3& m, Vec2 arm) {
-    const Motion3 x = m * Motion3{{1, 0}, -arm.y};
-    const Motion3 y = m * Motion3{{0, 1}, arm.x};
+    const Motion3 x = m * Motion3{1, 0, -arm.y};
+    const Motion3 y = m * Motion3{0, 1, arm.x};
     const Vec2 vx = at_point(x, arm), vy = at_point(y, arm);
     return {vx.x, vx.y, vy.y};
 }
@@ -111,8 +106,7 @@ void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const
     for (std::uint32_t k = 0; k < count; ++k) {
         TreeLink& l = links[k];
         l.m = {};
-        l.f = {0, 0};
-        l.t = 0;
+        l.pull = {0, 0, 0};
         l.arm_c = turned_arm(bodies[l.child], l.rc);
         l.arm_p = turned_arm(bodies[l.parent], l.rp);
     }
@@ -128,30 +122,31 @@ void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const
         if (l.joint == null_index) continue;
         l.s = inverse(point_of(l.m, l.arm_c));
         if (l.up != null_index) hang(links[l.up].m, l.s, l.arm_p);
-        l.b = missing(l, c, bodies[l.parent], n) - at_point(l.m * Motion3{l.f, l.t}, l.arm_c);
+        l.b = missing(l, c, bodies[l.parent], n) - at_point(l.m * l.pull, l.arm_c);
         if (l.up == null_index) continue;
         const Vec2 lambda = l.s * l.b;
-        links[l.up].f -= lambda;
-        links[l.up].t -= cross(l.arm_p, lambda);
+        Motion3& pull = links[l.up].pull;
+        pull.x -= lambda.x;
+        pull.y -= lambda.y;
+        pull.turning -= cross(l.arm_p, lambda);
     }
-    // And back: here f and t become the change of the body's velocity.
+    // And back.
     for (std::uint32_t k = count; k-- > 0;) {
         TreeLink& l = links[k];
-        Motion3 force = {l.f, l.t};
+        Motion3 force = l.pull;
         if (l.joint != null_index) {
-            if (l.up != null_index) l.b += at_point({links[l.up].f, links[l.up].t}, l.arm_p);
+            if (l.up != null_index) l.b += at_point(links[l.up].change, l.arm_p);
             const Vec2 lambda = l.s * l.b;
             l.lambda += lambda;
-            force.v += lambda;
-            force.w += cross(l.arm_c, lambda);
+            force.x += lambda.x;
+            force.y += lambda.y;
+            force.turning += cross(l.arm_c, lambda);
         }
-        const Motion3 change = l.m * force;
-        l.f = change.v;
-        l.t = change.w;
-        l.dv += change.v;
-        l.dw += change.w;
-        bodies[l.child].v += change.v;
-        bodies[l.child].w += change.w;
+        l.change = l.m * force;
+        l.dv += l.change.linear();
+        l.dw += l.change.turning;
+        bodies[l.child].v += l.change.linear();
+        bodies[l.child].w += l.change.turning;
     }
 }
 

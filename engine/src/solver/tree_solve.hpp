@@ -33,6 +33,12 @@ struct Sym3 {
     float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 };
 
+/// A force over the substep (N s, N m s) or a velocity (m/s, rad/s) of a body.
+struct Motion3 {
+    float x, y, turning;
+    Vec2 linear() const { return {x, y}; }
+};
+
 /// A body of a tree and the hinge that ties it to its parent. Seen from the child, whichever end of the joint it is.
 struct TreeLink {
     std::uint32_t child = 0, parent = 0;  // solver slots
@@ -50,8 +56,10 @@ struct TreeLink {
     Sym3 m;             // what hangs here: its mass, then the inverse of that
     Sym2 s;             // S^-1
     Vec2 b;             // m/s
-    Vec2 f;             // N s gathered from the children
-    float t = 0;        // N m s
+    union {
+        Motion3 pull = {0, 0, 0};  // of the children on the body, until it is solved on the way back from the root
+        Motion3 change;            // from then on: what this sweep made of its velocity
+    };
 };
 
 static_assert(sizeof(TreeLink) == tree_link_bytes);

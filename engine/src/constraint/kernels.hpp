@@ -1,0 +1,67 @@
+// The kernels: what is compiled once for each width of lanes, with the instructions that the width needs.
+//
+//   width  lanes   compiled in
+//   1      Lane1   solver/kernel_scalar.cpp, joints in solver/joint_solve.cpp (a program without joints does not link it)
+//   4      Lane4   solver/kernel_scalar.cpp, where the processor's baseline has vectors
+//   8      Lane8   solver/kernel_avx2.cpp
+//
+// A world's width is chosen when it is made (Core::lanes); with_lanes turns it into a constant.
+#pragma once
+
+#include <type_traits>
+
+#include "../constraint/contact_rows.hpp"
+#include "../constraint/joint_rows.hpp"
+#include "../math/inlining.hpp"
+
+namespace islet::detail {
+
+/// Where prepare finds its inputs.
+struct PrepareInput {
+    const ContactManifold* manifolds;
+    const Pose* poses;
+    const std::uint32_t* slot_of;  // solver slot of a body
+    SolverBody* bodies;
+    const SolverMotion* motions;
+    StepNumbers numbers;
+};
+
+/// The contacts' kernel, W contacts at a time.
+template <std::uint32_t lanes>
+struct ContactKernel {
+    static constexpr std::uint32_t W = lanes;
+    using Rows = ContactRows<W>;
+
+    /// Fills the rows of blocks whose `contact` entries are given, and adds the warm start velocity to the bodies' dp and dq. The material of special
+    /// and bouncy contacts is filled in by the caller beforehand.
+    static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
+    /// One sweep.
+    static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
+    /// Solves those lanes of a block again that land, one by one.
+    static void land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers);
+    /// Gives bouncing contacts their rebound speed.
+    static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
+    /// Writes the impulses back for the next step.
+    static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count);
+};
+extern template struct ContactKernel<1>;
+extern template struct ContactKernel<4>;
+extern template struct ContactKernel<8>;
+
+/// One sweep over a run of joints of one kernel, W joints at a time.
+template <std::uint32_t W>
+void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep);
+extern template void solve_joints<4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+extern template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+
+/// Calls visit with the width as a constant, one of those that this build has.
+template <class Visit>
+ISLET_LANE auto with_lanes(std::uint32_t lanes, Visit&& visit) {
+    if constexpr (max_lanes >= 8)
+        if (lanes == 8) return visit(std::integral_constant<std::uint32_t, 8>{});
+    if constexpr (max_lanes >= 4)
+        if (lanes == 4) return visit(std::integral_constant<std::uint32_t, 4>{});
+    return visit(std::integral_constant<std::uint32_t, 1>{});
+}
+
+}  // namespace islet::detail
