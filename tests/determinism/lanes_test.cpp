@@ -70,7 +70,7 @@ std::span<detail::ContactManifold> manifolds_in(Image& image) {
     std::span<detail::ContactManifold> found;
     detail::for_each_part(nowhere, h, [&](auto& part, std::uint64_t bytes) {
         if constexpr (std::is_same_v<std::remove_reference_t<decltype(part)>, detail::ContactManifold*>)
-            found = {reinterpret_cast<detail::ContactManifold*>(&image[at]), h.contacts};
+            found = {reinterpret_cast<detail::ContactManifold*>(&image[at]), h.used.contacts};
         at += bytes;
     });
     return found;

@@ -4,11 +4,13 @@
 // A chorus can write its calls down as data (Deed), to make them again without some of them, and to print them as C++.
 #pragma once
 
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -347,8 +349,16 @@ bool same(std::span<const T> a, std::span<const T> b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
-inline constexpr const char* part_names[] = {"the state", "poses", "motions", "bodies", "shapes", "boxes", "geometries", "the tree", "contacts", "manifolds",
-                                             "joints", "awake bodies", "awake contacts", "awake joints", "moved shapes"};
+/// The arrays of an image by name, but for the events that wait behind them.
+inline constexpr auto part_names = [] {
+    std::array<const char*, detail::part_count - 2> names{};
+    std::size_t n = 0;
+#define ISLET_NAME(name, size, per, kept, ...) \
+    if (detail::Kept::kept == detail::Kept::saved) names[n++] = #name;
+    ISLET_ARRAYS(ISLET_NAME)
+#undef ISLET_NAME
+    return names;
+}();
 
 /// These have padding.
 inline bool same(std::span<const JointBreakEvent> a, std::span<const JointBreakEvent> b) {
@@ -377,13 +387,13 @@ inline const char* difference(const World& a, const World& b) {
     ImageHeader h = header_of(x), other = header_of(y);
     other.capacity = h.capacity;
     if (std::memcmp(&h, &other, sizeof h) != 0) return "one world holds more than another";
-    const void* parts[32];
+    const void* parts[part_count];
     std::uint32_t n = 0, i = 0;
     const char* different = nullptr;
     for_each_part(x, h, [&](const auto* from, std::uint64_t) { parts[n++] = from; });
     for_each_part(y, h, [&](const auto* from, std::uint64_t bytes) {
         if (i < std::size(part_names) && different == nullptr && std::memcmp(parts[i], from, static_cast<std::size_t>(bytes)) != 0) different = part_names[i];
-        if (different == part_names[6] && same_geometries(x, y)) different = nullptr;
+        if (different != nullptr && std::string_view(different) == "geometries" && same_geometries(x, y)) different = nullptr;
         ++i;
     });
     return different;

@@ -44,7 +44,7 @@ inline constexpr std::uint32_t layout_lanes = 1;
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
 static_assert(max_lanes <= layout_lanes, "this processor has no such ISLET_MAX_LANES");
 
-// Sizes of the records, checked against the structs by static_assert in data/records.hpp and core.hpp.
+// Sizes of the records, checked where the structs stand: those of the arrays below in data/arrays.hpp, the others beside each struct.
 inline constexpr std::size_t state_bytes = 256;
 inline constexpr std::size_t pose_bytes = 32;
 inline constexpr std::size_t motion_bytes = 32;
@@ -109,19 +109,103 @@ constexpr std::size_t joint_row_capacity(const Capacity& c) { return c.joints + 
 /// Bodies in trees of joints that are solved exactly, at most.
 constexpr std::uint32_t tree_capacity(const Capacity& c) { return c.bodies < 2 * c.joints ? c.bodies : 2 * c.joints; }
 
+/// What a world has an array for: one element for each.
+enum class Per : std::uint8_t { world, body, shape, geometry, bucket, tree_node, contact, pair, joint, hit };
+
+/// Elements that there is room for.
+constexpr std::size_t room_for(Per per, const Capacity& c) {
+    switch (per) {
+        case Per::world: return 1;
+        case Per::body: return c.bodies;
+        case Per::shape: return c.shapes;
+        case Per::geometry: return geometry_capacity(c);
+        case Per::bucket: return next_power_of_two(geometry_capacity(c));
+        case Per::tree_node: return std::size_t{2} * c.shapes;
+        case Per::contact: return c.contacts;
+        case Per::pair: return next_power_of_two(2 * c.contacts);
+        case Per::joint: return c.joints;
+        case Per::hit: return hit_capacity(c);
+    }
+    return 0;
+}
+
+/// saved: persistent, and in snapshots. derived: persistent, and made anew from the others when a snapshot is restored. output: holds what the last step told.
+enum class Kept : std::uint8_t { saved, derived, output };
+
+inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bits, which takes whole words of 64
+
+// The arrays of a world, in the order of its block and of its snapshots. To add one, add a line here and the pointer of that name to Core (data/core.hpp):
+// the offset, the pointer's value, snapshots, deltas, the hash and the checks of pools and bits follow. In snapshots that changes image_version too.
+//   size   bytes of an element, or one_bit
+//   hash   when World::hash comes to the array: 1 first, 0 never (the state is hashed field by field, before all arrays)
+//
+//    name              size                      one per    kept     hash
+// clang-format off
+#define ISLET_ARRAYS(X) \
+    X(state,            state_bytes,              world,     saved,    0) \
+    X(poses,            pose_bytes,               body,      saved,    1) \
+    X(motions,          motion_bytes,             body,      saved,    2) \
+    X(bodies,           body_bytes,               body,      saved,    3) \
+    X(shapes,           shape_bytes,              shape,     saved,    4) \
+    X(boxes,            box_bytes,                shape,     saved,    6) \
+    X(geometries,       geometry_bytes,           geometry,  saved,    7) \
+    X(geometry_buckets, 4,                        bucket,    derived,  0) \
+    X(tree,             tree_node_bytes,          tree_node, saved,   10) \
+    X(contacts,         contact_bytes,            contact,   saved,    8) \
+    X(manifolds,        manifold_bytes,           contact,   saved,    9) \
+    X(pairs,            8,                        pair,      derived,  0) \
+    X(joints,           joint_bytes,              joint,     saved,    5) \
+    X(awake_bodies,     one_bit,                  body,      saved,   11) \
+    X(awake_contacts,   one_bit,                  contact,   saved,   12) \
+    X(awake_joints,     one_bit,                  joint,     saved,   13) \
+    X(moved_shapes,     one_bit,                  shape,     saved,   14) \
+    X(begin_events,     sizeof(TouchEvent),       contact,   output,   0) \
+    X(end_events,       sizeof(TouchEvent),       contact,   output,   0) /* what the next step tells of them is saved and hashed, behind all arrays */ \
+    X(hit_events,       sizeof(HitEvent),         hit,       output,   0) \
+    X(moved_events,     sizeof(BodyId),           body,      output,   0) \
+    X(slept_events,     sizeof(BodyId),           body,      output,   0) \
+    X(break_events,     sizeof(JointBreakEvent),  joint,     output,   0) \
+    X(residuals,        4,                        body,      output,   0)
+// clang-format on
+
+/// An array's place in the table.
+enum class Array : std::uint32_t {
+#define ISLET_NAME(name, ...) name,
+    ISLET_ARRAYS(ISLET_NAME)
+#undef ISLET_NAME
+};
+
+/// A row of the table.
+struct ArrayRow {
+    std::uint16_t size;
+    Per per;
+    Kept kept;
+    std::uint8_t hash;
+
+    /// Bytes of `n` elements.
+    constexpr std::size_t bytes(std::size_t n) const { return size == one_bit ? words_for(static_cast<std::uint32_t>(n)) * 8 : n * size; }
+};
+
+inline constexpr ArrayRow array_rows[] = {
+#define ISLET_ROW(name, size, per, kept, hash) {size, Per::per, Kept::kept, hash},
+    ISLET_ARRAYS(ISLET_ROW)
+#undef ISLET_ROW
+};
+inline constexpr std::uint32_t array_count = sizeof array_rows / sizeof array_rows[0];
+
 /// Offsets from the start of the block, bytes.
 struct Layout {
-    std::size_t state, poses, motions, bodies, shapes, boxes, geometries, geometry_buckets, tree, contacts, manifolds, pairs, joints;
-    std::size_t awake_bodies, awake_contacts, awake_joints, moved_shapes;
-    std::size_t persistent_end;
-    std::size_t begin_events, end_events, hit_events, moved_events, slept_events, break_events, residuals;
-    std::size_t scratch, end;
+    std::size_t arrays[array_count];
+    std::size_t persistent_end, scratch, end;
+
+    constexpr std::size_t operator[](Array a) const { return arrays[static_cast<std::uint32_t>(a)]; }
 };
 
 constexpr std::size_t align_up(std::size_t n) { return (n + 63) / 64 * 64; }
 
 constexpr std::size_t max_of(std::size_t a, std::size_t b) { return a > b ? a : b; }
 
+// Bytes that the stages of a step take from scratch, at most (tests/unit/scratch_test.cpp holds that). The other calls that use scratch take less.
 constexpr std::size_t scratch_bytes(const Capacity& c) {
     // Finding pairs: sort keys and the boxes as columns. Collide: which contacts changed, whom to wake. Plan: bodies and contacts in batch order, kept
     // while the solve uses what is left for bodies and contact rows, planning before it for islands and edges, and finishing after it in place of the rows.
@@ -143,36 +227,11 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
 constexpr Layout layout_of(const Capacity& c) {
     Layout l{};
     std::size_t at = host_bytes;
-    const auto take = [&at](std::size_t bytes) {
-        const std::size_t offset = at;
-        at = align_up(at + bytes);
-        return offset;
-    };
-    l.state = take(state_bytes);
-    l.poses = take(c.bodies * pose_bytes);
-    l.motions = take(c.bodies * motion_bytes);
-    l.bodies = take(c.bodies * body_bytes);
-    l.shapes = take(c.shapes * shape_bytes);
-    l.boxes = take(c.shapes * box_bytes);
-    l.geometries = take(geometry_capacity(c) * geometry_bytes);
-    l.geometry_buckets = take(next_power_of_two(geometry_capacity(c)) * std::size_t{4});
-    l.tree = take(2 * c.shapes * tree_node_bytes);
-    l.contacts = take(c.contacts * contact_bytes);
-    l.manifolds = take(c.contacts * manifold_bytes);
-    l.pairs = take(next_power_of_two(2 * c.contacts) * std::size_t{8});
-    l.joints = take(c.joints * joint_bytes);
-    l.awake_bodies = take(words_for(c.bodies) * 8);
-    l.awake_contacts = take(words_for(c.contacts) * 8);
-    l.awake_joints = take(words_for(c.joints) * 8);
-    l.moved_shapes = take(words_for(c.shapes) * 8);
-    l.persistent_end = at;
-    l.begin_events = take(c.contacts * sizeof(TouchEvent));
-    l.end_events = take(c.contacts * sizeof(TouchEvent));
-    l.hit_events = take(hit_capacity(c) * sizeof(HitEvent));
-    l.moved_events = take(c.bodies * sizeof(BodyId));
-    l.slept_events = take(c.bodies * sizeof(BodyId));
-    l.break_events = take(c.joints * sizeof(JointBreakEvent));
-    l.residuals = take(c.bodies * std::size_t{4});
+    for (std::uint32_t i = 0; i < array_count; ++i) {
+        l.arrays[i] = at;
+        at = align_up(at + array_rows[i].bytes(room_for(array_rows[i].per, c)));
+        if (array_rows[i].kept != Kept::output) l.persistent_end = at;
+    }
     l.scratch = at;
     l.end = align_up(at + scratch_bytes(c));
     return l;

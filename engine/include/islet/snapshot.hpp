@@ -22,10 +22,10 @@ inline constexpr std::size_t snapshot_alignment = 8;
 /// Most bytes that a snapshot of a world of this capacity can need. World::snapshot_bytes says how many it needs now.
 constexpr std::size_t max_snapshot_bytes(const Capacity& capacity) {
     using namespace detail;
-    return image_header_bytes + state_bytes + capacity.bodies * (pose_bytes + motion_bytes + body_bytes) +
-           capacity.shapes * (shape_bytes + box_bytes + 2 * tree_node_bytes) + geometry_capacity(capacity) * geometry_bytes +
-           capacity.contacts * (contact_bytes + manifold_bytes + sizeof(TouchEvent)) + capacity.joints * joint_bytes +
-           8 * (words_for(capacity.bodies) + words_for(capacity.contacts) + words_for(capacity.joints) + words_for(capacity.shapes));
+    std::size_t bytes = image_header_bytes + capacity.contacts * sizeof(TouchEvent);  // of touches that ended since the last step
+    for (const ArrayRow& row : array_rows)
+        if (row.kept == Kept::saved) bytes += row.bytes(room_for(row.per, capacity));
+    return bytes;
 }
 
 /// What an image says about itself.

@@ -7,6 +7,7 @@
 #include "../bodies/bounds.hpp"
 #include "../bodies/joint_changes.hpp"
 #include "../broadphase/tree.hpp"
+#include "../data/arrays.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../island/joint_trees.hpp"
@@ -75,17 +76,34 @@ const char* fault_in_bits(const BitSet& bits, const PoolState& pool, const T* sl
     return nullptr;
 }
 
+/// The pool of slots that an array has an element for.
+template <Per per>
+const PoolState& pool_of(const State& s) {
+    if constexpr (per == Per::body) return s.body_pool;
+    if constexpr (per == Per::shape) return s.shape_pool;
+    if constexpr (per == Per::contact) return s.contact_pool;
+    if constexpr (per == Per::joint) return s.joint_pool;
+}
+template <Per per>
+auto* slots_of(const Core& c) {
+    if constexpr (per == Per::body) return c.bodies;
+    if constexpr (per == Per::shape) return c.shapes;
+    if constexpr (per == Per::contact) return c.contacts;
+    if constexpr (per == Per::joint) return c.joints;
+}
+
 const char* fault_in_pools(const Core& c, Arena scratch) {
     const State& s = *c.state;
-    const char* bad = fault_in_pool(s.body_pool, c.bodies, c.capacity.bodies);
-    if (bad == nullptr) bad = fault_in_pool(s.shape_pool, c.shapes, c.capacity.shapes);
-    if (bad == nullptr) bad = fault_in_pool(s.contact_pool, c.contacts, c.capacity.contacts);
-    if (bad == nullptr) bad = fault_in_pool(s.joint_pool, c.joints, c.capacity.joints);
-    if (bad == nullptr) bad = fault_in_geometry_pool(c, scratch);
-    if (bad == nullptr) bad = fault_in_bits(c.awake_bodies, s.body_pool, c.bodies);
-    if (bad == nullptr) bad = fault_in_bits(c.awake_contacts, s.contact_pool, c.contacts);
-    if (bad == nullptr) bad = fault_in_bits(c.awake_joints, s.joint_pool, c.joints);
-    if (bad == nullptr) bad = fault_in_bits(c.moved_shapes, s.shape_pool, c.shapes);
+    const char* bad = nullptr;
+    for_each_array(c, [&](auto& array, auto row) {
+        if constexpr (row.array == Array::geometries) {
+            if (bad == nullptr) bad = fault_in_geometry_pool(c, scratch);
+        } else if constexpr (row.size == one_bit) {
+            if (bad == nullptr) bad = fault_in_bits(array, pool_of<row.per>(s), slots_of<row.per>(c));
+        } else if constexpr (row.kept == Kept::saved && requires { array->generation; }) {
+            if (bad == nullptr) bad = fault_in_pool(pool_of<row.per>(s), array, static_cast<std::uint32_t>(room_for(row.per, c.capacity)));
+        }
+    });
     if (bad == nullptr && c.moved_shapes.count() != s.moved_count) bad = "the shapes that moved are miscounted";
     return bad;
 }

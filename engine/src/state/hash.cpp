@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "../calls/checks.hpp"
+#include "../data/arrays.hpp"
 #include "../math/checksum.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
@@ -39,13 +40,25 @@ struct Hasher {
         static_assert(sizeof(T) % 4 == 0);
         words(items, std::size_t{count} * sizeof(T));
     }
-    /// The same of records with user data, which is carried, but decides nothing: for it stand zeros.
+    /// The first `count` elements of an array. User data is carried, but decides nothing: for it stand zeros.
     template <class T>
-    void records_but_data(const T* items, std::uint32_t count) {
-        for (std::uint32_t i = 0; i < count; ++i) but_data(items + i, offsetof(T, user_data), sizeof(T));
+    void array(const T* items, std::uint32_t count) {
+        if constexpr (requires { items->user_data; }) {
+            for (std::uint32_t i = 0; i < count; ++i) but_data(items + i, offsetof(T, user_data), sizeof(T));
+        } else {
+            records(items, count);
+        }
+    }
+    /// Where a geometry in use stands in its bucket depends on the number of buckets, which is the capacity's.
+    void array(const Geometry* geometries, std::uint32_t count) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            Geometry g = geometries[i];
+            if (g.references != 0) g.next = null_index;
+            records(&g, 1);
+        }
     }
     /// As many words as the first `count` bits need: what lies beyond depends on the capacity.
-    void bits(const BitSet& set, std::uint32_t count) {
+    void array(const BitSet& set, std::uint32_t count) {
         for (std::uint32_t i = 0; i < words_for(count); ++i) long_word(set.words[i]);
     }
     void pool(const PoolState& p) { records(&p, 1); }
@@ -88,25 +101,8 @@ std::uint64_t World::hash() const {
     solver.measure_residual = 0;  // decides nothing
     h.records(&solver, 1);
 
-    h.records(c.poses, s.body_pool.high_water);
-    h.records(c.motions, s.body_pool.high_water);
-    h.records_but_data(c.bodies, s.body_pool.high_water);
-    h.records_but_data(c.shapes, s.shape_pool.high_water);
-    h.records_but_data(c.joints, s.joint_pool.high_water);
-    h.records(c.boxes, s.shape_pool.high_water);
-    for (std::uint32_t i = 0; i < s.geometry_pool.high_water; ++i) {
-        // Where a geometry in use stands in its bucket depends on the number of buckets, which is the capacity's.
-        Geometry g = c.geometries[i];
-        if (g.references != 0) g.next = null_index;
-        h.records(&g, 1);
-    }
-    h.records(c.contacts, s.contact_pool.high_water);
-    h.records(c.manifolds, s.contact_pool.high_water);
-    h.records(c.tree, s.tree.high_water);
-    h.bits(c.awake_bodies, s.body_pool.high_water);
-    h.bits(c.awake_contacts, s.contact_pool.high_water);
-    h.bits(c.awake_joints, s.joint_pool.high_water);
-    h.bits(c.moved_shapes, s.shape_pool.high_water);
+    const Counts used = counts_of(s);
+    for_each_hashed(c, [&](const auto& array, auto row) { h.array(array, used.of<row.per>()); });
 
     // What has ended since the last step, which the next one tells.
     const std::uint32_t touches = c.end_count - c.end_reported, overlaps = c.sensor_ends.count - c.sensor_ends_reported;

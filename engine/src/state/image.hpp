@@ -4,7 +4,7 @@
 // pairs follows from the contacts, the buckets of geometries from the geometries.
 #pragma once
 
-#include "../data/core.hpp"
+#include "../data/arrays.hpp"
 
 namespace islet::detail {
 
@@ -23,44 +23,44 @@ struct ImageHead {
 struct ImageHeader {
     ImageHead head{image_magic};
     Capacity capacity;  // of the world that was saved
-    // Records in use.
-    std::uint32_t bodies = 0, shapes = 0, contacts = 0, joints = 0, geometries = 0, tree_nodes = 0;
+    Counts used;
     std::uint32_t ended = 0;           // touches that ended since the last step, not yet reported
     std::uint32_t ended_overlaps = 0;  // of sensors
 };
 
 static_assert(sizeof(ImageHeader) == image_header_bytes && sizeof(ImageHeader) % 8 == 0);
 
-/// Calls visit(pointer, bytes) for each array of the world in the order of the image, with the length that the header gives its used prefix.
-/// `core` may be const; a pointer may be set.
+/// Calls visit(pointer, bytes) for each array of the image in its order, with the length that the header gives its used prefix; no count in
+/// the header may be above max_capacity. `core` may be const; a pointer may be set.
 template <class AnyCore, class Visit>
 void for_each_part(AnyCore& core, const ImageHeader& h, Visit&& visit) {
-    const auto part = [&](auto& pointer, std::uint64_t records) { visit(pointer, records * sizeof(*pointer)); };
-    const auto bits = [&](auto& set, std::uint32_t records) { visit(set.words, std::uint64_t{words_for(records)} * 8); };
-    part(core.state, 1);
-    part(core.poses, h.bodies);
-    part(core.motions, h.bodies);
-    part(core.bodies, h.bodies);
-    part(core.shapes, h.shapes);
-    part(core.boxes, h.shapes);
-    part(core.geometries, h.geometries);
-    part(core.tree, h.tree_nodes);
-    part(core.contacts, h.contacts);
-    part(core.manifolds, h.contacts);
-    part(core.joints, h.joints);
-    bits(core.awake_bodies, h.bodies);
-    bits(core.awake_contacts, h.contacts);
-    bits(core.awake_joints, h.joints);
-    bits(core.moved_shapes, h.shapes);
-    part(core.end_events, h.ended);
-    part(core.sensor_ends.events, h.ended_overlaps);
+    for_each_array(core, [&](auto& array, auto row) {
+        if constexpr (row.kept == Kept::saved) visit(memory_of(array), row.bytes(h.used.of<row.per>()));
+    });
+    visit(core.end_events, std::size_t{h.ended} * sizeof(TouchEvent));
+    visit(core.sensor_ends.events, std::size_t{h.ended_overlaps} * sizeof(SensorEvent));
+}
+
+/// Arrays of an image.
+inline constexpr std::uint32_t part_count = [] {
+    std::uint32_t n = 2;  // the two of events
+    for (const ArrayRow& row : array_rows) n += row.kept == Kept::saved ? 1u : 0u;
+    return n;
+}();
+
+/// Calls visit(set, bits in use) for each set of bits.
+template <class Visit>
+void for_each_bit_set(Core& core, const ImageHeader& h, Visit&& visit) {
+    for_each_array(core, [&](auto& array, auto row) {
+        if constexpr (row.size == one_bit) visit(array, h.used.of<row.per>());
+    });
 }
 
 /// Bytes of an image with this header.
 inline std::uint64_t image_length(const ImageHeader& h) {
     std::uint64_t bytes = sizeof(ImageHeader);
     Core nowhere;
-    for_each_part(nowhere, h, [&](auto&, std::uint64_t part) { bytes += part; });
+    for_each_part(nowhere, h, [&](auto&, std::size_t part) { bytes += part; });
     return bytes;
 }
 

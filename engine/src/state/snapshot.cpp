@@ -29,8 +29,9 @@ namespace {
 
 // What the image uses must fit. Room for contacts is room for as many ended touches.
 bool fits(const Capacity& c, const ImageHeader& h) {
-    return h.bodies <= c.bodies && h.shapes <= c.shapes && h.contacts <= c.contacts && h.joints <= c.joints && h.geometries <= geometry_capacity(c) &&
-           h.tree_nodes <= std::uint64_t{2} * c.shapes && h.ended + h.ended_overlaps <= c.contacts;
+    const Counts& n = h.used;
+    return n.bodies <= c.bodies && n.shapes <= c.shapes && n.contacts <= c.contacts && n.joints <= c.joints && n.geometries <= geometry_capacity(c) &&
+           n.tree_nodes <= std::uint64_t{2} * c.shapes && h.ended + h.ended_overlaps <= c.contacts;
 }
 
 }  // namespace
@@ -38,15 +39,9 @@ bool fits(const Capacity& c, const ImageHeader& h) {
 namespace detail {
 
 ImageHeader header_of(const Core& core) {
-    const State& s = *core.state;
     ImageHeader h;
     h.capacity = core.capacity;
-    h.bodies = s.body_pool.high_water;
-    h.shapes = s.shape_pool.high_water;
-    h.contacts = s.contact_pool.high_water;
-    h.joints = s.joint_pool.high_water;
-    h.geometries = s.geometry_pool.high_water;
-    h.tree_nodes = s.tree.high_water;
+    h.used = counts_of(*core.state);
     h.ended = core.end_count - core.end_reported;
     h.ended_overlaps = core.sensor_ends.count - core.sensor_ends_reported;
     h.head.length = image_length(h);
@@ -69,7 +64,8 @@ Error read_header(std::span<const std::byte> image, ImageHeader& h) {
     const Error error = read_head(image, image_magic, sizeof h, h.head);
     if (error != Error::none) return error;
     std::memcpy(&h, image.data(), sizeof h);
-    for (const std::uint32_t count : {h.bodies, h.shapes, h.contacts, h.joints, h.geometries, h.tree_nodes / 2, h.ended, h.ended_overlaps})
+    const Counts& n = h.used;
+    for (const std::uint32_t count : {n.bodies, n.shapes, n.contacts, n.joints, n.geometries, n.tree_nodes / 2, h.ended, h.ended_overlaps})
         if (count > max_capacity) return Error::corrupt_image;
     return h.head.length == image_length(h) && fits(h.capacity, h) ? Error::none : Error::corrupt_image;
 }
@@ -85,11 +81,11 @@ class Writer {
 public:
     explicit Writer(std::byte* image) : begin_(image + sizeof(ImageHead)), summed_(begin_), at_(begin_) {}
 
-    void write(const void* from, std::uint64_t size) {
+    void write(const void* from, std::size_t size) {
         const auto* bytes = static_cast<const std::byte*>(from);
-        constexpr std::uint64_t chunk = 4096;
-        for (std::uint64_t left = size; left > 0;) {
-            const auto n = static_cast<std::size_t>(left < chunk ? left : chunk);
+        constexpr std::size_t chunk = 4096;
+        for (std::size_t left = size; left > 0;) {
+            const std::size_t n = left < chunk ? left : chunk;
             std::memcpy(at_, bytes, n);
             at_ += n;
             bytes += n;
@@ -110,12 +106,6 @@ private:
     std::byte* at_;
     Checksum checksum_;
 };
-
-// The header's counts are those of the state, so that what is an index there is one in the image.
-bool counts_agree(const ImageHeader& h, const State& s) {
-    return h.bodies == s.body_pool.high_water && h.shapes == s.shape_pool.high_water && h.contacts == s.contact_pool.high_water &&
-           h.joints == s.joint_pool.high_water && h.geometries == s.geometry_pool.high_water && h.tree_nodes == s.tree.high_water;
-}
 
 // What this build leaves out (islet/config.hpp) an image may not hold. Looks at slots only, and takes no type for known.
 bool needs_what_is_cut(const Core& c) {
@@ -147,7 +137,7 @@ void clear_rest(const BitSet& set, std::uint32_t used) {
 
 void rebuild_pairs(Core& core, const ImageHeader& h) {
     std::memset(core.pairs.keys, 0, (std::size_t{core.pairs.mask} + 1) * 8);
-    for (std::uint32_t i = 0; i < h.contacts; ++i) {
+    for (std::uint32_t i = 0; i < h.used.contacts; ++i) {
         const Contact& c = core.contacts[i];
         if ((c.generation & 1u) != 0) core.pairs.insert(PairSet::key(c.shape_a, c.shape_b));
     }
@@ -173,14 +163,11 @@ const SensorEvent* waiting(const Core& c, const SensorEvent* events) { return ev
 void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     const std::byte* at = image + sizeof h;
     core.sensor_ends = {reinterpret_cast<SensorEvent*>(core.end_events + (core.capacity.contacts - h.ended_overlaps)), h.ended_overlaps};
-    for_each_part(core, h, [&](auto* to, std::uint64_t bytes) {
-        std::memcpy(static_cast<void*>(to), at, static_cast<std::size_t>(bytes));
+    for_each_part(core, h, [&](auto* to, std::size_t bytes) {
+        std::memcpy(static_cast<void*>(to), at, bytes);
         at += bytes;
     });
-    clear_rest(core.awake_bodies, h.bodies);
-    clear_rest(core.awake_contacts, h.contacts);
-    clear_rest(core.awake_joints, h.joints);
-    clear_rest(core.moved_shapes, h.shapes);
+    for_each_bit_set(core, h, clear_rest);
     rebuild_pairs(core, h);
     rebuild_buckets(core);
 
@@ -202,14 +189,11 @@ Core view_of(const Core& world, const ImageHeader& h, const std::byte* image) {
     Core view;
     view.capacity = world.capacity;
     auto* at = const_cast<std::byte*>(image) + sizeof h;
-    for_each_part(view, h, [&](auto& pointer, std::uint64_t bytes) {
+    for_each_part(view, h, [&](auto& pointer, std::size_t bytes) {
         pointer = reinterpret_cast<std::remove_reference_t<decltype(pointer)>>(at);
         at += bytes;
     });
-    view.awake_bodies.word_count = static_cast<std::uint32_t>(words_for(h.bodies));
-    view.awake_contacts.word_count = static_cast<std::uint32_t>(words_for(h.contacts));
-    view.awake_joints.word_count = static_cast<std::uint32_t>(words_for(h.joints));
-    view.moved_shapes.word_count = static_cast<std::uint32_t>(words_for(h.shapes));
+    for_each_bit_set(view, h, [](BitSet& set, std::uint32_t bits) { set.word_count = static_cast<std::uint32_t>(words_for(bits)); });
     return view;
 }
 
@@ -223,8 +207,9 @@ Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out) {
     out.bytes = h.head.length;
     out.capacity = h.capacity;
     const std::uint32_t ends = h.ended + h.ended_overlaps;
-    const std::uint32_t shapes = at_least_one(h.shapes > (h.tree_nodes + 1) / 2 ? h.shapes : (h.tree_nodes + 1) / 2);
-    out.used = {at_least_one(h.bodies), shapes, at_least_one(h.contacts > ends ? h.contacts : ends), h.joints, h.geometries, 0};
+    const Counts& n = h.used;
+    const std::uint32_t shapes = at_least_one(n.shapes > (n.tree_nodes + 1) / 2 ? n.shapes : (n.tree_nodes + 1) / 2);
+    out.used = {at_least_one(n.bodies), shapes, at_least_one(n.contacts > ends ? n.contacts : ends), n.joints, n.geometries, 0};
     return Error::none;
 }
 
@@ -236,7 +221,7 @@ std::size_t World::save(std::span<std::byte> out) const {
     if (!check_open(c) || !check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
     Writer writer(out.data());
     writer.write(reinterpret_cast<const std::byte*>(&h) + sizeof h.head, sizeof h - sizeof h.head);
-    for_each_part(c, h, [&](const auto* from, std::uint64_t bytes) { writer.write(waiting(c, from), bytes); });
+    for_each_part(c, h, [&](const auto* from, std::size_t bytes) { writer.write(waiting(c, from), bytes); });
     h.head.checksum = writer.checksum();
     std::memcpy(out.data(), &h.head, sizeof h.head);
     return static_cast<std::size_t>(h.head.length);
@@ -247,7 +232,7 @@ bool World::restore(std::span<const std::byte> image) {
     ImageHeader h;
     const Error error = read_header(image, h);
     if (!check_open(c) || !check(c, error == Error::none, error) || !check(c, fits(c.capacity, h), Error::image_too_large)) return false;
-    if (!check(c, h.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
+    if (!check(c, h.used.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
     if (!check(c, can_tell(image.data()), Error::feature_cut)) return false;
     take_over(c, h, image.data());
     if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
@@ -263,7 +248,7 @@ bool World::load(std::span<const std::byte> image) {
     if (!check(c, image_checksum(image) == h.head.checksum, Error::corrupt_image)) return false;
     if (!check(c, fits(c.capacity, h), Error::image_too_large)) return false;
     const Core view = view_of(c, h, image.data());
-    if (!check(c, counts_agree(h, *view.state), Error::unsound_image) || !check(c, !needs_what_is_cut(view), Error::feature_cut)) return false;
+    if (!check(c, h.used == counts_of(*view.state), Error::unsound_image) || !check(c, !needs_what_is_cut(view), Error::feature_cut)) return false;
     if (!check(c, find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;
     link_joint_solve();  // an image may bring what the program itself never makes
     link_joint_changes();

@@ -7,6 +7,7 @@
 #include "../bodies/sleep.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
+#include "../data/arrays.hpp"
 #include "../graph/hooks.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../graph/sensors.hpp"
@@ -79,39 +80,16 @@ std::uint32_t choose_lanes(std::uint32_t wanted) {
 }
 
 template <class T>
-T* place(std::byte* block, std::size_t offset) {
-    return reinterpret_cast<T*>(block + offset);
+void point(T*& array, std::byte* at, std::size_t) {
+    array = reinterpret_cast<T*>(at);
 }
+void point(BitSet& set, std::byte* at, std::size_t bits) {
+    set = {reinterpret_cast<std::uint64_t*>(at), static_cast<std::uint32_t>(words_for(static_cast<std::uint32_t>(bits)))};
+}
+void point(PairSet& set, std::byte* at, std::size_t keys) { set = {reinterpret_cast<std::uint64_t*>(at), static_cast<std::uint32_t>(keys) - 1}; }
 
 void point_into(Core& core, std::byte* block, const Layout& l) {
-    const Capacity& c = core.capacity;
-    const auto bits = [&](std::size_t offset, std::uint32_t n) {
-        return BitSet{place<std::uint64_t>(block, offset), static_cast<std::uint32_t>(words_for(n))};
-    };
-    core.state = place<State>(block, l.state);
-    core.poses = place<Pose>(block, l.poses);
-    core.motions = place<Motion>(block, l.motions);
-    core.bodies = place<Body>(block, l.bodies);
-    core.shapes = place<Shape>(block, l.shapes);
-    core.boxes = place<Aabb>(block, l.boxes);
-    core.geometries = place<Geometry>(block, l.geometries);
-    core.geometry_buckets = place<std::uint32_t>(block, l.geometry_buckets);
-    core.tree = place<TreeNode>(block, l.tree);
-    core.contacts = place<Contact>(block, l.contacts);
-    core.manifolds = place<ContactManifold>(block, l.manifolds);
-    core.pairs = {place<std::uint64_t>(block, l.pairs), next_power_of_two(2 * c.contacts) - 1};
-    core.joints = place<Joint>(block, l.joints);
-    core.awake_bodies = bits(l.awake_bodies, c.bodies);
-    core.awake_contacts = bits(l.awake_contacts, c.contacts);
-    core.awake_joints = bits(l.awake_joints, c.joints);
-    core.moved_shapes = bits(l.moved_shapes, c.shapes);
-    core.begin_events = place<TouchEvent>(block, l.begin_events);
-    core.end_events = place<TouchEvent>(block, l.end_events);
-    core.hit_events = place<HitEvent>(block, l.hit_events);
-    core.moved_events = place<BodyId>(block, l.moved_events);
-    core.residuals = place<float>(block, l.residuals);
-    core.slept_events = place<BodyId>(block, l.slept_events);
-    core.break_events = place<JointBreakEvent>(block, l.break_events);
+    for_each_array(core, [&](auto& array, auto row) { point(array, block + l[row.array], room_for(row.per, core.capacity)); });
     core.scratch = block + l.scratch;
     core.scratch_end = block + l.end;
 }
@@ -156,7 +134,7 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
     point_into(core, block, layout);
 
     // Persistent memory starts as zeros, so that no byte of a world depends on what the block held before.
-    std::memset(block + layout.state, 0, layout.persistent_end - layout.state);
+    std::memset(block + layout[Array::state], 0, layout.persistent_end - layout[Array::state]);
     State& state = *new (core.state, IsletPlace{}) State{};
     rebuild_buckets(core);
     state.gravity = def.gravity;
