@@ -188,6 +188,7 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
 
 template <std::uint32_t W>
 void ContactKernel<W>::land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers) {
+    if constexpr (W == 1) return;  // its own sweep does it
     // Rows are words of W lanes each up to the flags.
     constexpr std::uint32_t words = offsetof(Rows, two_points) / (4 * W);
     for (std::uint32_t i = 0; i < W; ++i) {
