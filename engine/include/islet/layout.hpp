@@ -136,7 +136,7 @@ inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bit
 
 // The arrays of a world, in the order of its block and of its snapshots. To add one, add a line here and the pointer of that name to Core (data/core.hpp):
 // the offset, the pointer's value, snapshots, deltas, the hash and the checks of pools and bits follow. In snapshots that changes image_version too.
-//   size   bytes of an element, or one_bit
+//   size   bytes of an element, of what is saved a multiple of 8; or one_bit
 //   hash   when World::hash comes to the array: 1 first, 0 never (the state is hashed field by field, before all arrays)
 //
 //    name              size                      one per    kept     hash

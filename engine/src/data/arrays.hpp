@@ -82,13 +82,15 @@ inline constexpr std::size_t element_size<PairSet> = sizeof(std::uint64_t);
 ISLET_ARRAYS(ISLET_CHECK)
 #undef ISLET_CHECK
 
-/// Output stands behind all that persists, sets of bits behind the slots they are about, and the hash takes its turns one by one.
+/// Output stands behind all that persists, sets of bits behind the slots they are about; what an image holds is aligned to 8 bytes; and the hash takes its
+/// turns one by one.
 constexpr bool is_in_order() {
     std::uint32_t hashed = 0, turns = 0;
     for (std::uint32_t i = 0; i < array_count; ++i) {
         const ArrayRow& row = array_rows[i];
         if (i > 0 && row.kept != Kept::output && array_rows[i - 1].kept == Kept::output) return false;
         if (i > 0 && row.kept == Kept::saved && row.size != one_bit && array_rows[i - 1].size == one_bit) return false;
+        if (row.kept == Kept::saved && row.size % 8 != 0) return false;
         if (row.hash == 0) continue;
         ++hashed;
         turns |= 1u << (row.hash - 1);
