@@ -63,8 +63,8 @@ inline constexpr float mover_gap = 0.01f;
 /// Moves the mover on by dt seconds, min_time_step <= dt <= 1: call it once after each step of the world, with the same dt. It changes the world only by its
 /// weight (a force over the next step) and its push (an impulse on the centre of mass) on dynamic bodies. Returns false and changes nothing on an error, which
 /// the world records: feature_cut where this build leaves out the mover or queries (islet/config.hpp), in_step, bad_geometry of the
-/// capsule, bad_time_step, not_finite, out_of_range (a number outside the ranges above; `up` not unit; a position, or an end of the capsule there, beyond max_position; a speed beyond
-/// max_speed_limit).
+/// capsule, bad_time_step, not_finite, out_of_range (a number outside the ranges above; `up` not unit; a position, or an end of the
+/// capsule there, beyond max_position; a speed beyond max_speed_limit).
 bool step_mover(World& world, const MoverDef& def, MoverState& state, const MoverInput& input, float dt);
 
 }  // namespace islet

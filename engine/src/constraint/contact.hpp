@@ -49,22 +49,22 @@ struct ContactBlock : BodyPair<L> {
     F rn_ab, rt_ab;
     F sum_n, sum_t;  // N s, of this sweep
 
-    ISLET_LANE ContactBlock(const SolverBody* bodies, const ContactRows<L::width>& r) {
+    ISLET_PART ContactBlock(const SolverBody* bodies, const ContactRows<L::width>& r) {
         this->gather(bodies, r.body_a, r.body_b);
         n = {L::load(r.nx), L::load(r.ny)};
         rn_ab = L::load(r.rn_ab);
         rt_ab = L::load(r.rt_ab);
         sum_n = sum_t = L::splat(0.0f);
     }
-    ISLET_LANE void spin_by_normal(F rna, F rnb, F impulse) {
+    ISLET_PART void spin_by_normal(F rna, F rnb, F impulse) {
         wa = wa - ia * (rna * impulse);
         wb = wb + ib * (rnb * impulse);
     }
-    ISLET_LANE void spin_by_tangent(F rta, F rtb, F impulse) {
+    ISLET_PART void spin_by_tangent(F rta, F rtb, F impulse) {
         wa = wa + ia * (rta * impulse);
         wb = wb - ib * (rtb * impulse);
     }
-    ISLET_LANE void push_centres(LaneVec<F> impulse) {
+    ISLET_PART void push_centres(LaneVec<F> impulse) {
         va = va - ma * impulse;
         vb = vb + mb * impulse;
     }

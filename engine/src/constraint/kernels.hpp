@@ -8,7 +8,6 @@
 // A world's width is chosen when it is made (Core::lanes); with_lanes turns it into a constant.
 #pragma once
 
-#include <type_traits>
 
 #include "../constraint/contact_rows.hpp"
 #include "../constraint/joint_rows.hpp"
@@ -54,14 +53,20 @@ void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::
 extern template void solve_joints<4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 extern template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 
-/// Calls visit with the width as a constant, one of those that this build has.
+/// A width that can be told from others when compiled.
+template <std::uint32_t lanes>
+struct Width {
+    constexpr operator std::uint32_t() const { return lanes; }
+};
+
+/// Calls visit with a Width, one of those that this build has.
 template <class Visit>
 ISLET_LANE auto with_lanes(std::uint32_t lanes, Visit&& visit) {
     if constexpr (max_lanes >= 8)
-        if (lanes == 8) return visit(std::integral_constant<std::uint32_t, 8>{});
+        if (lanes == 8) return visit(Width<8>{});
     if constexpr (max_lanes >= 4)
-        if (lanes == 4) return visit(std::integral_constant<std::uint32_t, 4>{});
-    return visit(std::integral_constant<std::uint32_t, 1>{});
+        if (lanes == 4) return visit(Width<4>{});
+    return visit(Width<1>{});
 }
 
 }  // namespace islet::detail

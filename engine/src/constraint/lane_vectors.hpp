@@ -107,7 +107,7 @@ struct BodyPair {
     LaneVec<F> dpa, dpb;  // m that the centre has gone since the step began
     F dqa, dqb;           // rad turned since the step began
 
-    ISLET_LANE void gather(const SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) {
+    ISLET_PART void gather(const SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) {
         constexpr std::uint32_t words = sizeof(SolverBody) / 4;
         F a[8], b[8];
         L::template gather8<words>(reinterpret_cast<const float*>(bodies), body_a, a);
@@ -126,13 +126,13 @@ struct BodyPair {
         ib = b[7];
     }
     /// Writes the velocities back.
-    ISLET_LANE void scatter(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
+    ISLET_PART void scatter(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
         const F out_a[4] = {va.x, va.y, wa, ma};
         const F out_b[4] = {vb.x, vb.y, wb, mb};
         scatter_pushed<L>(reinterpret_cast<float*>(bodies), body_a, body_b, ma, mb, out_a, out_b);
     }
     /// Writes dp and dq back.
-    ISLET_LANE void scatter_motion(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
+    ISLET_PART void scatter_motion(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
         const F out_a[4] = {dpa.x, dpa.y, dqa, ia};
         const F out_b[4] = {dpb.x, dpb.y, dqb, ib};
         scatter_pushed<L>(reinterpret_cast<float*>(bodies) + 4, body_a, body_b, ma, mb, out_a, out_b);
@@ -146,6 +146,12 @@ struct JointBodies : BodyPair<L> {
     using BodyPair<L>::va, BodyPair<L>::vb, BodyPair<L>::wa, BodyPair<L>::wb, BodyPair<L>::ma, BodyPair<L>::mb, BodyPair<L>::ia, BodyPair<L>::ib;
     LaneVec<F> p;  // N s: what the joint has applied so far, p and tb to B, -p and -ta to A
     F ta, tb;      // N m s
+
+    // For small builds: one copy each, that all kinds of joints call.
+    ISLET_LANE void gather(const SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) { BodyPair<L>::gather(bodies, body_a, body_b); }
+    ISLET_LANE void scatter(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
+        BodyPair<L>::scatter(bodies, body_a, body_b);
+    }
 
     /// An impulse on B and its opposite on A, and an angular impulse on each: B turned by its own, A against its own.
     ISLET_LANE void push(LaneVec<F> impulse, F angular_a, F angular_b) {
