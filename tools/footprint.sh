@@ -15,13 +15,13 @@ set -euo pipefail
 targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 riscv32)  # -lto: the engine optimised as a whole at the link (ISLET_LTO)
 
 # Limits, so that nothing grows unseen: what was measured, and up to 200 bytes. Of flash for each target, bytes: every function, every feature, the smallest
-# program. (They rose by 3 kB with inner corners that hold, one-way shapes, calls refused from within hooks, and builds that would lose bits refused.)
+# program. (They rose by 3.7 kB with contacts made ahead: what lands stops at the surface, and nobody is pressed through a wall.)
 declare -A most_flash=(
-    [cortex-m3]='190800 86200 52200' [cortex-m4f]='173900 73400 44600' [cortex-m4f-lto]='- 68800 42800' [cortex-m7]='173500 73200 44500'
-    [cortex-m33]='173500 73200 44500' [cortex-m55]='173900 73300 44500' [riscv32]='184800 78000 48000'
+    [cortex-m3]='195400 90600 56600' [cortex-m4f]='177800 77100 48400' [cortex-m4f-lto]='- 72400 46400' [cortex-m7]='177400 76900 48300'
+    [cortex-m33]='177400 76900 48300' [cortex-m55]='177800 77100 48400' [riscv32]='188600 81800 51900'
 )
 most_stack=4096          # bytes
-most_instructions=900000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
+most_instructions=950000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
 
 mode=table
 for argument in "$@"; do
@@ -193,7 +193,7 @@ log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --
 [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
     complain "what is left out changes the pyramid"
 cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
-at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 39000
+at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 44300
 
 if [ "$mode" = json ]; then
     separator=
