@@ -26,7 +26,7 @@ struct Options {
     std::uint32_t calls = ~0u;
     double seconds = 60, shrink_seconds = 60;
     int family = -1;
-    bool images = false, recordings = false, whole = false;
+    bool images = false, recordings = false, whole = false, dense = false;
 };
 
 /// What the hunting process leaves for the one that watches it.
@@ -38,7 +38,7 @@ struct Shared {
 };
 
 int usage() {
-    std::printf("islet_lockstep [--seed N] [--worlds N] [--seconds S] [--steps N] [--calls N] [--family NAME] [--images] [--recordings] [--whole] [--shrink-seconds S]\n"
+    std::printf("islet_lockstep [--seed N] [--worlds N] [--seconds S] [--steps N] [--calls N] [--family NAME] [--dense] [--images] [--recordings] [--whole] [--shrink-seconds S]\n"
                 "  --seed N     the first world's (or mutants'); the next ones follow. Default 1\n"
                 "  --worlds N   so many worlds (mutants with --images) at most\n"
                 "  --seconds S  ends after so many seconds; 0: never. Default 60\n"
@@ -47,6 +47,7 @@ int usage() {
                 "  --family F   of numbers:");
     for (const fuzz::Family& f : fuzz::families) std::printf(" %s", f.name);
     std::printf(". Default: all of them\n"
+                "  --dense      many calls between steps, in place of some steps after each\n"
                 "  --images     forged images, deltas and recordings instead of calls\n"
                 "  --recordings  forged recordings alone\n"
                 "  --whole      prints a finding's program without making it small\n");
@@ -63,7 +64,8 @@ int usage() {
         shared.seed = o.seed + i;
         shared.told = 0;
         if (!o.images || i % 1024 == 0) alarm(120);
-        const Setup setup = o.images ? ImageHunt::setup(shared.seed) : setup_of(shared.seed, o.family);
+        Setup setup = o.images ? ImageHunt::setup(shared.seed) : setup_of(shared.seed, o.family);
+        setup.dense = o.dense;
         static Chorus pairs[2];
         const std::size_t which = o.images ? shared.seed % 2 : 0;
         Chorus& all = pairs[which];
@@ -93,6 +95,7 @@ int report(const Options& o, const Shared& shared) {
     std::printf("seed %llu: %s (after %u calls and steps)\n", static_cast<unsigned long long>(shared.seed), shared.what, shared.told);
     std::fflush(stdout);
     Setup setup = o.images ? ImageHunt::setup(shared.seed) : setup_of(shared.seed, o.family);
+    setup.dense = o.dense;
     Deeds deeds;
     std::string what;
     {
@@ -158,8 +161,9 @@ int main(int count, char** arguments) {
             o.recordings = o.recordings || name == "--recordings";
             continue;
         }
-        if (name == "--whole") {
-            o.whole = true;
+        if (name == "--whole" || name == "--dense") {
+            o.whole = o.whole || name == "--whole";
+            o.dense = o.dense || name == "--dense";
             continue;
         }
         if (i + 1 == count) return usage();

@@ -254,7 +254,9 @@ void Life::change() {
 
 void Life::call() {
     const std::uint32_t what = random_.below(32);
+    if (setup_.dense && what < 16 && what % 8 != 0) return change();
     if (what < 16) {
+        if (setup_.dense) return all.step(usual_step());
         for (std::uint32_t i = 1 + random_.below(random_.one_in(8) ? 40 : 6); i > 0; --i) all.step(usual_step());
         return;
     }

@@ -26,6 +26,7 @@ struct Setup {
     WorldDef def = {};
     bool threads = false;  ///< real ones
     bool images = false;   ///< for forged images: two worlds only
+    bool dense = false;    ///< many calls between steps, in place of some steps after each
 };
 
 Setup setup_of(std::uint64_t seed, int family);
