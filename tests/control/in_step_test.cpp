@@ -319,46 +319,6 @@ TEST(InStep, TheErrorHookChangesNothingInTheMiddleOfAStep) {
     for (const Refused& call : all_calls) ASSERT_NO_FATAL_FAILURE(expect_refused(place, room, call));
 }
 
-TEST(InStep, TheErrorHookMayChangeNothingWhileABodyIsDestroyed) {
-    struct Told {
-        World* world = nullptr;
-        BodyId body, ground;
-        int times = 0;
-        Error then = Error::none;
-    } told;
-    WorldDef def;
-    def.error_context = &told;
-    Block block(world_bytes({.bodies = 16, .shapes = 16, .contacts = 2}));
-    def.error_hook = [](Error error, void* context) {
-        Told& t = *static_cast<Told*>(context);
-        if (error != Error::events_full) return;
-        ++t.times;
-        t.world->destroy_body(t.body);
-        t.world->destroy_body(t.ground);
-        t.then = t.world->last_error();
-    };
-    World& world = *World::create(block.span(), {.bodies = 16, .shapes = 16, .contacts = 2}, def);
-    told.world = &world;
-    told.ground = world.create_body({});
-    world.create_shape(told.ground, make_box(50, 1));
-    for (int round = 0; round < 3 && told.times == 0; ++round) {
-        for (int i = 0; i < 2; ++i) {
-            told.body = world.create_body({.type = BodyType::dynamic, .position = {3.0f * static_cast<float>(i), 1.5f}});
-            world.create_shape(told.body, make_box(0.5f, 0.5f));
-        }
-        world.step(1.0f / 60);
-        ASSERT_EQ(world.report().touching_contacts, 2u);
-        for (std::uint32_t slot = 1; slot < 3; ++slot) {
-            told.body = world.body_at(slot);
-            world.destroy_body(told.body);
-        }
-    }
-    EXPECT_GT(told.times, 0) << "no end event was dropped";
-    EXPECT_EQ(told.then, Error::in_step);
-    EXPECT_TRUE(world.is_valid(told.ground));
-    EXPECT_STREQ(world.validate(), nullptr);
-}
-
 // -- what is allowed ---------------------------------------------------------------------------------------------------------------------
 
 TEST(InStep, HooksMayReadAndAsk) {

@@ -191,8 +191,8 @@ struct WorldDef {
     float max_speed = 400.0f;            ///< m/s, > 0, at most max_speed_limit. No body moves faster.
     float hit_threshold = 1.0f;          ///< m/s, >= 0. Hit events tell of shapes that come together faster.
     bool continuous = true;              ///< Continuous collision: dynamic bodies pass through no static shape, and bullets through no other body, however
-                                         ///< fast they move and turn. (Crowds pressed by about a thousand times gravity can still be
-                                         ///< squeezed through.)
+                                         ///< fast they move and turn, and however hard they are pressed. (Bullets may still be
+                                         ///< crowded into a moving body by other bullets.)
     std::uint32_t lanes = 0;             ///< 1, 4 or 8 constraints at once; 0 picks the widest the processor has. The bits are the same.
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;

@@ -136,6 +136,8 @@ public:
     // -- events of the last step -----------------------------------------------------------------------------------------------
 
     std::span<const TouchEvent> begin_touch_events() const;
+    /// Contacts that ended in the last step, and in calls made since. There is room for as many, overlaps of sensors included, as the world can have
+    /// contacts; where calls need more, those of the last step give way, so read them before you make calls.
     std::span<const TouchEvent> end_touch_events() const;
     /// Overlaps of sensors that began, and that ended, ordered as those of touches are, and told at the same time: a step tells of the poses it begins with,
     /// and calls that end overlaps tell at once and again after the step. (In a lean build, ISLET_LEAN, only programs that call

@@ -122,7 +122,7 @@ Aabb grow(const Aabb& box, const Way& way, float most) {
 }
 
 /// A shape in motion.
-struct Mover {
+struct MovingShape {
     Aabb box;  // its fat box
     Way way;   // its body's
     std::uint32_t body;
@@ -130,8 +130,8 @@ struct Mover {
     bool leaves;  // the way may lead out of the box
 };
 
-// The box of a mover's way; but not farther than its surroundings: what is so fast for its size must be a bullet to stop at what moves.
-Aabb box_of(const Core& core, const Mover& m) { return m.leaves ? grow(m.box, m.way, surroundings(core.poses[m.body])) : m.box; }
+// The box of the way of a shape; but not farther than its surroundings: what is so fast for its size must be a bullet to stop at what moves.
+Aabb box_of(const Core& core, const MovingShape& m) { return m.leaves ? grow(m.box, m.way, surroundings(core.poses[m.body])) : m.box; }
 
 // Whether two shapes whose boxes are `a` and `b` may come together; `fall` (m) is what gravity adds to the way of one while the other is held.
 bool may_meet_on(const Aabb& a, const Way& way_a, const Aabb& b, const Way& way_b, float fall) {
@@ -143,8 +143,8 @@ struct Moving {
     const Core& core;
     Columns all;
     Columns moved;
-    const Mover* movers;
-    const std::uint32_t* order;  // by place in `all`: which mover
+    const MovingShape* shapes;
+    const std::uint32_t* order;  // by place in `all`: which shape in motion
     bool along_x;
     float dt, fall;
 
@@ -155,8 +155,8 @@ struct Moving {
 
     // Boxes of two ways that overlap mean little for bodies that move together.
     bool may_meet(std::uint32_t place_1, std::uint32_t place_2) const {
-        const Mover& a = movers[order[place_1]];
-        const Mover& b = movers[order[place_2]];
+        const MovingShape& a = shapes[order[place_1]];
+        const MovingShape& b = shapes[order[place_2]];
         if (a.body == b.body) return false;
         if ((!a.leaves && !b.leaves) || meet(a.box, b.box)) return true;
         if (!may_meet_on(a.box, a.way, b.box, b.way, fall)) return false;
@@ -166,15 +166,15 @@ struct Moving {
 
 Moving sorted_columns(Core& core, Arena& arena, float dt) {
     const std::uint32_t room = core.state->shape_pool.count;
-    Mover* movers = arena.take<Mover>(room);
+    MovingShape* shapes = arena.take<MovingShape>(room);
     std::uint32_t n = 0;
     Aabb bounds{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
     core.awake_bodies.for_each([&](std::uint32_t body) {
         const Way way = way_of(core, body, dt);
         const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            movers[n] = {core.boxes[s], way, body, s, leaves};
-            bounds = both(bounds, movers[n++].box);
+            shapes[n] = {core.boxes[s], way, body, s, leaves};
+            bounds = both(bounds, shapes[n++].box);
         }
     });
 
@@ -186,19 +186,19 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     std::uint32_t* order2 = arena.take<std::uint32_t>(n);
     std::uint32_t* counts = arena.take<std::uint32_t>(sort_digits);
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Aabb box = box_of(core, movers[i]);
+        const Aabb box = box_of(core, shapes[i]);
         keys[i] = sort_key(along_x ? box.lower.x : box.lower.y);
     }
     const std::uint32_t* sorted = sort_by_key(keys, order, keys2, order2, n, counts);
 
-    Moving c{core, take_columns(arena, n), take_columns(arena, n), movers, sorted, along_x, dt, fall_in(core, dt)};
+    Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, along_x, dt, fall_in(core, dt)};
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Mover& mover = movers[sorted[i]];
-        const Aabb box = box_of(core, mover);
+        const MovingShape& moving_shape = shapes[sorted[i]];
+        const Aabb box = box_of(core, moving_shape);
         const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
         const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
-        push_box(c.all, x.x, x.y, y.x, y.y, mover.shape, i);
-        if (core.moved_shapes.test(mover.shape)) push_box(c.moved, x.x, x.y, y.x, y.y, mover.shape, i);
+        push_box(c.all, x.x, x.y, y.x, y.y, moving_shape.shape, i);
+        if (core.moved_shapes.test(moving_shape.shape)) push_box(c.moved, x.x, x.y, y.x, y.y, moving_shape.shape, i);
     }
     close_columns(c.all);
     close_columns(c.moved);
@@ -290,11 +290,12 @@ void find_moved_pairs(Core& core, float dt) {
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t i = 0; i < moved.count && !is_over(core); ++i) {
         const std::uint32_t shape = moved.shape[i];
-        const Mover& mover = moving.movers[moving.order[moved.place[i]]];
+        const MovingShape& moving_shape = moving.shapes[moving.order[moved.place[i]]];
         const Aabb box = moving.box(i);
-        if (is_clear(core.poses[mover.body], box)) continue;
+        if (is_clear(core.poses[moving_shape.body], box)) continue;
         tree_query(tree, box, [&](std::uint32_t other) {
-            if (!mover.leaves || meet(mover.box, core.boxes[other]) || may_meet_on(core.boxes[other], {}, mover.box, mover.way, moving.fall))
+            if (!moving_shape.leaves || meet(moving_shape.box, core.boxes[other]) ||
+                may_meet_on(core.boxes[other], {}, moving_shape.box, moving_shape.way, moving.fall))
                 out.push(shape, other);
         });
     }

@@ -2,6 +2,8 @@
 
 #include "../graph/contacts.hpp"
 
+#include <cstring>
+
 #include "../graph/colors.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../graph/mixing.hpp"
@@ -117,8 +119,24 @@ void mix_materials(Core& core, std::uint32_t contact) {
     if ((m.flags & contact_one_way) != 0 && !was_one_way) m.flags &= ~static_cast<std::uint32_t>(contact_posed);  // decided anew: one_way.cpp
 }
 
+void drop_told_ends(Core& core) {
+    const std::uint32_t pending = core.end_count - core.end_reported;
+    std::memmove(core.end_events, core.end_events + core.end_reported, std::size_t{pending} * sizeof(TouchEvent));
+    core.end_count = pending;
+    core.end_reported = 0;
+    if (!has_sensors) return;
+    core.sensor_ends.events += core.sensor_ends_reported;
+    core.sensor_ends.count -= core.sensor_ends_reported;
+    core.sensor_ends_reported = 0;
+}
+
 bool has_room_for_end(Core& core) {
     if (core.end_count + core.sensor_ends.count < core.capacity.contacts) return true;
+    // What was told already gives way: whether there is room must not depend on it, for a copy of the world does not have it.
+    if (core.end_reported + core.sensor_ends_reported != 0) {
+        drop_told_ends(core);
+        return true;
+    }
     ++core.report.dropped_events;
     core.fail(Error::events_full);
     return false;

@@ -40,6 +40,9 @@ void destroy_contact(Core& core, std::uint32_t contact);
 /// Friction, and whether restitution, rolling resistance or a tangent speed act, from the two shapes; what the pre_solve hook made of them is over.
 void mix_materials(Core& core, std::uint32_t contact);
 
+/// Forgets the end events that the last step told; those of calls made since stay.
+void drop_told_ends(Core& core);
+
 void record_end_event(Core& core, std::uint32_t contact);
 /// False, with the error recorded and counted, if the array of end events is full.
 bool has_room_for_end(Core& core);

@@ -5,6 +5,7 @@
 #include "../broadphase/pairs.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
+#include "../graph/contacts.hpp"
 #include "../island/batches.hpp"
 #include "../math/float_mode.hpp"
 #include "../solver/solver.hpp"
@@ -20,14 +21,8 @@ namespace {
 
 // Events of the last step go; those of calls made since (a touching shape was destroyed) stay for this step's reader.
 void clear_events(Core& core) {
-    const std::uint32_t pending = core.end_count - core.end_reported;
-    std::memmove(core.end_events, core.end_events + core.end_reported, std::size_t{pending} * sizeof(TouchEvent));
-    core.end_count = pending;
-    if (has_sensors) {
-        core.sensor_ends.events += core.sensor_ends_reported;
-        core.sensor_ends.count -= core.sensor_ends_reported;
-        core.sensor_ends_reported = core.sensor_begins.count = 0;
-    }
+    drop_told_ends(core);
+    if (has_sensors) core.sensor_begins.count = 0;
     core.begin_count = core.moved_count = core.slept_count = core.break_count = core.hit_count = 0;
     core.report.dropped_events = core.report.dropped_hits = 0;
 }
