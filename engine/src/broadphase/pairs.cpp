@@ -131,7 +131,7 @@ struct MovingShape {
 };
 
 // The box of the way of a shape; but not farther than its surroundings: what is so fast for its size must be a bullet to stop at what moves.
-Aabb box_of(const Core& core, const MovingShape& m) { return m.leaves ? grow(m.box, m.way, surroundings(core.poses[m.body])) : m.box; }
+Aabb box_along_way(const Core& core, const MovingShape& m) { return m.leaves ? grow(m.box, m.way, surroundings(core.poses[m.body])) : m.box; }
 
 // Whether two shapes whose boxes are `a` and `b` may come together; `fall` (m) is what gravity adds to the way of one while the other is held.
 bool may_meet_on(const Aabb& a, const Way& way_a, const Aabb& b, const Way& way_b, float fall) {
@@ -186,7 +186,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     std::uint32_t* order2 = arena.take<std::uint32_t>(n);
     std::uint32_t* counts = arena.take<std::uint32_t>(sort_digits);
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Aabb box = box_of(core, shapes[i]);
+        const Aabb box = box_along_way(core, shapes[i]);
         keys[i] = sort_key(along_x ? box.lower.x : box.lower.y);
     }
     const std::uint32_t* sorted = sort_by_key(keys, order, keys2, order2, n, counts);
@@ -194,7 +194,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, along_x, dt, fall_in(core, dt)};
     for (std::uint32_t i = 0; i < n; ++i) {
         const MovingShape& moving_shape = shapes[sorted[i]];
-        const Aabb box = box_of(core, moving_shape);
+        const Aabb box = box_along_way(core, moving_shape);
         const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
         const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
         push_box(c.all, x.x, x.y, y.x, y.y, moving_shape.shape, i);
