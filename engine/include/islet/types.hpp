@@ -148,7 +148,7 @@ enum class SweepOrder : std::uint8_t {
     downward,  ///< one by one, from the highest to the lowest
 };
 
-/// The most of SolverDef::shock: with more of it piles of loose bodies gain energy (from 0.6 on, in 2 of 40 starts of 60 boxes and balls).
+/// The most of SolverDef::shock: with more of it piles of loose bodies gain energy.
 inline constexpr float max_shock = 0.5f;
 
 /// How the solver works. Change it at any time with World::set_solver.

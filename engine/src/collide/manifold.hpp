@@ -27,6 +27,9 @@ struct Manifold {
     std::uint32_t count = 0;  // 0: no contact closer than the margin
 };
 
+/// The separation of the nearest point, m. There must be one.
+inline float least_separation(const Manifold& m) { return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation; }
+
 // Each returns the manifold of shapes a and b, where b_in_a is the pose of B's body frame in A's body frame. Points with separation above
 // `margin` (m, >= speculative_distance) are left out. A segment is a capsule of radius 0.
 Manifold collide(const Circle& a, const Circle& b, const Transform& b_in_a, float margin);

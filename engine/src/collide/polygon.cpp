@@ -45,8 +45,6 @@ Manifold deepest_corner(const Reference& reference, const Axis& axis, const Othe
     return point_manifold(foot, reference.radius, corner, other.radius, face.normal, axis.separation, feature_id(face.index1, deepest));
 }
 
-ISLET_SHARED float least_separation(const Manifold& m) { return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation; }
-
 template <class A, class B>
 ISLET_COPIED Manifold collide_cores(const A& a, const B& b, Vec2 origin, float margin) {
     const float radii = a.radius + b.radius;

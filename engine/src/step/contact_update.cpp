@@ -80,9 +80,6 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
     return {};
 }
 
-// The distance of the points that are nearest.
-float nearest_separation(const Manifold& m) { return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation; }
-
 // The manifold of two shapes as they stand; points farther apart than `margin` are left out.
 Manifold manifold_at(const Core& core, const Contact& c, const ContactManifold& m, const Stand& stand, float margin, Transform& b_in_a) {
     b_in_a = pose_between(core, m.body_a, m.body_b, stand);
@@ -101,7 +98,7 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
     const bool is_link = core.geometries[core.shapes[c.shape_a].geometry].shape_type() == ShapeType::chain_segment;
     if (now.count == 0 && !is_link) return now;
     if (now.count != 0) {
-        const float apart = nearest_separation(now);
+        const float apart = least_separation(now);
         if (apart <= speculative_distance) return now;
         if (!is_link && apart + dot(rotate(stand.a, now.normal), approach.way) > approach.turn) return {};
     }
