@@ -13,7 +13,7 @@ using namespace detail;
 
 ShapeId World::create_shape(BodyId body, const ChainSegment& segment, const ShapeDef& def) {
     note_call<Call::create_chain_segment>(core(), body, segment, def);
-    if (!check(core(), has_chains, Error::feature_cut)) return {};
+    if (!check_there(core(), has_chains)) return {};
     link_chains();
     Geometry g = blank_geometry(ShapeType::chain_segment);
     g.chain = segment;
@@ -23,7 +23,7 @@ ShapeId World::create_shape(BodyId body, const ChainSegment& segment, const Shap
 std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool loop, const ShapeDef& def, std::span<ShapeId> out) {
     Core& c = core();
     note_call<Call::create_chain>(c, id, points, loop, def);
-    if (!check(c, has_chains, Error::feature_cut)) return 0;
+    if (!check_there(c, has_chains)) return 0;
     const std::uint32_t body = find_body(c, id);
     if (body == null_index || !check_shape_def(c, def)) return 0;
     const std::size_t n = points.size();
