@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "broadphase/pairs.hpp"
-#include "collide/clear_way.hpp"
-#include "collide/manifold.hpp"
+#include "step/clear_way.hpp"
+#include "shapes/manifolds.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
 #include "bodies/bounds.hpp"

@@ -1,5 +1,5 @@
 // Contact manifolds of every pair of shapes, against exact geometry in double precision and against situations with a known answer.
-#include "collide/manifold.hpp"
+#include "shapes/manifolds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "collide/outline.hpp"
+#include "collide/outline_pair.hpp"
 #include "exact_geometry.hpp"
 #include "support/effort.hpp"
 
@@ -216,7 +216,7 @@ TEST(PolygonManifold, TheFastPathForBoxesAgreesWithTheGeneralOne) {
         ASSERT_TRUE(detail::is_box(a) && detail::is_box(b));
         const Transform pose = r.pose(2);
         const Manifold fast = collide(a, b, pose, margin);
-        const Manifold slow = detail::collide_outlines(detail::outline_of(a, {}), detail::outline_of(b, pose, {}), {}, margin);
+        const Manifold slow = detail::collide_cores(detail::outline_of(a, {}), detail::outline_of(b, pose, {}), {}, margin);
         const Core ca = exact::core_of(a), cb = exact::core_of(b, pose);
         if (fast.count != slow.count || (fast.count > 0 && dot(fast.normal, slow.normal) < 0.9999f)) {
             // Rounding may decide between two axes, or at the margin; then both answers must be right.

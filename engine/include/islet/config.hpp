@@ -112,3 +112,12 @@
 #if !defined(ISLET_GEAR_JOINTS)
 #define ISLET_GEAR_JOINTS ISLET_JOINTS
 #endif
+
+/// The types of shapes, a line each, in the order of their ranks (a contact calls the shape of the higher rank A): SHAPE(name, struct, the feature it is, its
+/// kind (src/shapes/shape_types.hpp), always or when_made: whether a program that makes none links what it collides by).
+#define ISLET_SHAPE_TYPES(SHAPE)                     \
+    SHAPE(circle, Circle, engine, solid, always)     \
+    SHAPE(capsule, Capsule, capsules, solid, always) \
+    SHAPE(polygon, Polygon, polygons, solid, always) \
+    SHAPE(segment, Segment, segments, line, always)  \
+    SHAPE(chain_segment, ChainSegment, chains, front, when_made)

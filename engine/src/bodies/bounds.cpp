@@ -4,7 +4,6 @@
 
 #include "../bodies/impulses.hpp"
 #include "../broadphase/pairs.hpp"
-#include "../collide/corners.hpp"
 #include "../graph/contacts.hpp"
 #include "../math/inlining.hpp"
 
@@ -15,8 +14,8 @@ namespace {
 inline constexpr float box_margin_fraction = 0.125f;  // of the shape's size: small things get small margins
 
 ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
-    if (g.shape_type() == ShapeType::polygon) {
-        const Polygon& p = g.polygon;
+    if (const Polygon* polygon = faces_of(g)) {
+        const Polygon& p = *polygon;
         Extent e{0, 3.0e38f};
         for (std::uint32_t i = 0; i < p.count; ++i) {
             e.max = max(e.max, distance(p.vertices[i], center));
@@ -29,40 +28,11 @@ ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
     return {farthest + corners.radius, corners.radius};
 }
 
-}  // namespace
-
-Vec2 middle_of(const Geometry& g) {
-    if (g.shape_type() == ShapeType::polygon) return g.polygon.centroid;
-    const Corners corners = corners_of(g);
-    return lerp(corners.points[0], corners.points[corners.count - 1], 0.5f);
-}
-
-namespace {
-
-// Rounding keeps the order of numbers, so the place of the body may be added last.
-Aabb aabb_of(const Geometry& g, const Transform& t) {
-    const Corners corners = corners_of(g);
-    const Vec2 first = rotate(t.q, corners.points[0]);
-    Aabb box{first, first};
-    for (std::uint32_t i = 1; i < corners.count; ++i) {
-        const Vec2 v = rotate(t.q, corners.points[i]);
-        box = {min(box.lower, v), max(box.upper, v)};
-    }
-    return expand({box.lower + t.p, box.upper + t.p}, corners.radius);
-}
-
 MassData mass_of(const Core& core, const Shape& shape) {
-    const Geometry& g = core.geometries[shape.geometry];
-    const float density = shape.density;
-    switch (g.shape_type()) {
-        case ShapeType::circle: return compute_mass(g.circle, density);
-        case ShapeType::capsule:
-            if constexpr (has_shape(ShapeType::capsule)) return compute_mass(g.capsule, density);
-            break;
-        case ShapeType::polygon: return compute_mass(g.polygon, density);
-        default: break;
-    }
-    return {};
+    return with_shape(core.geometries[shape.geometry], [&]<class Shape_>(const Shape_& solid) {
+        if constexpr (ShapeRow<Shape_>::kind == ShapeKind::solid && ShapeRow<Shape_>::is_there) return compute_mass(solid, shape.density);
+        return MassData{};
+    });
 }
 
 }  // namespace
@@ -71,13 +41,13 @@ Transform body_transform(const Core& core, std::uint32_t body) { return {core.bo
 
 Aabb shape_aabb(const Core& core, std::uint32_t shape) {
     const Shape& s = core.shapes[shape];
-    return aabb_of(core.geometries[s.geometry], body_transform(core, s.body));
+    return aabb_of(corners_of(core.geometries[s.geometry]), body_transform(core, s.body));
 }
 
 namespace {
 
 // Contacts are made a little before surfaces meet; each of the two boxes makes room for half of that.
-Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g, t), 0.5f * speculative_distance); }
+Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(corners_of(g), t), 0.5f * speculative_distance); }
 
 // How far the inner box may move before it leaves the outer one.
 ISLET_SHARED float room_in(const Aabb& outer, const Aabb& inner) {

@@ -19,6 +19,7 @@
 namespace islet::detail {
 
 inline constexpr bool is_lean = ISLET_LEAN != 0;
+inline constexpr bool has_engine = true;
 inline constexpr bool has_polygons = ISLET_POLYGONS != 0;
 inline constexpr bool has_capsules = ISLET_CAPSULES != 0;
 inline constexpr bool has_segments = ISLET_SEGMENTS != 0;
@@ -38,13 +39,10 @@ inline constexpr bool has_tuning = ISLET_TUNING != 0;
 inline constexpr bool has_profile = ISLET_PROFILE != 0;
 
 constexpr bool has_shape(ShapeType type) {
-    switch (type) {
-        case ShapeType::circle: return true;
-        case ShapeType::capsule: return has_capsules;
-        case ShapeType::segment: return has_segments;
-        case ShapeType::polygon: return has_polygons;
-        case ShapeType::chain_segment: return has_chains;
-    }
+#define ISLET_HAS_SHAPE(name, Type, feature, ...) \
+    if (type == ShapeType::name) return has_##feature;
+    ISLET_SHAPE_TYPES(ISLET_HAS_SHAPE)
+#undef ISLET_HAS_SHAPE
     return false;
 }
 
@@ -74,10 +72,10 @@ inline constexpr bool has_all_joints = has_joint(JointType::revolute) && has_joi
 
 /// The type itself; one that is left out cannot be met. (Type by type: of a table the compiler would learn nothing.)
 constexpr ShapeType known(ShapeType type) {
-    if (!has_capsules && type == ShapeType::capsule) __builtin_unreachable();
-    if (!has_segments && type == ShapeType::segment) __builtin_unreachable();
-    if (!has_polygons && type == ShapeType::polygon) __builtin_unreachable();
-    if (!has_chains && type == ShapeType::chain_segment) __builtin_unreachable();
+#define ISLET_KNOWN(name, Type, feature, ...) \
+    if (!has_##feature && type == ShapeType::name) __builtin_unreachable();
+    ISLET_SHAPE_TYPES(ISLET_KNOWN)
+#undef ISLET_KNOWN
     return type;
 }
 constexpr JointType known(JointType type) {

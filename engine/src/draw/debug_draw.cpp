@@ -8,6 +8,7 @@
 #include "../collide/manifold.hpp"
 #include "../draw/draw_pen.hpp"
 #include "../math/float_mode.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 
@@ -35,13 +36,7 @@ DrawColor state_color(const Core& core, std::uint32_t body) {
 }
 
 void draw_geometry(const DebugDraw& draw, const Geometry& g, const Transform& pose, const DrawStyle& style) {
-    switch (g.shape_type()) {
-        case ShapeType::circle: return draw_shape(draw, g.circle, pose, style);
-        case ShapeType::capsule: return draw_shape(draw, g.capsule, pose, style);
-        case ShapeType::segment: return draw_shape(draw, g.segment, pose, style);
-        case ShapeType::polygon: return draw_shape(draw, g.polygon, pose, style);
-        case ShapeType::chain_segment: return draw_shape(draw, g.chain.segment, pose, style);
-    }
+    with_shape(g, [&](const auto& shape) { draw_shape(draw, shape, pose, style); });
 }
 
 // A fat box holds the shape, so most of what is out of view is left out without a look at its points.

@@ -2,9 +2,9 @@
 
 #include "../graph/sensors.hpp"
 
-#include "../collide/corners.hpp"
 #include "../collide/distance.hpp"
 #include "../graph/contacts.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 

@@ -7,7 +7,6 @@
 #include "../bodies/joint_changes.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../collide/manifold.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/hooks.hpp"
 #include "../graph/joint_graph.hpp"
@@ -252,7 +251,6 @@ bool World::load(std::span<const std::byte> image) {
     if (!check(c, find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;
     link_joint_solve();  // an image may bring what the program itself never makes
     link_joint_changes();
-    link_chains();
     link_sensors();
     link_hits();
     link_one_way();

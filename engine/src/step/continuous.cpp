@@ -11,7 +11,6 @@
 #include "../bodies/bounds.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../broadphase/tree.hpp"
-#include "../collide/clear_way.hpp"
 #include "../collide/time_of_impact.hpp"
 #include "../data/features.hpp"
 #include "../graph/contacts.hpp"
@@ -19,6 +18,7 @@
 #include "../math/boxes.hpp"
 #include "../math/scalar.hpp"
 #include "../solver/free_motion.hpp"
+#include "../step/clear_way.hpp"
 
 namespace islet::detail {
 
@@ -43,7 +43,10 @@ Vec2 inset_corner(const Polygon& p, std::uint32_t i, float inset) {
     return corner;
 }
 
-float half_thickness(const Geometry& g) { return corners_of(g).radius + (g.shape_type() == ShapeType::polygon ? inner_radius(g.polygon) : 0); }
+float half_thickness(const Geometry& g) {
+    const Polygon* faces = faces_of(g);
+    return corners_of(g).radius + (faces != nullptr ? inner_radius(*faces) : 0);
+}
 
 enum class Part { whole, core, middle };
 
@@ -52,29 +55,29 @@ SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part 
     const Geometry& g = core.geometries[core.shapes[shape].geometry];
     const Vec2 center = core.bodies[core.shapes[shape].body].local_center;
     const Corners corners = corners_of(g);
-    const bool inset = part != Part::whole && g.shape_type() == ShapeType::polygon;
-    const float by = inset ? 0.5f * inner_radius(g.polygon) : 0;
+    const Polygon* faces = part != Part::whole ? faces_of(g) : nullptr;
+    const bool inset = faces != nullptr;
+    const float by = inset ? 0.5f * inner_radius(*faces) : 0;
     SweptCore s;
     s.sweep = sweep;
     s.core.count = inset && part == Part::middle ? 1 : corners.count;
     s.core.radius = part == Part::whole ? corners.radius : part == Part::core ? 0.5f * corners.radius : 0;
     for (std::uint32_t i = 0; i < s.core.count; ++i) {
-        const Vec2 point = !inset ? corners.points[i] : part == Part::core ? inset_corner(g.polygon, i, by) : g.polygon.centroid;
+        const Vec2 point = !inset ? corners.points[i] : part == Part::core ? inset_corner(*faces, i, by) : faces->centroid;
         s.core.points[i] = point - center;
         s.reach = max(s.reach, length(s.core.points[i]));
     }
     return s;
 }
 
-// A chain is met from its front alone.
 bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep, std::uint32_t other) {
     const Geometry& g = core.geometries[core.shapes[other].geometry];
-    if (g.shape_type() != ShapeType::chain_segment) return false;
+    if (kind_of(g) != ShapeKind::front) return false;
     const std::uint32_t body = core.shapes[other].body;
     const Vec2 middle = middle_of(core.geometries[core.shapes[shape].geometry]) - core.bodies[core.shapes[shape].body].local_center;
     const Vec2 from = inv_transform_point(body_transform(core, body), sweep.center + rotate(sweep.q, middle));
-    const Segment& s = g.chain.segment;
-    return dot(right_perp(s.point2 - s.point1), from - s.point1) < 0;
+    const Vec2* line = corners_of(g).points;
+    return dot(right_perp(line[1] - line[0]), from - line[0]) < 0;
 }
 
 // Whether the contact of two shapes, one of them one-way or asking the pre_solve hook, holds in this step. The contact of a fast body was made ahead, and the

@@ -3,7 +3,7 @@
 #include "../step/one_way.hpp"
 
 #include "../bodies/bounds.hpp"
-#include "../collide/corners.hpp"
+#include "../shapes/shape_types.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {

@@ -10,7 +10,7 @@
 // Weakly referenced: in a lean build only World::one_way, set_one_way and load link it. Where it is missing no shape is one-way, so none of it is called.
 #pragma once
 
-#include "../collide/corners.hpp"
+#include "../shapes/shape_types.hpp"
 #include "../collide/manifold.hpp"
 #include "../data/core.hpp"
 
