@@ -12,11 +12,11 @@ namespace {
 
 using exact::Core;
 using exact::Point;
-using islet::test::cases;
+using islet::ShapeProxy;
 using islet::Transform;
 using islet::Vec2;
-using islet::ShapeProxy;
 using islet::detail::DistanceResult;
+using islet::test::cases;
 
 // Largest error allowed, relative to the largest coordinate in the problem: seven roundings of single precision. Measured: 1.4e-7.
 constexpr double relative_error = 4e-7;
@@ -102,9 +102,7 @@ TEST(Distance, ClosestPointsLieOnTheShapesAndAreThatFarApart) {
             // move over the length it was taken from: the distance itself or the edge that is closest.
             double base = want;
             if (got.count == 2) {
-                const auto corner = [&](int k) {
-                    return moved_corner(c.b, c.pose, got.index_b[k]) - exact::of(c.a.points[got.index_a[k]]);
-                };
+                const auto corner = [&](int k) { return moved_corner(c.b, c.pose, got.index_b[k]) - exact::of(c.a.points[got.index_a[k]]); };
                 base = std::max(base, exact::length(corner(1) - corner(0)));
             }
             ASSERT_NEAR(exact::gap_along(c.exact_a, c.exact_b, n), want, tolerance * (1 + c.scale / base)) << "case " << i;
@@ -165,8 +163,7 @@ TEST(Distance, DegenerateCoresGiveFiniteAnswers) {
     line.count = 8;
     for (std::uint32_t i = 0; i < 8; ++i) line.points[i] = {static_cast<float>(i), 0};
     same = line;
-    const Transform poses[] = {
-        {}, {{7, 0}, {}}, {{8, 0}, {}}, {{-8, 0}, {}}, {{0, 1}, {}}, {{3, 0}, {0, 1}}, {{3.5f, -3.5f}, {0, 1}}, {{0, 1e-20f}, {}}};
+    const Transform poses[] = {{}, {{7, 0}, {}}, {{8, 0}, {}}, {{-8, 0}, {}}, {{0, 1}, {}}, {{3, 0}, {0, 1}}, {{3.5f, -3.5f}, {0, 1}}, {{0, 1e-20f}, {}}};
     const float want[] = {0, 0, 1, 1, 1, 0, 0, 0};
     for (int i = 0; i < 8; ++i) {
         const DistanceResult r = distance_of(line, same, poses[i]);

@@ -19,6 +19,7 @@
 #include "../constraint/joint_rows.hpp"
 #include "../draw/draw_pen.hpp"
 #include "../graph/joint_graph.hpp"
+#include "../math/boxes.hpp"
 
 namespace islet::detail {
 
@@ -208,7 +209,7 @@ Aabb bounds_of(const Core& core, const Joint& j, float size) {
 
 void draw_joint(const Core& core, const DebugDraw& draw, std::uint32_t i) {
     const Joint& j = core.joints[i];
-    if (!overlaps(bounds_of(core, j, draw.size), draw.view)) return;
+    if (!meet(bounds_of(core, j, draw.size), draw.view)) return;
     const DrawColor color = is_joint_idle(core, j) ? draw_color::idle_joint : constraint_color(draw, j.color(), draw_color::joint);
     const Pen pen{draw, {color, DrawPart::joint, false, i}};
     if (j.joint_type() == JointType::gear) return draw_gear(core, pen, j, draw.size);
@@ -238,7 +239,7 @@ void draw_joint_name(const Core& core, const DebugDraw& draw, std::uint32_t i) {
     const JointPlace at = place_of(core, is_gear ? core.joints[j.joint1] : j);
     const Vec2 end = is_gear ? place_of(core, core.joints[j.joint2]).b : at.b;
     const Vec2 middle = lerp(is_gear ? at.b : at.a, end, 0.5f);
-    if (!overlaps(draw.view, {middle, middle})) return;
+    if (!meet(draw.view, {middle, middle})) return;
     Pen{draw, {draw_color::name, DrawPart::name, true, i}}.text(middle, names[static_cast<std::uint32_t>(j.joint_type())]);
 }
 

@@ -6,6 +6,7 @@
 
 #include "../math/inlining.hpp"
 #include "islet/geometry.hpp"
+#include "islet/types.hpp"
 
 namespace islet::detail {
 
@@ -14,7 +15,7 @@ namespace islet::detail {
 inline constexpr float min_length = 0.005f;
 
 // m: no coordinate, radius or extent of a shape is larger, so that the fourth powers in an inertia stay far from overflow.
-inline constexpr float max_coordinate = 1e7f;
+inline constexpr float max_coordinate = max_position;
 
 /// False for NaN as well.
 ISLET_INLINE bool in_range(float a) { return abs(a) <= max_coordinate; }

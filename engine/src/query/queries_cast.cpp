@@ -47,7 +47,7 @@ struct Cast {
 
     /// The fraction of the way at which the sweep enters a box, at least 0; above 1 if it does not.
     float entry(const Aabb& to) const {
-        if (!boxes_meet(swept, to)) return 2.0f;
+        if (!meet_at_once(swept, to)) return 2.0f;
         const Stay x = stay_in(box.lower.x, box.upper.x, d.x, inv_d.x, to.lower.x, to.upper.x);
         const Stay y = stay_in(box.lower.y, box.upper.y, d.y, inv_d.y, to.lower.y, to.upper.y);
         const float enter = max(0.0f, max(x.enter, y.enter));

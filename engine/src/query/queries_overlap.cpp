@@ -4,6 +4,7 @@
 #include "../bodies/bounds.hpp"
 #include "../calls/checks.hpp"
 #include "../collide/difference.hpp"
+#include "../math/boxes.hpp"
 #include "../math/float_mode.hpp"
 #include "../query/queries.hpp"
 
@@ -26,7 +27,7 @@ struct Overlap {
 
     bool holds(std::uint32_t shape) const {
         if (!is_queried(core, shape, filter)) return false;
-        if (question == Question::box) return overlaps(shape_aabb(core, shape), box);
+        if (question == Question::box) return meet(shape_aabb(core, shape), box);
         const ShapeProxy other = proxy_of(core.geometries[core.shapes[shape].geometry]);
         if (question == Question::point && other.count == 2 && other.radius == 0) return false;
         const ShapeProxy seen = seen_from(body_transform(core, core.shapes[shape].body), proxy);
@@ -41,7 +42,7 @@ std::uint32_t count_overlaps(const Overlap& overlap, std::span<ShapeId> out) {
     FirstFew<ShapeId> found{out.data(), out.size()};
     std::uint32_t count = 0;
     search_shapes(
-        overlap.core, [&](const Aabb& box) { return boxes_meet(box, reach); },
+        overlap.core, [&](const Aabb& box) { return meet_at_once(box, reach); },
         [&](std::uint32_t shape) {
             if (!overlap.holds(shape)) return;
             ++count;
@@ -59,7 +60,7 @@ void visit_overlaps(const Overlap& overlap, OverlapVisitor visit_hook, void* con
     for (bool again = true; again;) {
         FirstFew<ShapeId> found{shapes, visits_a_search};
         search_shapes(
-            overlap.core, [&](const Aabb& box) { return boxes_meet(box, reach); },
+            overlap.core, [&](const Aabb& box) { return meet_at_once(box, reach); },
             [&](std::uint32_t shape) {
                 const ShapeId id = overlap.core.shape_id(shape);
                 if (comes_before(last, id) && (!found.full() || comes_before(id, shapes[visits_a_search - 1])) && overlap.holds(shape)) found.add(id);

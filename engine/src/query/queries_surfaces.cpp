@@ -43,7 +43,7 @@ std::uint32_t World::surfaces_near(const ShapeProxy& shape, float within, std::s
     FirstFew<Surface> found{out.data(), out.size()};
     std::uint32_t count = 0;
     search_shapes(
-        c, [&](const Aabb& box) { return boxes_meet(box, reach); },
+        c, [&](const Aabb& box) { return meet_at_once(box, reach); },
         [&](std::uint32_t s) {
             if (!is_queried(c, s, filter)) return;
             const Transform t = body_transform(c, c.shapes[s].body);

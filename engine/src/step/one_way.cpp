@@ -3,8 +3,8 @@
 #include "../step/one_way.hpp"
 
 #include "../bodies/bounds.hpp"
-#include "../shapes/shape_types.hpp"
 #include "../math/scalar.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
