@@ -14,6 +14,7 @@ namespace {
 inline constexpr float box_margin_fraction = 0.125f;  // of the shape's size: small things get small margins
 
 ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
+    if (is_endless(g)) return {endless_reach, endless_reach};
     if (const Polygon* polygon = faces_of(g)) {
         const Polygon& p = *polygon;
         Extent e{0, 3.0e38f};
@@ -41,13 +42,13 @@ Transform body_transform(const Core& core, std::uint32_t body) { return {core.bo
 
 Aabb shape_aabb(const Core& core, std::uint32_t shape) {
     const Shape& s = core.shapes[shape];
-    return aabb_of(corners_of(core.geometries[s.geometry]), body_transform(core, s.body));
+    return aabb_of(core.geometries[s.geometry], body_transform(core, s.body));
 }
 
 namespace {
 
 // Contacts are made a little before surfaces meet; each of the two boxes makes room for half of that.
-Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(corners_of(g), t), 0.5f * speculative_distance); }
+Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g, t), 0.5f * speculative_distance); }
 
 // How far the inner box may move before it leaves the outer one.
 ISLET_SHARED float room_in(const Aabb& outer, const Aabb& inner) {
@@ -73,7 +74,7 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
         const Geometry& g = core.geometries[shape.geometry];
         const Aabb tight = tight_box(g, t);
         Aabb& fat = core.boxes[s];
-        const bool leaves = force || !contains(fat, tight);
+        const bool leaves = force || is_endless(g) || !contains(fat, tight);
         if (leaves) {
             const bool is_new = force || fat.lower.x > fat.upper.x;  // else the margin is what it was
             if (is_new) shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);

@@ -38,6 +38,7 @@ bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2)
     const Shape& s1 = core.shapes[shape_1];
     const Shape& s2 = core.shapes[shape_2];
     if (s1.body == s2.body || ((core.bodies[s1.body].flags | core.bodies[s2.body].flags) & body_disabled) != 0) return false;
+    if (has_endless && is_endless(core.geometries[s1.geometry]) && is_endless(core.geometries[s2.geometry])) return false;
     if (has_sensors && ((s1.flags | s2.flags) & shape_sensor) != 0) return may_sense(core, s1, s2) && filters_agree(s1.filter, s2.filter);
     if (!core.is_dynamic(s1.body) && !core.is_dynamic(s2.body)) return false;
     if (!filters_agree(s1.filter, s2.filter)) return false;

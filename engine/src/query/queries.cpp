@@ -7,8 +7,14 @@
 
 namespace islet::detail {
 
-ShapeProxy proxy_of(const Geometry& g) {
-    ShapeProxy p = proxy_of(corners_of(g));
+ShapeProxy proxy_of(const Geometry& g, [[maybe_unused]] const ShapeProxy& seen, [[maybe_unused]] Vec2 way) {
+    Around near{};
+    if constexpr (has_endless) {
+        near = around({seen.points, seen.count, seen.radius}, {});
+        near.reach += length(way);
+    }
+    Vec2 room[4];
+    ShapeProxy p = proxy_of(corners_near(g, near, room));
     p.one_sided = kind_of(g) == ShapeKind::front;
     return p;
 }

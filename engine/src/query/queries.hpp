@@ -21,8 +21,8 @@ inline bool is_queried(const Core& core, std::uint32_t shape, const QueryFilter&
     return !hidden && (filter.mask & f.category) != 0 && (f.mask & filter.category) != 0;
 }
 
-/// A shape in its body's frame.
-ShapeProxy proxy_of(const Geometry& g);
+/// A shape in its body's frame, for a question about `seen`, which is in that frame too, and its way. (Only what has no end depends on the question.)
+ShapeProxy proxy_of(const Geometry& g, const ShapeProxy& seen, Vec2 way = {});
 /// A point as a shape: a ray is its cast.
 inline ShapeProxy point_proxy(Vec2 p) {
     ShapeProxy proxy;

@@ -58,8 +58,9 @@ struct Cast {
     QueryHit meet(std::uint32_t shape) const {
         if (!is_queried(core, shape, filter)) return {};
         const Transform t = body_transform(core, core.shapes[shape].body);
-        const ShapeProxy target = proxy_of(core.geometries[core.shapes[shape].geometry]);
-        const CastHit hit = cast_proxy(seen_from(t, moving), inv_rotate(t.q, d), target);
+        const ShapeProxy seen = seen_from(t, moving);
+        const Vec2 way = inv_rotate(t.q, d);
+        const CastHit hit = cast_proxy(seen, way, proxy_of(core.geometries[core.shapes[shape].geometry], seen, way));
         if (!hit.hit) return {};
         // Not before its box: so it never matters when a search comes to the box.
         const float fraction = max(hit.fraction, entry(core.boxes[shape]));

@@ -28,9 +28,9 @@ struct Overlap {
     bool holds(std::uint32_t shape) const {
         if (!is_queried(core, shape, filter)) return false;
         if (question == Question::box) return meet(shape_aabb(core, shape), box);
-        const ShapeProxy other = proxy_of(core.geometries[core.shapes[shape].geometry]);
-        if (question == Question::point && other.count == 2 && other.radius == 0) return false;
         const ShapeProxy seen = seen_from(body_transform(core, core.shapes[shape].body), proxy);
+        const ShapeProxy other = proxy_of(core.geometries[core.shapes[shape].geometry], seen);
+        if (question == Question::point && other.count == 2 && other.radius == 0) return false;
         return nearest(difference_of(seen, other)).distance <= 0;
     }
 };
@@ -124,8 +124,9 @@ ClosestHit World::closest(Vec2 point, float max_distance, const QueryFilter& fil
         [&](std::uint32_t shape) {
             if (!is_queried(c, shape, filter)) return;
             const Transform t = body_transform(c, c.shapes[shape].body);
-            const ShapeProxy other = proxy_of(c.geometries[c.shapes[shape].geometry]);
-            const Difference w = difference_of(seen_from(t, proxy), other);
+            const ShapeProxy seen = seen_from(t, proxy);
+            const ShapeProxy other = proxy_of(c.geometries[c.shapes[shape].geometry], seen);
+            const Difference w = difference_of(seen, other);
             const Nearest n = nearest(w);
             const float distance = max(n.distance, gap(c.boxes[shape]));  // not less than its box: so it never matters when a search comes to the box
             const bool closer = distance < within || (distance == within && (!best || shape + 1 < best.shape.index1));

@@ -47,8 +47,8 @@ std::uint32_t World::surfaces_near(const ShapeProxy& shape, float within, std::s
         [&](std::uint32_t s) {
             if (!is_queried(c, s, filter)) return;
             const Transform t = body_transform(c, c.shapes[s].body);
-            const ShapeProxy other = proxy_of(c.geometries[c.shapes[s].geometry]);
             const ShapeProxy seen = seen_from(t, shape);
+            const ShapeProxy other = proxy_of(c.geometries[c.shapes[s].geometry], seen);
             const Difference w = difference_of(seen, other);
             Nearest n = nearest(w);
             if (!(n.distance <= within) || (other.one_sided && !face_of_segment(seen, other, n))) return;

@@ -10,6 +10,12 @@ Vec2 middle_of(const Geometry& g) {
     return lerp(corners.points[0], corners.points[corners.count - 1], 0.5f);
 }
 
+Around around(const Corners& other, const Transform& t) {
+    float reach = 0;
+    for (std::uint32_t i = 1; i < other.count; ++i) reach = max(reach, distance(other.points[0], other.points[i]));
+    return {transform_point(t, other.points[0]), reach + other.radius};
+}
+
 ShapeProxy proxy_of(const Corners& corners) {
     ShapeProxy p;
     for (std::uint32_t i = 0; i < corners.count; ++i) p.points[i] = corners.points[i];

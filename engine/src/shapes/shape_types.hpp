@@ -20,9 +20,10 @@ namespace detail {
 
 /// What a type's shapes are to others.
 enum class ShapeKind : std::uint8_t {
-    solid,  // has an area, and so a mass; collides with all
-    line,   // has none; two lines do not collide with each other
-    front,  // a line that is met from its front alone: the right of its two points
+    solid,    // has an area, and so a mass; collides with all
+    line,     // has none; two lines do not collide with each other
+    front,    // a line that is met from its front alone: the right of its two points
+    endless,  // has no mass, is no dynamic body's, does not collide with lines, and has no corners: it is asked for those of a patch (corners_near)
 };
 
 // The place of a type in the list. A contact calls the shape of the higher rank A.
@@ -68,6 +69,15 @@ inline ShapeKind kind_of(const Geometry& g) {
     return with_shape(g, []<class Shape>(const Shape&) { return ShapeRow<Shape>::kind; });
 }
 
+/// The types without end have, besides, aabb_of, reaches and corners_near of their own (below).
+#define ISLET_OR_ENDLESS(name, Type, ...) || (ShapeRow<Type>::is_there && ShapeRow<Type>::kind == ShapeKind::endless)
+inline constexpr bool has_endless = false ISLET_SHAPE_TYPES(ISLET_OR_ENDLESS);
+#undef ISLET_OR_ENDLESS
+inline bool is_endless(const Geometry& g) { return has_endless && kind_of(g) == ShapeKind::endless; }
+
+/// m: boxes and extents of what is endless end here. No point of another shape's box is as far from the origin along an axis.
+inline constexpr float endless_reach = 8.0f * max_position;
+
 // -- points and a radius ------------------------------------------------------------------------------------------------------------------
 //
 // Every shape is the hull of some points, grown by a radius. Three structs say so: Corners point into a geometry; a ShapeProxy (islet/query.hpp) is a copy,
@@ -107,6 +117,37 @@ ISLET_SHARED Aabb aabb_of(const Corners& corners, const Transform& t) {
         box = {min(box.lower, v), max(box.upper, v)};
     }
     return expand({box.lower + t.p, box.upper + t.p}, corners.radius);
+}
+ISLET_SHARED Aabb aabb_of(const Geometry& g, const Transform& t) {
+    if (!is_endless(g)) return aabb_of(corners_of(g), t);
+    return with_shape(g, [&]<class Shape>(const Shape& shape) {
+        if constexpr (ShapeRow<Shape>::kind == ShapeKind::endless) return aabb_of(shape, t);
+        return Aabb{};
+    });
+}
+
+/// Where another shape is, in the body's frame: no point of it is farther than `reach` (m) from the place.
+struct Around {
+    Vec2 place;
+    float reach;
+};
+Around around(const Corners& other, const Transform& t);
+
+/// The corners of a shape; of one without end those of a patch, which go to `room` (4 points): what is around meets the patch as it meets the whole.
+ISLET_SHARED Corners corners_near(const Geometry& g, [[maybe_unused]] const Around& around, [[maybe_unused]] Vec2* room) {
+    if (!is_endless(g)) return corners_of(g);
+    return with_shape(g, [&]<class Shape>(const Shape& shape) {
+        if constexpr (ShapeRow<Shape>::kind == ShapeKind::endless) return corners_near(shape, around, room);
+        return Corners{};
+    });
+}
+
+/// False only if what is in the box does not come near a shape without end; its own box says little.
+inline bool reaches_endless(const Geometry& g, const Transform& t, const Aabb& box) {
+    return with_shape(g, [&]<class Shape>(const Shape& shape) {
+        if constexpr (ShapeRow<Shape>::kind == ShapeKind::endless) return reaches(shape, t, box);
+        return true;
+    });
 }
 
 /// The shape as a proxy of its own.

@@ -158,6 +158,7 @@ Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32
     if (((a.flags | b.flags) & pose_moved) != 0) {
         const Contact& c = core.contacts[index];
         if (!meet(core.boxes[c.shape_a], core.boxes[c.shape_b]) && !may_meet(core, c.shape_a, c.shape_b, dt)) return Change::parts;
+        if (has_endless && keeps_from_endless(core, c.shape_a, c.shape_b, dt)) return Change::parts;
     }
     if (has_sensors && (m.flags & contact_sensor) != 0)
         return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;

@@ -26,6 +26,7 @@ void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) 
     const std::uint32_t i = find_shape(core, id);
     if (i == null_index || !check(core, valid, Error::bad_geometry)) return;
     Shape& s = core.shapes[i];
+    if (!check(core, !is_endless(g) || !core.is_dynamic(s.body), Error::endless_shape)) return;
     const bool fits = core.state->geometry_pool.count < geometry_capacity(core.capacity) || core.geometries[s.geometry].references == 1 ||
                       find_geometry(core, g) != null_index;
     if (!check(core, fits, Error::geometries_full)) return;

@@ -137,6 +137,7 @@ std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& g, const
 ShapeId attach_shape(Core& core, BodyId id, const Geometry& g, bool valid, const ShapeDef& def) {
     const std::uint32_t body = find_body(core, id);
     if (body == null_index || !check(core, valid, Error::bad_geometry) || !check_shape_def(core, def)) return {};
+    if (!check(core, !is_endless(g) || !core.is_dynamic(body), Error::endless_shape)) return {};
     const std::uint32_t index = add_shape(core, body, g, def);
     if (index == null_index) return {};
     shapes_changed(core, body);
