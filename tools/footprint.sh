@@ -6,7 +6,7 @@
 #   tools/footprint.sh --json        the same as JSON
 #   tools/footprint.sh --write       the table, and its figures into docs/microcontrollers.md
 #   tools/footprint.sh --check       the table (without the Cortex-M7), and whether every figure keeps its limit: part of tools/test.sh --all
-#   tools/footprint.sh --options     what each part that ISLET_WITHOUT can leave out saves on a Cortex-M4F
+#   tools/footprint.sh --options     what each feature in islet/config.hpp saves on a Cortex-M4F when ISLET_WITHOUT leaves it out alone
 # Installs the cross compilers and QEMU with apt if they are missing.
 set -euo pipefail
 # shellcheck source=tools/lib.sh
@@ -66,17 +66,17 @@ deepest_stack() {
 }
 
 if [ "$mode" = options ]; then
-    parts=(capsules segments chains restitution surfaces sleep continuous sensors hits hooks one_way queries mover recorder tuning profile joints)
-    for joint in revolute prismatic distance weld wheel motor mouse pulley gear; do parts+=("${joint}_joints"); done
-    parts+=(polygons)
-    build_firmware cortex-m4f cortex-m4f
+    # The list itself: polygons last, for the smallest program needs them.
+    mapfile -t parts < <(sed -nE 's/^ +FEATURE\(([a-z_]+).*/\1/p; s/^ +JOINT\(([a-z_]+).*/\1_joints/p' "$root/engine/include/islet/config.hpp" | grep -v '^polygons$')
+    parts+=(joints polygons)
+    build_firmware option cortex-m4f -DISLET_TRIMMED=OFF -DISLET_WITHOUT=
     programs=(whole firmware smallest)
     with=()
-    for program in "${programs[@]}"; do with+=("$(flash "$root/build/firmware/cortex-m4f" "$program")"); done
+    for program in "${programs[@]}"; do with+=("$(flash "$root/build/firmware/option" "$program")"); done
     printf '%-18s %14s %14s %14s\n' 'without' 'every function' 'every feature' 'smallest'
     for part in "${parts[@]}"; do
         say "without $part"
-        build_firmware option cortex-m4f "-DISLET_WITHOUT=$part"
+        build_firmware option cortex-m4f -DISLET_TRIMMED=OFF "-DISLET_WITHOUT=$part"
         printf '%-18s' "$part"
         for i in "${!programs[@]}"; do printf ' %14d' $((with[i] - $(flash "$root/build/firmware/option" "${programs[i]}"))); done
         printf '\n'
@@ -148,7 +148,7 @@ for target in "${targets[@]}"; do
     *)
         build_firmware "$target" "$target"
         programs=(whole firmware smallest)
-        graphs=$folder/engine
+        graphs=$folder/CMakeFiles/islet_whole.dir
         sizes=()
         ;;
     esac
@@ -167,6 +167,7 @@ for target in "${targets[@]}"; do
     done
     stack=$(deepest_stack "$graphs") || complain "$target: nothing bounds the engine's stack"
     deepest=${stack%% *}
+    [ -d "$graphs" ] && graphs=$folder/CMakeFiles/islet_firmware.dir
     stack=$(deepest_stack "$graphs" "$folder/CMakeFiles/firmware.dir") || complain "$target: nothing bounds the firmware's stack"
     bound=${stack%% *}
     per_step() { sed -n "s/^$1 .* instructions \([0-9]*\) .*/\1/p" <<<"$printed"; }
@@ -186,7 +187,8 @@ for target in "${targets[@]}"; do
 done
 
 say "a Cortex-M4F without what can be left out"
-build_firmware cortex-m4f-cut cortex-m4f '-DISLET_WITHOUT=capsules;segments;chains;restitution;surfaces;sleep;sensors;hits;hooks;one_way;queries;joints'
+build_firmware cortex-m4f-cut cortex-m4f \
+    '-DISLET_WITHOUT=capsules;segments;chains;restitution;surfaces;sleep;bullets;sensors;hits;hooks;one_way;disabling;queries;recorder;tuning;profile;joints'
 status=0
 log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --tests-regex refusals --verbose 2>&1) || status=$?
 [ "$status" -eq 0 ] || complain "what is left out: $(grep -E 'refused|fault|\*\*\*|No tests' <<<"$log" | head -n 3)"

@@ -1,5 +1,5 @@
-// For a build without capsules, segments, chains, joints, bouncing, surfaces, sleep, sensors, hits, hooks, one-way shapes, queries and so the mover: each is refused, by
-// name and at no cost to the world, and what is left comes to the same. Prints the pyramid's line as firmware.cpp does; fails if anything is not refused.
+// For a build without all that tools/footprint.sh leaves out at once: each is refused, by name and at no cost to the world, and what is left comes to the same.
+// Prints the pyramid's line as firmware.cpp does; fails if anything is not refused. (tests/features asks the same of every name in islet/config.hpp.)
 #include <islet/mover.hpp>
 
 #include "board.hpp"
@@ -52,6 +52,16 @@ int run() {
     expect_refused(world, world.one_way(box) == Vec2{}, "set_one_way");
     world.set_hooks({.filter = [](ShapeId, ShapeId, void*) { return true; }});
     expect_refused(world, world.hooks() == Hooks{}, "hooks");
+    expect_refused(world, !world.create_body({.type = BodyType::dynamic, .bullet = true}), "bullets");
+    world.set_bullet(body, true);
+    expect_refused(world, !world.is_bullet(body), "set_bullet");
+    expect_refused(world, !world.create_body({.type = BodyType::dynamic, .enabled = false}), "a disabled body");
+    world.set_enabled(body, false);
+    expect_refused(world, world.is_enabled(body), "set_enabled");
+    world.set_solver({.block_contacts = true});
+    expect_refused(world, !world.solver().block_contacts, "tuning");
+    world.set_clock([](void*) { return std::uint64_t{0}; }, nullptr);
+    expect_refused(world, true, "a clock");
     world.set_restitution(box, 1);
     expect_refused(world, world.restitution(box) == 0, "set_restitution");
     world.set_rolling_resistance(box, 1);

@@ -1,14 +1,14 @@
-// What spares a fast body a look at its surroundings, or a search for an impact, says what they would have said, as far out as worlds reach: a lean build does
-// without, and must give the same bits.
+// What spares a fast body a look at its surroundings, or a search for an impact, says what they would have said, as far out as worlds reach: a build without
+// them (ISLET_WITHOUT=shortcuts) must give the same bits.
 #include <gtest/gtest.h>
 
+#include "bodies/bounds.hpp"
 #include "broadphase/pairs.hpp"
-#include "step/clear_way.hpp"
 #include "shapes/manifolds.hpp"
+#include "step/clear_way.hpp"
+#include "step/continuous.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
-#include "bodies/bounds.hpp"
-#include "step/continuous.hpp"
 
 namespace islet::test {
 namespace {

@@ -1,9 +1,8 @@
-// What a build of the engine has in it. All of this is for those who compile the engine (in CMake: ISLET_WITHOUT, a list of names); a program that uses
-// it need not know.
+// What a build of the engine has in it. All of this is for those who compile the engine; a program that uses it need not know.
 //
-// First of all, what a program does not call it need not link: the engine's functions stand in sections of their own, for -Wl,--gc-sections, and
-// joints and chains as a whole come only with the functions that make them. The switches below leave out what a program that does call these, or
-// steps at all, would still link and never use. docs/microcontrollers.md says what each saves.
+// What a program does not call is not linked: the engine's functions stand in sections of their own, for -Wl,--gc-sections, and joints and chains as a whole
+// come only with the functions that make them. What a definition can ask for is there, called or not, unless it is left out by name: by ISLET_WITHOUT in
+// CMake, a list of the names below, or by -DISLET_WITHOUT_<name> for the engine's files. docs/microcontrollers.md says what each name saves.
 //
 // A world has the same layout, hash and snapshots with and without them. What is left out is refused with Error::feature_cut.
 #pragma once
@@ -21,97 +20,41 @@
 #endif
 #endif
 
-/// 1: sensors, hit events, hooks, one-way shapes, disabled bodies, bullets, and sweeps that go contact by contact (SolverDef::sweep_order, block_contacts,
-/// shock) come only with the functions of World that are theirs, as joints and chains always do: a firmware that never calls these does not link them, and is
-/// refused what would need them (feature_cut). 0: they are there.
-#if !defined(ISLET_LEAN)
-#define ISLET_LEAN 0
-#endif
+/// What can be left out, a line each: FEATURE(its name, what it is nothing without). This list is the only one: the CMake option, the constants in
+/// src/data/features.hpp and `tools/footprint.sh --options` come from it.
+#define ISLET_FEATURES(FEATURE)                                                                                                    \
+    FEATURE(polygons, engine)    /* boxes and other convex polygons */                                                             \
+    FEATURE(capsules, engine)    /* capsules */                                                                                    \
+    FEATURE(segments, engine)    /* segments */                                                                                    \
+    FEATURE(chains, engine)      /* chains and their segments */                                                                   \
+    FEATURE(restitution, engine) /* bouncing */                                                                                    \
+    FEATURE(surfaces, engine)    /* rolling resistance and surfaces in motion */                                                   \
+    FEATURE(sleep, engine)       /* islands falling asleep; without: as after enable_sleep(false) */                               \
+    FEATURE(continuous, engine)  /* fast bodies swept along their way; without: as after enable_continuous(false) */               \
+    FEATURE(bullets, continuous) /* bodies swept against what moves (BodyDef::bullet) */                                           \
+    FEATURE(sensors, engine)     /* sensors */                                                                                     \
+    FEATURE(hits, engine)        /* hit events */                                                                                  \
+    FEATURE(hooks, engine)       /* the user's filter, pre-solve and mixing */                                                     \
+    FEATURE(one_way, engine)     /* platforms that are passed from one side (ShapeDef::one_way) */                                 \
+    FEATURE(disabling, engine)   /* bodies that take part in nothing (BodyDef::enabled, World::set_enabled) */                     \
+    FEATURE(queries, engine)     /* ray and shape casts, overlaps, closest points in a world */                                    \
+    FEATURE(mover, queries)      /* step_mover */                                                                                  \
+    FEATURE(recorder, engine)    /* World::start_recording */                                                                      \
+    FEATURE(tuning, engine)      /* of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance */ \
+    FEATURE(profile, engine)     /* what the stages of a step took, where a program asks for it */                                 \
+    FEATURE(shortcuts, engine)   /* ways round work that a fast body can be spared: time, never a bit; nothing is refused without */
 
-/// 1: there, 0: left out.
-#if !defined(ISLET_POLYGONS)
-#define ISLET_POLYGONS 1  // boxes and other convex polygons
-#endif
-#if !defined(ISLET_CAPSULES)
-#define ISLET_CAPSULES 1  // capsules
-#endif
-#if !defined(ISLET_SEGMENTS)
-#define ISLET_SEGMENTS 1  // segments
-#endif
-#if !defined(ISLET_CHAINS)
-#define ISLET_CHAINS 1  // chains and their segments
-#endif
-#if !defined(ISLET_RESTITUTION)
-#define ISLET_RESTITUTION 1  // bouncing
-#endif
-#if !defined(ISLET_SURFACES)
-#define ISLET_SURFACES 1  // rolling resistance and surfaces in motion
-#endif
-#if !defined(ISLET_SLEEP)
-#define ISLET_SLEEP 1  // islands falling asleep: without it a world is as after enable_sleep(false)
-#endif
-#if !defined(ISLET_PROFILE)
-#define ISLET_PROFILE 1  // what the stages of a step took, where a program asks for it
-#endif
-#if !defined(ISLET_CONTINUOUS)
-#define ISLET_CONTINUOUS 1  // fast bodies swept along their way: without it a world is as after enable_continuous(false)
-#endif
-#if !defined(ISLET_SENSORS)
-#define ISLET_SENSORS 1  // sensors
-#endif
-#if !defined(ISLET_HITS)
-#define ISLET_HITS 1  // hit events
-#endif
-#if !defined(ISLET_HOOKS)
-#define ISLET_HOOKS 1  // the user's filter, pre-solve and mixing
-#endif
-#if !defined(ISLET_ONE_WAY)
-#define ISLET_ONE_WAY 1  // platforms that are passed from one side (ShapeDef::one_way)
-#endif
-#if !defined(ISLET_QUERIES)
-#define ISLET_QUERIES 1  // ray and shape casts, overlaps, closest points in a world
-#endif
-#if !defined(ISLET_MOVER)
-#define ISLET_MOVER ISLET_QUERIES  // step_mover, which needs queries
-#endif
-#if !defined(ISLET_RECORDER)
-#define ISLET_RECORDER 1  // World::start_recording
-#endif
-#if !defined(ISLET_TUNING)
-#define ISLET_TUNING 1  // of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance
-#endif
-
-/// Joints of each type; ISLET_JOINTS is the default of all.
-#if !defined(ISLET_JOINTS)
-#define ISLET_JOINTS 1
-#endif
-#if !defined(ISLET_REVOLUTE_JOINTS)
-#define ISLET_REVOLUTE_JOINTS ISLET_JOINTS
-#endif
-#if !defined(ISLET_PRISMATIC_JOINTS)
-#define ISLET_PRISMATIC_JOINTS ISLET_JOINTS
-#endif
-#if !defined(ISLET_DISTANCE_JOINTS)
-#define ISLET_DISTANCE_JOINTS ISLET_JOINTS
-#endif
-#if !defined(ISLET_WELD_JOINTS)
-#define ISLET_WELD_JOINTS ISLET_JOINTS
-#endif
-#if !defined(ISLET_WHEEL_JOINTS)
-#define ISLET_WHEEL_JOINTS ISLET_JOINTS
-#endif
-#if !defined(ISLET_MOTOR_JOINTS)
-#define ISLET_MOTOR_JOINTS ISLET_JOINTS
-#endif
-#if !defined(ISLET_MOUSE_JOINTS)
-#define ISLET_MOUSE_JOINTS ISLET_JOINTS
-#endif
-#if !defined(ISLET_PULLEY_JOINTS)
-#define ISLET_PULLEY_JOINTS ISLET_JOINTS
-#endif
-#if !defined(ISLET_GEAR_JOINTS)
-#define ISLET_GEAR_JOINTS ISLET_JOINTS
-#endif
+/// The types of joints, a line each: JOINT(type). Each is a feature too, <type>_joints; the name "joints" stands for all of them.
+#define ISLET_JOINT_TYPES(JOINT) \
+    JOINT(revolute)              \
+    JOINT(prismatic)             \
+    JOINT(distance)              \
+    JOINT(weld)                  \
+    JOINT(wheel)                 \
+    JOINT(motor)                 \
+    JOINT(mouse)                 \
+    JOINT(pulley)                \
+    JOINT(gear)
 
 /// The types of shapes, a line each, in the order of their ranks (a contact calls the shape of the higher rank A): SHAPE(name, struct, the feature it is, its
 /// kind (src/shapes/shape_types.hpp), always or when_made: whether a program that makes none links what it collides by).

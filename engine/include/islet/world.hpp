@@ -53,8 +53,7 @@ public:
     Vec2 gravity() const;
     void set_gravity(Vec2 gravity);
     SolverDef solver() const;
-    /// Out of range values are refused (out_of_range) and nothing changes. (In a lean build, ISLET_LEAN, only programs that call this function can sweep
-    /// contacts in another order or as blocks, and have shock propagation; World::create refuses them in others.)
+    /// Out of range values are refused (out_of_range) and nothing changes.
     void set_solver(const SolverDef& solver);
     /// m/s: how far the impulses of the body's island were from solving its constraints when the last step ended: the most by which solving any one contact
     /// or joint alone would still change the velocity of a body (its turning at its radius of gyration). 0 at a solution and nowhere else; and for what
@@ -77,8 +76,7 @@ public:
 
     Hooks hooks() const;
     /// Hooks from now on. The friction of two shapes in contact, and whether they bounce, stay as they were mixed until the shapes' materials change or the
-    /// shapes part; how much they bounce is asked anew in every step. (In a lean build, ISLET_LEAN, only programs that call this function or hooks() have
-    /// hooks; World::create refuses them in others.)
+    /// shapes part; how much they bounce is asked anew in every step.
     void set_hooks(const Hooks& hooks);
     float hit_threshold() const;
     void set_hit_threshold(float speed);
@@ -140,12 +138,10 @@ public:
     /// contacts; where calls need more, those of the last step give way, so read them before you make calls.
     std::span<const TouchEvent> end_touch_events() const;
     /// Overlaps of sensors that began, and that ended, ordered as those of touches are, and told at the same time: a step tells of the poses it begins with,
-    /// and calls that end overlaps tell at once and again after the step. (In a lean build, ISLET_LEAN, only programs that call
-    /// one of these two functions or sensor_overlaps have sensors; others are refused them.)
+    /// and calls that end overlaps tell at once and again after the step.
     std::span<const SensorEvent> sensor_begin_events() const;
     std::span<const SensorEvent> sensor_end_events() const;
-    /// Contacts of shapes with ShapeDef::hit_events whose surfaces came together faster than hit_threshold() and needed an impulse, ordered by slot. (In
-    /// a lean build, ISLET_LEAN, only programs that call this function have hits; others are refused them.)
+    /// Contacts of shapes with ShapeDef::hit_events whose surfaces came together faster than hit_threshold() and needed an impulse, ordered by slot.
     std::span<const HitEvent> hit_events() const;
     /// Bodies that the last step moved (every awake one), ordered by slot.
     std::span<const BodyId> moved_bodies() const;
@@ -223,10 +219,9 @@ public:
     void lock_y(BodyId body, bool lock);
     bool is_enabled(BodyId body) const;
     /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold nobody, it does not
-    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways. (In a lean build, ISLET_LEAN, only programs that call this function
-    /// have disabled bodies; create_body refuses them in others.)
+    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways.
     void set_enabled(BodyId body, bool enabled);
-    /// BodyDef::bullet. No effect unless the body is dynamic. (In a lean build, ISLET_LEAN, only programs that call set_bullet have bullets.)
+    /// BodyDef::bullet. No effect unless the body is dynamic.
     bool is_bullet(BodyId body) const;
     void set_bullet(BodyId body, bool bullet);
     void enable_sleep(BodyId body, bool enable);
@@ -300,8 +295,7 @@ public:
     bool pre_solve_enabled(ShapeId shape) const;
     void enable_pre_solve(ShapeId shape, bool enable);
     /// ShapeDef::one_way; the direction returned is a unit vector, or zero. Setting it wakes the body and what touches the shape: that goes on standing if it
-    /// is above in the new direction too. Errors: those of the id; not_finite; feature_cut. (In a lean build, ISLET_LEAN, only programs that
-    /// call one of these two functions, or load, have one-way shapes; others are refused them.)
+    /// is above in the new direction too. Errors: those of the id; not_finite; feature_cut.
     Vec2 one_way(ShapeId shape) const;
     void set_one_way(ShapeId shape, Vec2 direction);
     /// Adds the force of a wind on what of the shape's outline faces it, from the shape's own motion too; acts over the next step, as apply_force does:

@@ -258,7 +258,7 @@ Aabb surroundings_of(const Pose& pose) {
     return expand({pose.center, pose.center}, reach);
 }
 
-// Notes whether the body is fast, and whether it is alone: that spares it up to three looks at the tree. (A lean build does without.)
+// Notes whether the body is fast, and whether it is alone: that spares it up to three looks at the tree.
 void note_fast(Core& core, std::uint32_t body, float dt) {
     Pose& pose = core.poses[body];
     pose.flags &= ~static_cast<std::uint32_t>(pose_fast | pose_leaves | pose_far | pose_deep);
@@ -267,13 +267,13 @@ void note_fast(Core& core, std::uint32_t body, float dt) {
     pose.flags |= pose_fast;
     if (way > core.motions[body].slack + leave_way) pose.flags |= pose_leaves;
     if (way > surroundings(pose)) pose.flags |= pose_far;
-    if (!is_lean && way > alone_fraction * core.bodies[body].min_extent &&
+    if (has_shortcuts && way > alone_fraction * core.bodies[body].min_extent &&
         TreeWalk(Tree{&core.state->tree, core.tree}, surroundings_of(pose)).next() == null_index)
         pose.flags |= pose_alone;
 }
 
 // True if it is known that nothing at rest overlaps a box near the body.
-bool is_clear(const Pose& pose, const Aabb& box) { return !is_lean && (pose.flags & pose_alone) != 0 && contains(surroundings_of(pose), box); }
+bool is_clear(const Pose& pose, const Aabb& box) { return has_shortcuts && (pose.flags & pose_alone) != 0 && contains(surroundings_of(pose), box); }
 
 // True if it is known that nothing at rest overlaps any box ahead of the body. (A fat box is at most two extents, two margins and the speculative distance
 // wide, and begins within one extent of the centre, as the shape in it does. The last term is for rounding far from the origin.)
@@ -381,7 +381,7 @@ void find_pairs(Core& core, float dt) {
     if (any_far) {
         core.awake_bodies.for_each([&](std::uint32_t body) {
             constexpr std::uint32_t both_flags = pose_leaves | pose_far;
-            if ((core.poses[body].flags & both_flags) == both_flags && (is_lean || !stays_alone(core, body, dt))) look_ahead(core, body, dt);
+            if ((core.poses[body].flags & both_flags) == both_flags && (!has_shortcuts || !stays_alone(core, body, dt))) look_ahead(core, body, dt);
         });
     }
     if (core.report.dropped_contacts != 0) {

@@ -16,6 +16,9 @@ inline bool check(const Core& core, bool good, Error error) {
     return good;
 }
 
+/// What this build leaves out (islet/config.hpp) is refused: for `there` pass a constant has_..., or that the call needs no such thing.
+inline bool check_there(const Core& core, bool there) { return check(core, there, Error::feature_cut); }
+
 /// False, with in_step recorded, if the world is calling a function of the user's (Inside, Closed). Every public function that changes the world or shows all
 /// of it checks this first; those that are given an id do so through the next three functions.
 ISLET_SHARED bool check_open(const Core& core) { return check(core, core.inside == 0, Error::in_step); }

@@ -139,7 +139,7 @@ void write_stepped(World& world) {
 
 bool World::start_recording(std::span<std::byte> buffer, bool bodies) {
     Core& c = core();
-    if (!check_open(c) || !check(c, has_recorder, Error::feature_cut)) return false;
+    if (!check_open(c) || !check_there(c, has_recorder)) return false;
     if (!check(c, reinterpret_cast<std::uintptr_t>(buffer.data()) % recording_alignment == 0, Error::image_misaligned)) return false;
     const std::size_t image_bytes = snapshot_bytes();
     if (!check(c, buffer.size() >= calls_at(image_bytes), Error::recording_full)) return false;

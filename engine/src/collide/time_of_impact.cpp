@@ -36,8 +36,8 @@ float time_of_impact(const SweptCore& a, const SweptCore& b, float gap, float en
     float fraction = 0;
     Vec2 points_a[max_polygon_vertices], points_b[max_polygon_vertices];
     for (std::uint32_t pass = 0; pass < max_advances; ++pass) {
-        if (is_lean || pass == 0 || !rests(a.sweep)) place(points_a, a, fraction, a.sweep.center);
-        if (is_lean || pass == 0 || !rests(b.sweep)) place(points_b, b, fraction, a.sweep.center);
+        if (pass == 0 || !rests(a.sweep)) place(points_a, a, fraction, a.sweep.center);
+        if (pass == 0 || !rests(b.sweep)) place(points_b, b, fraction, a.sweep.center);
         const DistanceResult nearest = core_distance(points_a, a.core.count, points_b, b.core.count);
         const float left = nearest.distance - near;
         const float approach = dot(a.sweep.way - b.sweep.way, nearest.normal) + turning;

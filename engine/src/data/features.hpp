@@ -16,27 +16,20 @@
 #define ISLET_IS_LINKED(function) true
 #endif
 
+// 1 if a macro is defined as 1 (-DNAME), 0 if it is defined as anything else or not at all. (A name that is 1 makes ISLET_BEFORE_1, which is two arguments,
+// and pushes the 1 to second place.)
+#define ISLET_BEFORE_1 0,
+#define ISLET_SECOND(first, second, ...) second
+#define ISLET_SECOND_OF(before) ISLET_SECOND(before 1, 0, 0)
+#define ISLET_PASTED(value) ISLET_SECOND_OF(ISLET_BEFORE_##value)
+#define ISLET_IS_SET(name) ISLET_PASTED(name)
+
 namespace islet::detail {
 
-inline constexpr bool is_lean = ISLET_LEAN != 0;
 inline constexpr bool has_engine = true;
-inline constexpr bool has_polygons = ISLET_POLYGONS != 0;
-inline constexpr bool has_capsules = ISLET_CAPSULES != 0;
-inline constexpr bool has_segments = ISLET_SEGMENTS != 0;
-inline constexpr bool has_chains = ISLET_CHAINS != 0;
-inline constexpr bool has_restitution = ISLET_RESTITUTION != 0;
-inline constexpr bool has_surfaces = ISLET_SURFACES != 0;
-inline constexpr bool has_sleep = ISLET_SLEEP != 0;
-inline constexpr bool has_continuous = ISLET_CONTINUOUS != 0;
-inline constexpr bool has_sensors = ISLET_SENSORS != 0;
-inline constexpr bool has_hits = ISLET_HITS != 0;
-inline constexpr bool has_hooks = ISLET_HOOKS != 0;
-inline constexpr bool has_one_way = ISLET_ONE_WAY != 0;
-inline constexpr bool has_queries = ISLET_QUERIES != 0;
-inline constexpr bool has_mover = ISLET_MOVER != 0 && has_queries;
-inline constexpr bool has_recorder = ISLET_RECORDER != 0;
-inline constexpr bool has_tuning = ISLET_TUNING != 0;
-inline constexpr bool has_profile = ISLET_PROFILE != 0;
+#define ISLET_HAS(name, needs) inline constexpr bool has_##name = has_##needs && ISLET_IS_SET(ISLET_WITHOUT_##name) == 0;
+ISLET_FEATURES(ISLET_HAS)
+#undef ISLET_HAS
 
 constexpr bool has_shape(ShapeType type) {
 #define ISLET_HAS_SHAPE(name, Type, feature, ...) \
@@ -47,28 +40,22 @@ constexpr bool has_shape(ShapeType type) {
 }
 
 constexpr bool has_joint(JointType type) {
-    switch (type) {
-        case JointType::revolute: return ISLET_REVOLUTE_JOINTS != 0;
-        case JointType::prismatic: return ISLET_PRISMATIC_JOINTS != 0;
-        case JointType::distance: return ISLET_DISTANCE_JOINTS != 0;
-        case JointType::weld: return ISLET_WELD_JOINTS != 0;
-        case JointType::wheel: return ISLET_WHEEL_JOINTS != 0;
-        case JointType::motor: return ISLET_MOTOR_JOINTS != 0;
-        case JointType::mouse: return ISLET_MOUSE_JOINTS != 0;
-        case JointType::pulley: return ISLET_PULLEY_JOINTS != 0;
-        case JointType::gear: return ISLET_GEAR_JOINTS != 0;
-    }
+#define ISLET_HAS_JOINT(name) \
+    if (type == JointType::name) return ISLET_IS_SET(ISLET_WITHOUT_joints) == 0 && ISLET_IS_SET(ISLET_WITHOUT_##name##_joints) == 0;
+    ISLET_JOINT_TYPES(ISLET_HAS_JOINT)
+#undef ISLET_HAS_JOINT
     return false;
 }
 
-inline constexpr bool has_joints = has_joint(JointType::revolute) || has_joint(JointType::prismatic) || has_joint(JointType::distance) ||
-                                   has_joint(JointType::weld) || has_joint(JointType::wheel) || has_joint(JointType::motor) || has_joint(JointType::mouse) ||
-                                   has_joint(JointType::pulley) || has_joint(JointType::gear);
-
-inline constexpr bool has_all_shapes = has_polygons && has_capsules && has_segments && has_chains;
-inline constexpr bool has_all_joints = has_joint(JointType::revolute) && has_joint(JointType::prismatic) && has_joint(JointType::distance) &&
-                                       has_joint(JointType::weld) && has_joint(JointType::wheel) && has_joint(JointType::motor) &&
-                                       has_joint(JointType::mouse) && has_joint(JointType::pulley) && has_joint(JointType::gear);
+#define ISLET_OR_SHAPE_CUT(name, ...) || !has_shape(ShapeType::name)
+#define ISLET_OR_JOINT(name) || has_joint(JointType::name)
+#define ISLET_OR_JOINT_CUT(name) || !has_joint(JointType::name)
+inline constexpr bool has_all_shapes = !(false ISLET_SHAPE_TYPES(ISLET_OR_SHAPE_CUT));
+inline constexpr bool has_joints = false ISLET_JOINT_TYPES(ISLET_OR_JOINT);
+inline constexpr bool has_all_joints = !(false ISLET_JOINT_TYPES(ISLET_OR_JOINT_CUT));
+#undef ISLET_OR_SHAPE_CUT
+#undef ISLET_OR_JOINT
+#undef ISLET_OR_JOINT_CUT
 
 /// The type itself; one that is left out cannot be met. (Type by type: of a table the compiler would learn nothing.)
 constexpr ShapeType known(ShapeType type) {
@@ -79,15 +66,10 @@ constexpr ShapeType known(ShapeType type) {
     return type;
 }
 constexpr JointType known(JointType type) {
-    if (!has_joint(JointType::revolute) && type == JointType::revolute) __builtin_unreachable();
-    if (!has_joint(JointType::prismatic) && type == JointType::prismatic) __builtin_unreachable();
-    if (!has_joint(JointType::distance) && type == JointType::distance) __builtin_unreachable();
-    if (!has_joint(JointType::weld) && type == JointType::weld) __builtin_unreachable();
-    if (!has_joint(JointType::wheel) && type == JointType::wheel) __builtin_unreachable();
-    if (!has_joint(JointType::motor) && type == JointType::motor) __builtin_unreachable();
-    if (!has_joint(JointType::mouse) && type == JointType::mouse) __builtin_unreachable();
-    if (!has_joint(JointType::pulley) && type == JointType::pulley) __builtin_unreachable();
-    if (!has_joint(JointType::gear) && type == JointType::gear) __builtin_unreachable();
+#define ISLET_KNOWN(name) \
+    if (!has_joint(JointType::name) && type == JointType::name) __builtin_unreachable();
+    ISLET_JOINT_TYPES(ISLET_KNOWN)
+#undef ISLET_KNOWN
     return type;
 }
 

@@ -304,7 +304,7 @@ inline SolverDef unpack(const SolverState& s) {
 // clang-format on
 
 inline bool is_soft(const SolverState& s) { return static_cast<Schedule>(s.schedule) == Schedule::soft; }
-/// What only some programs ask for: part `tuning` (islet/config.hpp).
+/// What only some programs ask for: feature `tuning` (islet/config.hpp).
 inline bool is_ordered(const SolverState& s) {  // contacts are solved one by one, and not by colours
     return has_tuning && (static_cast<SweepOrder>(s.sweep_order) != SweepOrder::colored || s.block_contacts != 0);
 }

@@ -1,11 +1,9 @@
-// Joints of disabled bodies. Programs that disable none do not link this file (joint_graph.hpp).
+// Joints of disabled bodies.
 #include "../exact.hpp"
 
 #include "../graph/joint_graph.hpp"
 
 namespace islet::detail {
-
-void link_disabling() {}
 
 bool has_disabled_body(const Core& core, const Joint& j) {
     const auto off = [&](std::uint32_t body) { return body != null_index && (core.bodies[body].flags & body_disabled) != 0; };

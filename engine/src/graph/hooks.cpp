@@ -15,8 +15,6 @@ using namespace detail;
 
 namespace detail {
 
-void link_hooks() {}
-
 bool is_allowed_by_hook(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     const std::uint32_t first = shape_1 < shape_2 ? shape_1 : shape_2;
     return core.hooks.filter(core.shape_id(first), core.shape_id(shape_1 + shape_2 - first), core.hooks.context);
@@ -56,21 +54,17 @@ void ask_pre_solve(Core& core, std::uint32_t index) {
     }
     if (asked.friction != before.friction && check_range(core, asked.friction, 0, max_coefficient)) m.friction = asked.friction;
     if (asked.tangent_speed == before.tangent_speed || !check_range(core, asked.tangent_speed, -max_speed_limit, max_speed_limit)) return;
-    if (!check(core, has_surfaces, Error::feature_cut)) return;
+    if (!check_there(core, has_surfaces)) return;
     c.set_own_speed(asked.tangent_speed);
     m.flags |= contact_special;
 }
 
 }  // namespace detail
 
-Hooks World::hooks() const {
-    link_hooks();
-    return core().hooks;
-}
+Hooks World::hooks() const { return core().hooks; }
 
 void World::set_hooks(const Hooks& hooks) {
-    link_hooks();
-    if (check_open(core()) && check(core(), are_there(hooks), Error::feature_cut)) core().hooks = hooks;
+    if (check_open(core()) && check_there(core(), are_there(hooks))) core().hooks = hooks;
 }
 
 }  // namespace islet

@@ -30,13 +30,9 @@ inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t 
     return false;
 }
 
-/// True if a body that the joint acts on is disabled: then it acts on none. Weakly referenced: only programs that call World::set_enabled link it, and have
-/// such bodies.
-ISLET_OPTIONAL bool has_disabled_body(const Core& core, const Joint& j);
-/// Does nothing, but whoever refers to it links the function above.
-void link_disabling();
-inline bool disabling_is_linked() { return ISLET_IS_LINKED(has_disabled_body); }
-inline bool is_joint_idle(const Core& core, const Joint& j) { return disabling_is_linked() && has_disabled_body(core, j); }
+/// True if a body that the joint acts on is disabled: then it acts on none.
+bool has_disabled_body(const Core& core, const Joint& j);
+inline bool is_joint_idle(const Core& core, const Joint& j) { return has_disabling && has_disabled_body(core, j); }
 
 /// Whether the joint belongs to the awake ones.
 inline bool is_joint_awake(const Core& core, const Joint& j) {

@@ -33,8 +33,6 @@ void push(const Core& core, TouchEvent* array, std::uint32_t touches, SensorEven
 
 }  // namespace
 
-void link_sensors() {}
-
 bool may_sense(const Core& core, const Shape& s1, const Shape& s2) {
     const bool both = (s1.flags & s2.flags & shape_sensor) != 0;
     const bool unseen = (((s1.flags & shape_sensor) != 0 ? s2 : s1).flags & shape_unseen) != 0;

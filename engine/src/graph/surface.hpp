@@ -19,7 +19,7 @@ inline MixedSurface surface_of(const Core& core, std::uint32_t contact) {
     const auto radius = [&](const Shape& shape) { return corners_of(core.geometries[shape.geometry]).radius; };
     const auto rolling_arm = [&] {
         const float resistance = max(a.rolling_resistance, b.rolling_resistance);
-        if (!is_lean && resistance == 0) return resistance;  // as most are: their geometries need not come from memory
+        if (resistance == 0) return resistance;  // as most are: their geometries need not come from memory
         return resistance * max(radius(a), radius(b));
     };
     return {mixed_restitution(core, a, b), rolling_arm(), has_hooks && c.has_own_speed() ? c.own_speed() : a.tangent_speed + b.tangent_speed};

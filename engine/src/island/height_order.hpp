@@ -22,14 +22,11 @@ struct Edge {
     std::uint32_t constraint, a, b, place;
 };
 
-// Linked only by programs that ask for it: World::set_solver, or in a build that is not lean any program, refers to link_ordering (ordered_sweep.hpp).
-void link_heights();
-
 /// Contacts in the order of SolverDef::sweep_order, equal ones by slot; none has a colour any more.
-ISLET_OPTIONAL void put_in_order(const Core& core, Edge* contacts, std::uint32_t count);
+void put_in_order(const Core& core, Edge* contacts, std::uint32_t count);
 
 /// How many times lighter than it is the solve takes each body for, at most 10 000 times: 1 what lies on nothing that can be pushed,
 /// 1 / (1 - shock) times what it lies on any other. Sorts the contacts by slot again when done.
-ISLET_OPTIONAL void lighten_by_height(const Core& core, Edge* contacts, std::uint32_t count, float* lightness);
+void lighten_by_height(const Core& core, Edge* contacts, std::uint32_t count, float* lightness);
 
 }  // namespace islet::detail

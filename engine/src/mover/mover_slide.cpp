@@ -23,7 +23,7 @@ ShapeProxy capsule_of(const Mover& m, float growth) {
 }
 
 bool stands_in_the_way(const Mover& m, const Surface& s) {
-    if (has_one_way && one_way_is_linked()) {
+    if (has_one_way) {
         const Vec2 points[] = {m.def.capsule.point1, m.def.capsule.point2};
         const Corners capsule = {points, 2, m.def.capsule.radius};
         if (height_above(Core::of(m.world), s.shape.index1 - 1, capsule, {m.state.position, {}}) < least_above) return false;

@@ -1,4 +1,4 @@
-// Hits: contacts whose shapes came together fast. Whoever asks for them links them (solver/hits.hpp).
+// Hits: contacts whose shapes came together fast.
 #include "../exact.hpp"
 
 #include "../solver/hits.hpp"
@@ -32,8 +32,6 @@ void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uin
 
 }  // namespace
 
-void link_hits() {}
-
 void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, Hit* hits) { note(manifolds, rows, count, hits); }
 #if ISLET_MAX_LANES >= 4
 void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, Hit* hits) { note(manifolds, rows, count, hits); }
@@ -62,10 +60,7 @@ void report_hits(Core& core, const Hit* hits) {
 
 }  // namespace detail
 
-std::span<const HitEvent> World::hit_events() const {
-    link_hits();
-    return {core().hit_events, core().hit_count};
-}
+std::span<const HitEvent> World::hit_events() const { return {core().hit_events, core().hit_count}; }
 
 float World::hit_threshold() const { return core().state->hit_threshold; }
 

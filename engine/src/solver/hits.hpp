@@ -1,5 +1,4 @@
-// Hit events: read off the rows of contacts once they are solved, which know the approach of what bounces or tells of hits. Weakly referenced: only
-// World::hit_events, which reads them, links it.
+// Hit events: read off the rows of contacts once they are solved, which know the approach of what bounces or tells of hits.
 #pragma once
 
 #include "../constraint/contact_rows.hpp"
@@ -22,15 +21,11 @@ private:
 };
 
 /// Of solved rows: writes to `hits`, by contact, those of contacts that are to tell of them (contact_hits).
-ISLET_OPTIONAL void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, Hit* hits);
-ISLET_OPTIONAL void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, Hit* hits);
-ISLET_OPTIONAL void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, Hit* hits);
+void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, Hit* hits);
+void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, Hit* hits);
+void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, Hit* hits);
 
 /// Reports the contacts whose shapes came together faster than the threshold, in slot order.
-ISLET_OPTIONAL void report_hits(Core& core, const Hit* hits);
-
-/// Does nothing, but whoever refers to it links the functions above.
-void link_hits();
-inline bool hits_are_linked() { return ISLET_IS_LINKED(report_hits); }
+void report_hits(Core& core, const Hit* hits);
 
 }  // namespace islet::detail

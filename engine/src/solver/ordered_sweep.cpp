@@ -73,8 +73,6 @@ void solve_one(SolverBody* bodies, ContactRows<1>& r, const SweepNumbers& number
 
 }  // namespace
 
-void link_ordering() { link_heights(); }
-
 void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground, bool block) {
     for (std::uint32_t i = 0; i < count; ++i) {
         ContactRows<1>& r = rows[i];

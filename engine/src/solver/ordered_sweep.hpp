@@ -12,11 +12,7 @@
 
 namespace islet::detail {
 
-/// Takes all of this, and height_order.hpp: linked only by programs that ask for it.
-void link_ordering();
-
 /// One sweep over the rows in their order. `ground`: for contacts of bodies that cannot be pushed.
-ISLET_OPTIONAL void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground,
-                                   bool block);
+void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground, bool block);
 
 }  // namespace islet::detail

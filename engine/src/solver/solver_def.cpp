@@ -15,7 +15,7 @@ bool check_solver(const SolverDef& d, Error& error) {
                       d.joint_hertz > 0 && d.joint_damping_ratio >= 0 && d.baumgarte >= 0 && d.baumgarte <= 1 && d.omega > 0 && d.omega < 2 &&
                       d.joint_trees <= JointTrees::all && d.joint_tree_load >= 1 && d.sweep_order <= SweepOrder::downward && d.shock >= 0 &&
                       d.shock <= max_shock && d.tolerance >= 0;
-    const bool cut = (!has_tuning && needs_tuning(d)) || (!ISLET_IS_LINKED(solve_in_order) && needs_ordering(d));
+    const bool cut = !has_tuning && needs_tuning(d);
     error = !finite ? Error::not_finite : !sane ? Error::out_of_range : cut ? Error::feature_cut : Error::none;
     return error == Error::none;
 }

@@ -122,9 +122,13 @@ bool needs_what_is_cut(const Core& c) {
         if (!has_hooks && (shape.flags & shape_pre_solve) != 0) return true;
         if (!has_one_way && (shape.flags & shape_one_way_bits) != 0) return true;
     }
-    for (std::uint32_t i = 0; !has_sleep && i < s.body_pool.high_water; ++i)
-        if (pool_live(s.body_pool, c.bodies, i) && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (c.bodies[i].flags & body_disabled) == 0)
-            return true;
+    for (std::uint32_t i = 0; !(has_sleep && has_bullets && has_disabling) && i < s.body_pool.high_water; ++i) {
+        if (!pool_live(s.body_pool, c.bodies, i)) continue;
+        const std::uint32_t flags = c.bodies[i].flags;
+        if (!has_bullets && (flags & body_bullet) != 0) return true;
+        if (!has_disabling && (flags & body_disabled) != 0) return true;
+        if (!has_sleep && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (flags & body_disabled) == 0) return true;
+    }
     return (!has_sleep && s.enable_sleep != 0) || (!has_continuous && s.continuous != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
 }
 
@@ -146,8 +150,7 @@ void rebuild_pairs(Core& core, const ImageHeader& h) {
 bool can_tell(const std::byte* image) {
     std::uint32_t asked = 0;
     std::memcpy(&asked, image + sizeof(ImageHeader) + offsetof(State, asked), sizeof asked);  // the state comes first
-    return ((asked & shape_sensor) == 0 || (has_sensors && sensors_are_linked())) && ((asked & shape_hit_events) == 0 || (has_hits && hits_are_linked())) &&
-           ((asked & asked_one_way) == 0 || (has_one_way && one_way_is_linked()));
+    return ((asked & shape_sensor) == 0 || has_sensors) && ((asked & shape_hit_events) == 0 || has_hits) && ((asked & asked_one_way) == 0 || has_one_way);
 }
 
 // What waits in the arrays of end events, behind what was reported.
@@ -231,8 +234,8 @@ bool World::restore(std::span<const std::byte> image) {
     ImageHeader h;
     const Error error = read_header(image, h);
     if (!check_open(c) || !check(c, error == Error::none, error) || !check(c, fits(c.capacity, h), Error::image_too_large)) return false;
-    if (!check(c, h.used.joints == 0 || joint_solve_is_linked(), Error::feature_cut)) return false;
-    if (!check(c, can_tell(image.data()), Error::feature_cut)) return false;
+    if (!check_there(c, h.used.joints == 0 || joint_solve_is_linked())) return false;
+    if (!check_there(c, can_tell(image.data()))) return false;
     take_over(c, h, image.data());
     if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
     return true;
@@ -247,17 +250,10 @@ bool World::load(std::span<const std::byte> image) {
     if (!check(c, image_checksum(image) == h.head.checksum, Error::corrupt_image)) return false;
     if (!check(c, fits(c.capacity, h), Error::image_too_large)) return false;
     const Core view = view_of(c, h, image.data());
-    if (!check(c, h.used == counts_of(*view.state), Error::unsound_image) || !check(c, !needs_what_is_cut(view), Error::feature_cut)) return false;
+    if (!check(c, h.used == counts_of(*view.state), Error::unsound_image) || !check_there(c, !needs_what_is_cut(view))) return false;
     if (!check(c, find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;
     link_joint_solve();  // an image may bring what the program itself never makes
     link_joint_changes();
-    link_sensors();
-    link_hits();
-    link_one_way();
-    link_hooks();
-    link_disabling();
-    link_bullets();
-    link_ordering();
     take_over(c, h, image.data());
     if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
     return true;

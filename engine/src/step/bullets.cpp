@@ -82,8 +82,6 @@ Sweep carried(const Sweep& way, const WayImpact& impact) {
 
 }  // namespace
 
-void link_bullets() {}
-
 void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_count, SolverBody* bodies) {
     bool again = true;
     for (std::uint32_t round = 0; again && round < bullet_rounds; ++round) {
@@ -116,8 +114,7 @@ void World::set_bullet(BodyId id, bool bullet) {
     Core& c = core();
     note_call<Call::set_bullet>(c, id, bullet);
     const std::uint32_t i = find_body(c, id);
-    if (i == null_index || !check(c, has_continuous || !bullet, Error::feature_cut)) return;
-    link_bullets();
+    if (i == null_index || !check_there(c, has_bullets || !bullet)) return;
     Body& b = c.bodies[i];
     if (((b.flags & body_bullet) != 0) == bullet) return;
     b.flags ^= body_bullet;

@@ -160,14 +160,14 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     if (other == null_index) return;  // so it is for most that fall or fly
     Sweep sweep = sweep_of(core, body, way);
     ClearWay clear_way;
-    if (!is_lean) clear_way = clear_way_of(sweep, core.poses[body].max_extent, core.bodies[body].min_extent, 0.5f * most_tolerance);
+    if (has_shortcuts) clear_way = clear_way_of(sweep, core.poses[body].max_extent, core.bodies[body].min_extent, 0.5f * most_tolerance);
     float end = 1;
     do {
         const std::uint32_t wall = core.shapes[other].body;
         if (core.bodies[wall].type() != BodyType::static_body) continue;
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            if (!is_lean && keeps_clear(clear_way, core.geometries[core.shapes[s].geometry], core.bodies[body].local_center,
-                                        core.geometries[core.shapes[other].geometry], body_transform(core, wall)))
+            if (has_shortcuts && keeps_clear(clear_way, core.geometries[core.shapes[s].geometry], core.bodies[body].local_center,
+                                             core.geometries[core.shapes[other].geometry], body_transform(core, wall)))
                 continue;
             end = min(end, stop_time(core, s, sweep, other, at_rest(core, wall), end));
         }

@@ -20,9 +20,8 @@ float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std
 /// changes this body's pose alone, and reads what is at rest alone, so bodies may be stopped side by side.
 void stop_at_static(Core& core, std::uint32_t body, SolverBody& way);
 
-/// The same for bullets against all bodies that moved or sleep; boxes follow. `bodies` is by slot. Linked only where bullets may be made.
-ISLET_OPTIONAL void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_count, SolverBody* bodies);
-void link_bullets();
+/// The same for bullets against all bodies that moved or sleep; boxes follow. `bodies` is by slot.
+void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_count, SolverBody* bodies);
 
 // -- what both are made of ------------------------------------------------------------------------------------------------------------
 

@@ -81,8 +81,6 @@ float height_above(const Core& core, std::uint32_t shape, const Corners& other, 
                                                                 : Pair(core, shape, body_transform(core, core.shapes[shape].body), other, pose).height();
 }
 
-void link_one_way() {}
-
 bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flags, float dt) {
     const Contact& c = core.contacts[contact];
     const float height = min(height_above(core, c.shape_a, c.shape_b), height_above(core, c.shape_b, c.shape_a));

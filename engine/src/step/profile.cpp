@@ -32,7 +32,7 @@ const StepProfile& World::profile() const { return core().profile; }
 
 void World::set_clock(Clock clock, void* context) {
     Core& c = core();
-    if (!check_open(c) || !check(c, has_profile || clock == nullptr, Error::feature_cut)) return;
+    if (!check_open(c) || !check_there(c, has_profile || clock == nullptr)) return;
     c.clock = clock;
     c.clock_context = context;
     c.profile = {};

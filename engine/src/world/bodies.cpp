@@ -25,9 +25,7 @@ bool check_def(const Core& core, const BodyDef& d) {
                                    d.angular_damping, d.gravity_scale, d.sleep_threshold);
     return check_open(core) && check(core, finite, Error::not_finite) && check_position(core, d.position) &&
            check(core, d.linear_damping >= 0 && d.angular_damping >= 0 && d.sleep_threshold >= 0 && d.type <= BodyType::dynamic, Error::out_of_range) &&
-           check(core, has_sleep || d.awake, Error::feature_cut) &&
-           check(core, !d.bullet || (has_continuous && ISLET_IS_LINKED(stop_bullets)), Error::feature_cut) &&
-           check(core, d.enabled || disabling_is_linked(), Error::feature_cut);
+           check_there(core, has_sleep || d.awake) && check_there(core, !d.bullet || has_bullets) && check_there(core, d.enabled || has_disabling);
 }
 
 // Takes the slot of a body that can be pushed and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.

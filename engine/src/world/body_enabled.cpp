@@ -49,7 +49,7 @@ void World::set_enabled(BodyId id, bool enabled) {
     Core& c = core();
     note_call<Call::set_enabled>(c, id, enabled);
     const std::uint32_t i = find_body(c, id);
-    if (i == null_index || detail::is_enabled(c, i) == enabled) return;
+    if (i == null_index || detail::is_enabled(c, i) == enabled || !check_there(c, has_disabling)) return;
     if (enabled) {
         enable(c, i);
     } else {

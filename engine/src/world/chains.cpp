@@ -16,7 +16,7 @@ ISLET_DEFINE_CREATE_SHAPE(chain_segment, ChainSegment)
 std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool loop, const ShapeDef& def, std::span<ShapeId> out) {
     Core& c = core();
     note_call<Call::create_chain>(c, id, points, loop, def);
-    if (!check(c, has_chains, Error::feature_cut)) return 0;
+    if (!check_there(c, has_chains)) return 0;
     const std::uint32_t body = find_body(c, id);
     if (body == null_index || !check_shape_def(c, def)) return 0;
     const std::size_t n = points.size();

@@ -170,7 +170,7 @@ JointId make(Core& core, Joint& j, const JointBase& base) {
 
 JointId World::create_joint(const RevoluteJointDef& def) {
     note_call<Call::create_revolute_joint>(core(), def);
-    if (!check(core(), has_joint(JointType::revolute), Error::feature_cut)) return {};
+    if (!check_there(core(), has_joint(JointType::revolute))) return {};
     Joint j = new_joint(JointType::revolute, def.base);
     fill_coordinate(j, def.spring, def.limit, def.motor);
     j.friction = def.friction;
@@ -179,7 +179,7 @@ JointId World::create_joint(const RevoluteJointDef& def) {
 
 JointId World::create_joint(const PrismaticJointDef& def) {
     note_call<Call::create_prismatic_joint>(core(), def);
-    if (!check(core(), has_joint(JointType::prismatic), Error::feature_cut)) return {};
+    if (!check_there(core(), has_joint(JointType::prismatic))) return {};
     Joint j = new_joint(JointType::prismatic, def.base);
     fill_coordinate(j, def.spring, def.limit, def.motor);
     j.friction = def.friction;
@@ -189,7 +189,7 @@ JointId World::create_joint(const PrismaticJointDef& def) {
 JointId World::create_joint(const DistanceJointDef& def) {
     Core& c = core();
     note_call<Call::create_distance_joint>(c, def);
-    if (!check(c, has_joint(JointType::distance), Error::feature_cut) || !check_range(c, def.length, linear_slop, max_position)) return {};
+    if (!check_there(c, has_joint(JointType::distance)) || !check_range(c, def.length, linear_slop, max_position)) return {};
     Joint j = new_joint(JointType::distance, def.base);
     fill_coordinate(j, def.spring, def.limit, def.motor);
     j.length = def.length;
@@ -198,7 +198,7 @@ JointId World::create_joint(const DistanceJointDef& def) {
 
 JointId World::create_joint(const WeldJointDef& def) {
     note_call<Call::create_weld_joint>(core(), def);
-    if (!check(core(), has_joint(JointType::weld), Error::feature_cut)) return {};
+    if (!check_there(core(), has_joint(JointType::weld))) return {};
     Joint j = new_joint(JointType::weld, def.base);
     fill_softness(j, def);
     return make(core(), j, def.base);
@@ -206,7 +206,7 @@ JointId World::create_joint(const WeldJointDef& def) {
 
 JointId World::create_joint(const WheelJointDef& def) {
     note_call<Call::create_wheel_joint>(core(), def);
-    if (!check(core(), has_joint(JointType::wheel), Error::feature_cut)) return {};
+    if (!check_there(core(), has_joint(JointType::wheel))) return {};
     Joint j = new_joint(JointType::wheel, def.base);
     fill_coordinate(j, def.spring, def.limit, def.motor);
     j.friction = def.friction;
@@ -215,7 +215,7 @@ JointId World::create_joint(const WheelJointDef& def) {
 
 JointId World::create_joint(const MotorJointDef& def) {
     note_call<Call::create_motor_joint>(core(), def);
-    if (!check(core(), has_joint(JointType::motor), Error::feature_cut)) return {};
+    if (!check_there(core(), has_joint(JointType::motor))) return {};
     Joint j = new_joint(JointType::motor, def.base);
     fill_softness(j, def);
     j.velocity = def.linear_velocity;
@@ -228,7 +228,7 @@ JointId World::create_joint(const MotorJointDef& def) {
 JointId World::create_joint(const MouseJointDef& def) {
     Core& c = core();
     note_call<Call::create_mouse_joint>(c, def);
-    if (!check(c, has_joint(JointType::mouse), Error::feature_cut)) return {};
+    if (!check_there(c, has_joint(JointType::mouse))) return {};
     const DefaultFloatMode mode;
     const std::uint32_t body = find_body(c, def.body);
     if (body == null_index || !check(c, c.is_dynamic(body), Error::no_dynamic_body) || !check_position(c, def.target)) return {};
@@ -242,7 +242,7 @@ JointId World::create_joint(const MouseJointDef& def) {
 JointId World::create_joint(const PulleyJointDef& def) {
     Core& c = core();
     note_call<Call::create_pulley_joint>(c, def);
-    if (!check(c, has_joint(JointType::pulley), Error::feature_cut) || !check_position(c, def.ground_a) || !check_position(c, def.ground_b) ||
+    if (!check_there(c, has_joint(JointType::pulley)) || !check_position(c, def.ground_a) || !check_position(c, def.ground_b) ||
         !check_range(c, def.ratio, 0, max_ratio) || !check(c, def.ratio > 0, Error::out_of_range))
         return {};
     Joint j = new_joint(JointType::pulley, def.base);
@@ -255,7 +255,7 @@ JointId World::create_joint(const PulleyJointDef& def) {
 JointId World::create_joint(const GearJointDef& def) {
     Core& c = core();
     note_call<Call::create_gear_joint>(c, def);
-    if (!check(c, has_joint(JointType::gear), Error::feature_cut)) return {};
+    if (!check_there(c, has_joint(JointType::gear))) return {};
     const DefaultFloatMode mode;
     const std::uint32_t joint1 = find_joint(c, def.joint1);
     if (joint1 == null_index) return {};

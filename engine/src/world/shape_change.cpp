@@ -22,7 +22,7 @@ namespace {
 // Contacts go, for the narrow phase's order of the two shapes follows from what they are; those that are still due are found in the next step.
 void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) {
     const DefaultFloatMode mode;
-    if (!check(core, there, Error::feature_cut)) return;
+    if (!check_there(core, there)) return;
     const std::uint32_t i = find_shape(core, id);
     if (i == null_index || !check(core, valid, Error::bad_geometry)) return;
     Shape& s = core.shapes[i];
@@ -126,27 +126,25 @@ bool World::sensor_events_enabled(ShapeId id) const {
 
 void World::enable_hit_events(ShapeId id, bool enable) {
     note_call<Call::enable_hit_events>(core(), id, enable);
-    if (check(core(), has_hits || !enable, Error::feature_cut)) set_flag(core(), id, shape_hit_events, enable);
+    if (check_there(core(), has_hits || !enable)) set_flag(core(), id, shape_hit_events, enable);
 }
 
 void World::enable_pre_solve(ShapeId id, bool enable) {
     note_call<Call::enable_pre_solve>(core(), id, enable);
-    if (check(core(), has_hooks || !enable, Error::feature_cut)) set_flag(core(), id, shape_pre_solve, enable);
+    if (check_there(core(), has_hooks || !enable)) set_flag(core(), id, shape_pre_solve, enable);
 }
 
 Vec2 World::one_way(ShapeId id) const {
-    link_one_way();
     const std::uint32_t i = find_shape(core(), id);
     return i != null_index ? direction_of_flags(core().shapes[i].flags) : Vec2{};
 }
 
 void World::set_one_way(ShapeId id, Vec2 direction) {
-    link_one_way();
     Core& c = core();
     note_call<Call::set_one_way>(c, id, direction);
     const DefaultFloatMode mode;
     const std::uint32_t i = find_shape(c, id);
-    if (i == null_index || !check_finite(c, direction) || !check(c, has_one_way || direction == Vec2{}, Error::feature_cut)) return;
+    if (i == null_index || !check_finite(c, direction) || !check_there(c, has_one_way || direction == Vec2{})) return;
     Shape& s = c.shapes[i];
     s.flags = (s.flags & ~std::uint32_t{shape_one_way_bits}) | flags_of_direction(normalize(direction));
     c.state->asked |= asked_of(s.flags);

@@ -109,14 +109,12 @@ namespace detail {
 
 bool check_shape_def(const Core& core, const ShapeDef& d) {
     const bool finite = all_finite(d.friction, d.restitution, d.rolling_resistance, d.tangent_speed, d.density);
-    return check(core, finite, Error::not_finite) && check_finite(core, d.one_way) &&
-           check(core, d.one_way == Vec2{} || (has_one_way && one_way_is_linked()), Error::feature_cut) && check_range(core, d.friction, 0, max_coefficient) &&
-           check_range(core, d.restitution, 0, 1) && check_range(core, d.rolling_resistance, 0, max_coefficient) &&
-           check_range(core, d.tangent_speed, -max_speed_limit, max_speed_limit) && check_range(core, d.density, 0, no_limit) &&
-           check(core, has_restitution || d.restitution == 0, Error::feature_cut) &&
-           check(core, has_surfaces || (d.rolling_resistance == 0 && d.tangent_speed == 0), Error::feature_cut) &&
-           check(core, !d.sensor || (has_sensors && sensors_are_linked()), Error::feature_cut) &&
-           check(core, !d.hit_events || (has_hits && hits_are_linked()), Error::feature_cut) && check(core, !d.pre_solve || has_hooks, Error::feature_cut);
+    return check(core, finite, Error::not_finite) && check_finite(core, d.one_way) && check_there(core, d.one_way == Vec2{} || has_one_way) &&
+           check_range(core, d.friction, 0, max_coefficient) && check_range(core, d.restitution, 0, 1) &&
+           check_range(core, d.rolling_resistance, 0, max_coefficient) && check_range(core, d.tangent_speed, -max_speed_limit, max_speed_limit) &&
+           check_range(core, d.density, 0, no_limit) && check_there(core, has_restitution || d.restitution == 0) &&
+           check_there(core, has_surfaces || (d.rolling_resistance == 0 && d.tangent_speed == 0)) && check_there(core, !d.sensor || has_sensors) &&
+           check_there(core, !d.hit_events || has_hits) && check_there(core, !d.pre_solve || has_hooks);
 }
 
 void shapes_changed(Core& core, std::uint32_t body) {
@@ -220,7 +218,7 @@ void World::set_restitution(ShapeId id, float restitution) {
     Core& c = core();
     note_call<Call::set_restitution>(c, id, restitution);
     const std::uint32_t i = find_shape(c, id);
-    if (i == null_index || !check_range(c, restitution, 0, 1) || !check(c, has_restitution || restitution == 0, Error::feature_cut)) return;
+    if (i == null_index || !check_range(c, restitution, 0, 1) || !check_there(c, has_restitution || restitution == 0)) return;
     c.shapes[i].restitution = restitution;
     remix(c, i);
 }
@@ -229,7 +227,7 @@ void World::set_rolling_resistance(ShapeId id, float resistance) {
     Core& c = core();
     note_call<Call::set_rolling_resistance>(c, id, resistance);
     const std::uint32_t i = find_shape(c, id);
-    if (i == null_index || !check_range(c, resistance, 0, max_coefficient) || !check(c, has_surfaces || resistance == 0, Error::feature_cut)) return;
+    if (i == null_index || !check_range(c, resistance, 0, max_coefficient) || !check_there(c, has_surfaces || resistance == 0)) return;
     c.shapes[i].rolling_resistance = resistance;
     remix(c, i);
 }
@@ -239,7 +237,7 @@ void World::set_tangent_speed(ShapeId id, float speed) {
     note_call<Call::set_tangent_speed>(c, id, speed);
     const std::uint32_t i = find_shape(c, id);
     if (i == null_index || !check_range(c, speed, -max_speed_limit, max_speed_limit)) return;
-    if (!check(c, has_surfaces || speed == 0, Error::feature_cut)) return;
+    if (!check_there(c, has_surfaces || speed == 0)) return;
     c.shapes[i].tangent_speed = speed;
     remix(c, i);
 }

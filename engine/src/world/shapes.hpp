@@ -28,11 +28,10 @@ void shapes_changed(Core& core, std::uint32_t body);
 ShapeId attach_shape(Core& core, BodyId body, const Geometry& geometry, bool valid, const ShapeDef& def);
 
 /// World::create_shape for a type of shape.
-#define ISLET_DEFINE_CREATE_SHAPE(name, Type)                                                                                                              \
-    ShapeId World::create_shape(BodyId body, const Type& shape, const ShapeDef& def) {                                                                     \
-        note_call<Call::create_##name>(core(), body, shape, def);                                                                                          \
-        return check(core(), has_shape(ShapeType::name), Error::feature_cut) ? attach_shape(core(), body, geometry_of(shape), islet::is_valid(shape), def) \
-                                                                             : ShapeId{};                                                                  \
+#define ISLET_DEFINE_CREATE_SHAPE(name, Type)                                                                                                             \
+    ShapeId World::create_shape(BodyId body, const Type& shape, const ShapeDef& def) {                                                                    \
+        note_call<Call::create_##name>(core(), body, shape, def);                                                                                         \
+        return check_there(core(), has_shape(ShapeType::name)) ? attach_shape(core(), body, geometry_of(shape), islet::is_valid(shape), def) : ShapeId{}; \
     }
 
 }  // namespace islet::detail

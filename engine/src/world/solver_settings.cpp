@@ -1,4 +1,3 @@
-// In a file of its own: a lean program that never calls it does not link what only its settings ask for (see link_ordering).
 #include "../exact.hpp"
 
 #include "../calls/checks.hpp"
@@ -11,7 +10,6 @@ namespace islet {
 using namespace detail;
 
 void World::set_solver(const SolverDef& solver) {
-    link_ordering();
     note_call<Call::set_solver>(core(), solver);
     Error error = Error::none;
     if (!check_open(core())) return;

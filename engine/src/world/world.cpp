@@ -68,17 +68,6 @@ std::uint32_t choose_lanes(std::uint32_t wanted) {
     return wanted == 0 || wanted > widest ? widest : wanted;
 }
 
-// What definitions can ask for without a call of their own.
-[[maybe_unused]] void link_all() {
-    link_sensors();
-    link_hits();
-    link_one_way();
-    link_hooks();
-    link_disabling();
-    link_bullets();
-    link_ordering();
-}
-
 template <class T>
 void point(T*& array, std::byte* at, std::size_t) {
     array = reinterpret_cast<T*>(at);
@@ -113,7 +102,6 @@ World* World::create(std::span<std::byte> block, const Capacity& capacity, const
 namespace detail {
 
 World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& wanted) {
-    if constexpr (!is_lean) link_all();
     static constexpr WorldDef fallback;
     const Error problem = check_def(wanted);
     if (problem != Error::none && wanted.error_hook != nullptr) wanted.error_hook(problem, wanted.error_context);
@@ -174,7 +162,7 @@ void World::set_tasks(const TaskSystem& tasks) {
 void World::enable_sleep(bool enable) {
     Core& c = core();
     note_call<Call::enable_sleep>(c, enable);
-    if (!check_open(c) || !check(c, has_sleep || !enable, Error::feature_cut)) return;
+    if (!check_open(c) || !check_there(c, has_sleep || !enable)) return;
     c.state->enable_sleep = enable ? 1 : 0;
     if (enable) return;
     for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)
@@ -185,7 +173,7 @@ bool World::continuous() const { return core().state->continuous != 0; }
 
 void World::enable_continuous(bool enable) {
     note_call<Call::enable_continuous>(core(), enable);
-    if (check_open(core()) && check(core(), has_continuous || !enable, Error::feature_cut)) core().state->continuous = enable ? 1 : 0;
+    if (check_open(core()) && check_there(core(), has_continuous || !enable)) core().state->continuous = enable ? 1 : 0;
 }
 
 const Capacity& World::capacity() const { return core().capacity; }

@@ -1,0 +1,162 @@
+// The list of features in islet/config.hpp: each name is a CMake option, stands in the manual, and is refused in a build that leaves it out. (This program's
+// engine leaves out all of them.)
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <islet/islet.hpp>
+#include <islet/mover.hpp>
+
+#include "support/engine_sources.hpp"
+
+namespace {
+
+using namespace islet;
+
+std::set<std::string> listed_features() {
+    std::set<std::string> names = {"joints"};
+#define ISLET_NAME(name, needs) names.insert(#name);
+    ISLET_FEATURES(ISLET_NAME)
+#undef ISLET_NAME
+#define ISLET_NAME(type) names.insert(#type "_joints");
+    ISLET_JOINT_TYPES(ISLET_NAME)
+#undef ISLET_NAME
+    return names;
+}
+
+struct Attempt {
+    World& world;
+    BodyId body, other;
+    ShapeId ball;
+    JointBase base = {.body_a = body, .body_b = other};
+};
+
+/// What asks for a feature; true if the call says that it failed.
+using Ask = std::function<bool(Attempt&)>;
+
+const std::map<std::string, Ask>& asks() {
+    static const std::map<std::string, Ask> table = {
+        {"polygons", [](Attempt& a) { return !a.world.create_shape(a.body, make_box(1, 1)); }},
+        {"capsules",
+         [](Attempt& a) {
+             return !a.world.create_shape(a.body, Capsule{{0, 0}, {1, 0}, 1});
+         }},
+        {"segments",
+         [](Attempt& a) {
+             return !a.world.create_shape(a.body, Segment{{0, 0}, {1, 0}});
+         }},
+        {"chains",
+         [](Attempt& a) {
+             return !a.world.create_shape(a.body, ChainSegment{{-1, 0}, {{0, 0}, {1, 0}}, {2, 0}});
+         }},
+        {"restitution",
+         [](Attempt& a) {
+             return !a.world.create_shape(a.body, Circle{{}, 1}, {.restitution = 1});
+         }},
+        {"surfaces",
+         [](Attempt& a) {
+             return !a.world.create_shape(a.body, Circle{{}, 1}, {.tangent_speed = 1});
+         }},
+        {"sleep", [](Attempt& a) { return !a.world.create_body({.type = BodyType::dynamic, .awake = false}); }},
+        {"continuous", [](Attempt& a) { return a.world.enable_continuous(true), !a.world.continuous(); }},
+        {"bullets", [](Attempt& a) { return !a.world.create_body({.type = BodyType::dynamic, .bullet = true}); }},
+        {"sensors",
+         [](Attempt& a) {
+             return !a.world.create_shape(a.body, Circle{{}, 1}, {.sensor = true});
+         }},
+        {"hits",
+         [](Attempt& a) {
+             return !a.world.create_shape(a.body, Circle{{}, 1}, {.hit_events = true});
+         }},
+        {"hooks",
+         [](Attempt& a) {
+             return !a.world.create_shape(a.body, Circle{{}, 1}, {.pre_solve = true});
+         }},
+        {"one_way",
+         [](Attempt& a) {
+             return !a.world.create_shape(a.body, Circle{{}, 1}, {.one_way = {0, 1}});
+         }},
+        {"disabling", [](Attempt& a) { return a.world.set_enabled(a.body, false), a.world.is_enabled(a.body); }},
+        {"queries",
+         [](Attempt& a) {
+             return !a.world.cast_ray({0, 10}, {0, -20});
+         }},
+        {"mover",
+         [](Attempt& a) {
+             MoverState hero;
+             return !step_mover(a.world, {}, hero, {}, 1.0f / 60);
+         }},
+        {"recorder",
+         [](Attempt& a) {
+             static std::byte buffer[4096];
+             return !a.world.start_recording(buffer);
+         }},
+        {"tuning", [](Attempt& a) { return a.world.set_solver({.block_contacts = true}), !a.world.solver().block_contacts; }},
+        {"profile", [](Attempt& a) { return a.world.set_clock([](void*) { return std::uint64_t{0}; }, nullptr), true; }},
+        {"joints", [](Attempt& a) { return !a.world.create_joint(RevoluteJointDef{.base = a.base}); }},
+        {"revolute_joints", [](Attempt& a) { return !a.world.create_joint(RevoluteJointDef{.base = a.base}); }},
+        {"prismatic_joints", [](Attempt& a) { return !a.world.create_joint(PrismaticJointDef{.base = a.base}); }},
+        {"distance_joints", [](Attempt& a) { return !a.world.create_joint(DistanceJointDef{.base = a.base}); }},
+        {"weld_joints", [](Attempt& a) { return !a.world.create_joint(WeldJointDef{.base = a.base}); }},
+        {"wheel_joints", [](Attempt& a) { return !a.world.create_joint(WheelJointDef{.base = a.base}); }},
+        {"motor_joints", [](Attempt& a) { return !a.world.create_joint(MotorJointDef{.base = a.base}); }},
+        {"mouse_joints", [](Attempt& a) { return !a.world.create_joint(MouseJointDef{.body = a.body, .max_force = 1}); }},
+        {"pulley_joints",
+         [](Attempt& a) {
+             return !a.world.create_joint(PulleyJointDef{.base = a.base, .ground_a = {0, 9}, .ground_b = {2, 9}});
+         }},
+        {"gear_joints", [](Attempt& a) { return !a.world.create_joint(GearJointDef{}); }},
+    };
+    return table;
+}
+
+StaticWorld<Capacity{.bodies = 8, .shapes = 8, .contacts = 8, .joints = 4}> storage;
+
+TEST(Features, EachIsRefusedWhereItIsLeftOut) {
+    for (const std::string& name : listed_features()) {
+        SCOPED_TRACE(name);
+        if (name == "shortcuts") continue;  // no call asks for them
+        World& world = storage.create();
+        const BodyId body = world.create_body({.type = BodyType::dynamic});
+        Attempt attempt{world, body, world.create_body({.type = BodyType::dynamic, .position = {2, 0}}), world.create_shape(body, Circle{{}, 0.5f})};
+        ASSERT_EQ(world.last_error(), Error::none);
+        const std::uint64_t before = world.hash();
+        ASSERT_TRUE(asks().contains(name)) << "no call here asks for it";
+        EXPECT_TRUE(asks().at(name)(attempt));
+        EXPECT_EQ(world.last_error(), Error::feature_cut);
+        EXPECT_EQ(world.hash(), before) << "a refused call changed the world";
+    }
+}
+
+TEST(Features, WhatIsLeftStepsOn) {
+    World& world = storage.create({.gravity = {0, -10}});
+    world.create_shape(world.create_body({}), Circle{{0, -10}, 10});
+    const BodyId ball = world.create_body({.type = BodyType::dynamic, .position = {0, 2}});
+    world.create_shape(ball, Circle{{}, 0.5f});
+    for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
+    EXPECT_NEAR(world.transform(ball).p.y, 0.5f, 0.01f);
+    EXPECT_EQ(world.last_error(), Error::none);
+}
+
+TEST(Features, CMakeHasTheSameNames) {
+    std::istringstream given(ISLET_CMAKE_FEATURES);
+    std::set<std::string> names;
+    for (std::string name; std::getline(given, name, ',');) names.insert(name);
+    EXPECT_EQ(names, listed_features());
+}
+
+TEST(Features, TheManualNamesEach) {
+    std::ifstream file(test::engine_folder().parent_path() / "docs" / "microcontrollers.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    for (const std::string& name : listed_features()) EXPECT_NE(page.find('`' + name + '`'), std::string::npos) << name;
+}
+
+}  // namespace
