@@ -4,8 +4,8 @@
 
 #include "bodies/bounds.hpp"
 #include "broadphase/pairs.hpp"
-#include "collide/clear_way.hpp"
-#include "collide/manifold.hpp"
+#include "shapes/manifolds.hpp"
+#include "step/clear_way.hpp"
 #include "step/continuous.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"

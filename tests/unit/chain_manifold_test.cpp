@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "collide/manifold.hpp"
+#include "shapes/manifolds.hpp"
 #include "exact_geometry.hpp"
 #include "support/effort.hpp"
 

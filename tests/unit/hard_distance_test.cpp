@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "collide/distance.hpp"
-#include "collide/manifold.hpp"
+#include "shapes/manifolds.hpp"
 #include "collide/outline.hpp"
 #include "collide/time_of_impact.hpp"
 #include "support/effort.hpp"

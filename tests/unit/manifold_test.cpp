@@ -1,5 +1,5 @@
 // Contact manifolds of every pair of shapes, against exact geometry in double precision and against situations with a known answer.
-#include "collide/manifold.hpp"
+#include "shapes/manifolds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "collide/outline.hpp"
+#include "collide/outline_pair.hpp"
 #include "exact_geometry.hpp"
 #include "support/effort.hpp"
 
@@ -16,13 +16,13 @@ namespace {
 using namespace islet;
 using exact::Core;
 using exact::Point;
-using islet::test::cases;
 using islet::detail::collide;
 using islet::detail::linear_slop;
 using islet::detail::Manifold;
 using islet::detail::ManifoldPoint;
 using islet::detail::separation_tie;
 using islet::detail::speculative_distance;
+using islet::test::cases;
 
 constexpr double tie = static_cast<double>(separation_tie);
 constexpr float margin = speculative_distance;
@@ -52,12 +52,8 @@ double deepest(const Manifold& m) {
 }
 
 // The two surface points that a manifold point stands midway between.
-Point on_a(const Manifold& m, std::uint32_t i) {
-    return exact::of(m.points[i].point) - (0.5 * as_double(m.points[i].separation)) * exact::of(m.normal);
-}
-Point on_b(const Manifold& m, std::uint32_t i) {
-    return exact::of(m.points[i].point) + (0.5 * as_double(m.points[i].separation)) * exact::of(m.normal);
-}
+Point on_a(const Manifold& m, std::uint32_t i) { return exact::of(m.points[i].point) - (0.5 * as_double(m.points[i].separation)) * exact::of(m.normal); }
+Point on_b(const Manifold& m, std::uint32_t i) { return exact::of(m.points[i].point) + (0.5 * as_double(m.points[i].separation)) * exact::of(m.normal); }
 
 // -- random pairs of polygons against exact geometry -------------------------------------------------------------------------------------
 
@@ -216,7 +212,7 @@ TEST(PolygonManifold, TheFastPathForBoxesAgreesWithTheGeneralOne) {
         ASSERT_TRUE(detail::is_box(a) && detail::is_box(b));
         const Transform pose = r.pose(2);
         const Manifold fast = collide(a, b, pose, margin);
-        const Manifold slow = detail::collide_outlines(detail::outline_of(a, {}), detail::outline_of(b, pose, {}), {}, margin);
+        const Manifold slow = detail::collide_cores(detail::outline_of(a, {}), detail::outline_of(b, pose, {}), {}, margin);
         const Core ca = exact::core_of(a), cb = exact::core_of(b, pose);
         if (fast.count != slow.count || (fast.count > 0 && dot(fast.normal, slow.normal) < 0.9999f)) {
             // Rounding may decide between two axes, or at the margin; then both answers must be right.
@@ -372,8 +368,7 @@ TEST(Capsules, SeparationIsTheExactDistanceOfTheAxes) {
         const Capsule b = {{r.in(-1, 1), r.in(-1, 1)}, {r.in(-1, 1), r.in(-1, 1)}, r.in(0.05, 0.5)};
         if (!is_valid(a) || !is_valid(b)) continue;
         const Transform pose = r.pose(2);
-        const Core ca = {exact::of(a.point1), exact::of(a.point2)},
-                   cb = {exact::moved(pose, exact::of(b.point1)), exact::moved(pose, exact::of(b.point2))};
+        const Core ca = {exact::of(a.point1), exact::of(a.point2)}, cb = {exact::moved(pose, exact::of(b.point1)), exact::moved(pose, exact::of(b.point2))};
         const double core = exact::distance(ca, cb), gap = core - as_double(a.radius) - as_double(b.radius);
         const Manifold m = collide(a, b, pose, margin);
         const std::string what = "case " + std::to_string(i);
@@ -415,9 +410,7 @@ TEST(CircleManifold, SeparationIsTheExactDistanceFromEveryShape) {
         } cases[] = {
             {collide(polygon, circle, pose, margin), exact::core_of(polygon), polygon.radius},
             {collide(capsule, circle, pose, margin), {exact::of(capsule.point1), exact::of(capsule.point2)}, capsule.radius},
-            {collide(Capsule{capsule.point1, capsule.point2, 0}, circle, pose, margin),
-             {exact::of(capsule.point1), exact::of(capsule.point2)},
-             0},
+            {collide(Capsule{capsule.point1, capsule.point2, 0}, circle, pose, margin), {exact::of(capsule.point1), exact::of(capsule.point2)}, 0},
             {collide(Circle{capsule.point1, capsule.radius}, circle, pose, margin), {exact::of(capsule.point1)}, capsule.radius},
         };
         for (const auto& c : cases) {

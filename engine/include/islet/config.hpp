@@ -69,10 +69,11 @@
     KERNEL(pulley, PulleyRows, has_joint(JointType::pulley))                                                                    \
     KERNEL(gear, LoneGearRows, has_joint(JointType::gear))
 
-/// The types of shapes, a line each, in the order in which contacts have them: SHAPE(type, the feature it is).
-#define ISLET_SHAPE_TYPES(SHAPE) \
-    SHAPE(circle, engine)        \
-    SHAPE(capsule, capsules)     \
-    SHAPE(segment, segments)     \
-    SHAPE(polygon, polygons)     \
-    SHAPE(chain_segment, chains)
+/// The types of shapes, a line each, in the order of their ranks (a contact calls the shape of the higher rank A): SHAPE(name, struct, the feature it is, its
+/// kind (src/shapes/shape_types.hpp), always or when_made: whether a program that makes none links what it collides by).
+#define ISLET_SHAPE_TYPES(SHAPE)                     \
+    SHAPE(circle, Circle, engine, solid, always)     \
+    SHAPE(capsule, Capsule, capsules, solid, always) \
+    SHAPE(polygon, Polygon, polygons, solid, always) \
+    SHAPE(segment, Segment, segments, line, always)  \
+    SHAPE(chain_segment, ChainSegment, chains, front, when_made)

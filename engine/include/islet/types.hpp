@@ -88,6 +88,7 @@ enum class Error : std::uint8_t {
     in_step,            ///< called from a function that the world itself calls, such as a hook or a drawing function, and not allowed there
     inexact_build,      ///< the engine was compiled with flags that change the results of IEEE floats, and so the bits: create makes no world, and a
                         ///< StaticWorld takes no step
+    endless_shape,      ///< a dynamic body has no shape without end
 };
 
 /// A sentence: what was wrong and how to mend it. Never null.

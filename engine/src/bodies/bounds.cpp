@@ -4,7 +4,6 @@
 
 #include "../bodies/impulses.hpp"
 #include "../broadphase/pairs.hpp"
-#include "../collide/corners.hpp"
 #include "../graph/contacts.hpp"
 #include "../math/inlining.hpp"
 
@@ -15,8 +14,9 @@ namespace {
 inline constexpr float box_margin_fraction = 0.125f;  // of the shape's size: small things get small margins
 
 ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
-    if (g.shape_type() == ShapeType::polygon) {
-        const Polygon& p = g.polygon;
+    if (is_endless(g)) return {endless_reach, endless_reach};
+    if (const Polygon* polygon = faces_of(g)) {
+        const Polygon& p = *polygon;
         Extent e{0, 3.0e38f};
         for (std::uint32_t i = 0; i < p.count; ++i) {
             e.max = max(e.max, distance(p.vertices[i], center));
@@ -29,40 +29,11 @@ ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
     return {farthest + corners.radius, corners.radius};
 }
 
-}  // namespace
-
-Vec2 middle_of(const Geometry& g) {
-    if (g.shape_type() == ShapeType::polygon) return g.polygon.centroid;
-    const Corners corners = corners_of(g);
-    return lerp(corners.points[0], corners.points[corners.count - 1], 0.5f);
-}
-
-namespace {
-
-// Rounding keeps the order of numbers, so the place of the body may be added last.
-Aabb aabb_of(const Geometry& g, const Transform& t) {
-    const Corners corners = corners_of(g);
-    const Vec2 first = rotate(t.q, corners.points[0]);
-    Aabb box{first, first};
-    for (std::uint32_t i = 1; i < corners.count; ++i) {
-        const Vec2 v = rotate(t.q, corners.points[i]);
-        box = {min(box.lower, v), max(box.upper, v)};
-    }
-    return expand({box.lower + t.p, box.upper + t.p}, corners.radius);
-}
-
 MassData mass_of(const Core& core, const Shape& shape) {
-    const Geometry& g = core.geometries[shape.geometry];
-    const float density = shape.density;
-    switch (g.shape_type()) {
-        case ShapeType::circle: return compute_mass(g.circle, density);
-        case ShapeType::capsule:
-            if constexpr (has_shape(ShapeType::capsule)) return compute_mass(g.capsule, density);
-            break;
-        case ShapeType::polygon: return compute_mass(g.polygon, density);
-        default: break;
-    }
-    return {};
+    return with_shape(core.geometries[shape.geometry], [&]<class Shape_>(const Shape_& solid) {
+        if constexpr (ShapeRow<Shape_>::kind == ShapeKind::solid && ShapeRow<Shape_>::is_there) return compute_mass(solid, shape.density);
+        return MassData{};
+    });
 }
 
 }  // namespace
@@ -103,7 +74,7 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
         const Geometry& g = core.geometries[shape.geometry];
         const Aabb tight = tight_box(g, t);
         Aabb& fat = core.boxes[s];
-        const bool leaves = force || !contains(fat, tight);
+        const bool leaves = force || is_endless(g) || !contains(fat, tight);
         if (leaves) {
             const bool is_new = force || fat.lower.x > fat.upper.x;  // else the margin is what it was
             if (is_new) shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);

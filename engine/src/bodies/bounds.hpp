@@ -1,9 +1,9 @@
 // Fat boxes, extents and mass of bodies, from their shapes.
 #pragma once
 
-#include "../collide/corners.hpp"
 #include "../collide/manifold.hpp"
 #include "../data/core.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
@@ -11,9 +11,6 @@ namespace islet::detail {
 inline constexpr float min_mass = 1.0e-12f;     // kg
 inline constexpr float min_inertia = 1.0e-15f;  // kg m^2
 inline constexpr float max_mass = 1.0e30f;      // kg; the largest inertia too, kg m^2
-
-/// A point well inside a shape, body frame.
-Vec2 middle_of(const Geometry& g);
 
 Transform body_transform(const Core& core, std::uint32_t body);
 /// Tight box of a shape in the world.

@@ -11,6 +11,7 @@
 #include "../data/parallel.hpp"
 #include "../graph/contacts.hpp"
 #include "../math/scalar.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
@@ -20,9 +21,13 @@ namespace {
 // be dropped too. Without this bodies that crowd together would cost the square of their number in every step.
 bool is_over(const Core& core) { return core.report.dropped_contacts == core.capacity.contacts; }
 
-void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, [[maybe_unused]] float dt) {
     if (is_over(core)) return;
     if (core.pairs.contains(PairSet::key(shape_1, shape_2)) || !may_collide(core, shape_1, shape_2)) return;
+    if constexpr (has_endless) {
+        const bool in_order = in_contact_order(core, shape_1, shape_2);
+        if (keeps_from_endless(core, in_order ? shape_1 : shape_2, in_order ? shape_2 : shape_1, dt)) return;
+    }
     if (!is_allowed(core, shape_1, shape_2)) return;
     if (!create_contact(core, shape_1, shape_2)) ++core.report.dropped_contacts;
 }
@@ -32,12 +37,13 @@ void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
 struct PairBuffer {
     static constexpr std::uint32_t size = max_lanes > 1 ? 64 : 1;
     Core& core;
-    std::uint64_t keys[size];
-    std::uint32_t pairs[size][2];
+    float dt;
+    std::uint64_t keys[size] = {};
+    std::uint32_t pairs[size][2] = {};
     std::uint32_t count = 0;
 
     void push(std::uint32_t shape_1, std::uint32_t shape_2) {
-        if constexpr (size == 1) return add_pair(core, shape_1, shape_2);
+        if constexpr (size == 1) return add_pair(core, shape_1, shape_2, dt);
         keys[count] = PairSet::key(shape_1, shape_2);
         core.pairs.prefetch(keys[count]);
         pairs[count][0] = shape_1;
@@ -46,7 +52,7 @@ struct PairBuffer {
     }
     void flush() {
         for (std::uint32_t i = 0; i < count; ++i)
-            if (!core.pairs.contains(keys[i])) add_pair(core, pairs[i][0], pairs[i][1]);
+            if (!core.pairs.contains(keys[i])) add_pair(core, pairs[i][0], pairs[i][1], dt);
         count = 0;
     }
 };
@@ -284,7 +290,7 @@ void find_moved_pairs(Core& core, float dt) {
     Arena arena = core.arena();
     const Moving moving = sorted_columns(core, arena, dt);
     const Columns& moved = moving.moved;
-    PairBuffer out{core, {}, {}};
+    PairBuffer out{core, dt};
     sweep(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count) : nullptr}, moving);
 
     const Tree tree{&core.state->tree, core.tree};
@@ -326,7 +332,8 @@ void look_ahead(Core& core, std::uint32_t body, float dt) {
         tree_query(tree, ahead, [&](std::uint32_t other) {
             // Where the fat boxes overlap the contact is there already, or was dropped and counted.
             const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
-            if (is_static && !meet(core.boxes[s], core.boxes[other]) && may_meet_on(core.boxes[other], {}, core.boxes[s], way, fall)) add_pair(core, s, other);
+            if (is_static && !meet(core.boxes[s], core.boxes[other]) && may_meet_on(core.boxes[other], {}, core.boxes[s], way, fall))
+                add_pair(core, s, other, dt);
         });
     }
 }
@@ -345,6 +352,18 @@ bool may_meet(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, fl
     if (((core.poses[body_a].flags | core.poses[body_b].flags) & pose_leaves) == 0) return false;
     const Approach approach = approach_of(core.poses[body_a], core.poses[body_b], core.motions[body_a], core.motions[body_b], dt, fall_in(core, dt));
     return meet(core.boxes[shape_a], grow(core.boxes[shape_b], {approach.way, approach.turn}, 3.0e38f));
+}
+
+bool keeps_from_endless(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt) {
+    const Shape& a = core.shapes[shape_a];
+    if (!is_endless(core.geometries[a.geometry])) return false;
+    const std::uint32_t body_b = core.shapes[shape_b].body;
+    Aabb box = core.boxes[shape_b];
+    if (((core.poses[a.body].flags | core.poses[body_b].flags) & pose_leaves) != 0) {
+        const Approach approach = approach_of(core.poses[a.body], core.poses[body_b], core.motions[a.body], core.motions[body_b], dt, fall_in(core, dt));
+        box = grow(box, {approach.way, approach.turn}, 3.0e38f);
+    }
+    return !reaches_endless(core.geometries[a.geometry], {core.bodies[a.body].origin, core.poses[a.body].q}, box);
 }
 
 void find_pairs(Core& core, float dt) {

@@ -44,6 +44,9 @@ inline Approach approach_of(const Pose& a, const Pose& b, const Motion& ma, cons
 /// What gravity adds to a way within dt, m.
 inline float fall_in(const Core& core, float dt) { return pull_share * dt * dt * (abs(core.state->gravity.x) + abs(core.state->gravity.y)); }
 
+/// True if shape A has no end, and B's fat box, moved on by its way within dt, does not come near it: they need no contact, though their boxes meet.
+bool keeps_from_endless(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt);
+
 /// How far a body comes within a step as long as nothing touches it.
 struct Way {
     Vec2 move;       // m, of its centre

@@ -26,13 +26,6 @@ const char* tree_validate(Tree tree);
 /// Room for a traversal: an AVL tree of 2^22 leaves is at most 1.44 * 22 = 32 levels high, and a traversal holds one node a level.
 inline constexpr std::uint32_t tree_stack = 64;
 
-/// overlaps(), as one comparison of four numbers.
-ISLET_LANE bool meet_at_once(const Aabb& a, const Aabb& b) {
-    constexpr float all = __builtin_inff();
-    const f4 bounds = __builtin_bit_cast(f4, a);
-    return mask_bits((bounds <= f4{b.upper.x, b.upper.y, all, all}) & (bounds >= f4{-all, -all, b.lower.x, b.lower.y})) == 15u;
-}
-
 /// A walk over the leaves whose boxes overlap `box`, in an order that depends on the tree.
 struct TreeWalk {
     const TreeNode* nodes;

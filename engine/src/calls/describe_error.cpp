@@ -49,6 +49,7 @@ const char* describe(Error e) {
                    "after.";
         case Error::inexact_build:
             return "The engine's floats are not IEEE's: compile it without -ffast-math and -ffp-contract=fast, for a unit that keeps denormal numbers.";
+        case Error::endless_shape: return "A dynamic body cannot have a shape without end: make the body static or kinematic, or give it a box.";
         case Error::hits_full: return "More hits in one step than there is room to report: raise Capacity::hits or the hit threshold.";
     }
     return "Unknown error.";

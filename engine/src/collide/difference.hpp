@@ -9,7 +9,8 @@
 //         |____|     /_|       |  B - A  |
 //                              |________/    <---o
 //
-// Corners are differences of nearby numbers, so nothing is lost far from the origin, and there is no iteration that could fail to converge.
+// Corners are differences of nearby numbers, so nothing is lost far from the origin, and there is no iteration that could fail to converge. (Why the step
+// asks distance.hpp instead is said there.)
 //
 // What rounding may do. Let u be half a unit in the last place (2^-24), and L the largest coordinate of a difference. Rounding displaces a corner w by 1.4 u L.
 // Edges are not computed from the corners w but from the shapes, to 1 u of their own length, however short they are beside L: so the directions of nearly

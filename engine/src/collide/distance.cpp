@@ -175,14 +175,4 @@ DistanceResult core_distance(const Vec2* a, std::uint32_t count_a, const Vec2* b
     return cores.separated(nearest);
 }
 
-DistanceResult distance(const ConvexProxy& a, const ConvexProxy& b, const Transform& b_in_a) {
-    Vec2 moved[max_polygon_vertices];
-    for (std::uint32_t i = 0; i < b.count; ++i) { moved[i] = transform_point(b_in_a, b.points[i]); }
-    DistanceResult result = core_distance(a.points, a.count, moved, b.count);
-    result.point_a += a.radius * result.normal;
-    result.point_b -= b.radius * result.normal;
-    result.distance -= a.radius + b.radius;
-    return result;
-}
-
 }  // namespace islet::detail

@@ -1,4 +1,4 @@
-// Contact manifolds: up to two points that say where two shapes meet, for every pair of shapes.
+// Contact manifolds: up to two points that say where two shapes meet.
 //
 // Everything is in the local frame of shape A's body ("frame A"): the narrow phase never sees large world coordinates, so a scene 10 km from
 // the origin collides exactly like one at the origin.
@@ -6,7 +6,6 @@
 
 #include <cstdint>
 
-#include "../data/features.hpp"
 #include "../geometry/convex.hpp"
 #include "islet/geometry.hpp"
 
@@ -29,20 +28,5 @@ struct Manifold {
 
 /// The separation of the nearest point, m. There must be one.
 inline float least_separation(const Manifold& m) { return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation; }
-
-// Each returns the manifold of shapes a and b, where b_in_a is the pose of B's body frame in A's body frame. Points with separation above
-// `margin` (m, >= speculative_distance) are left out. A segment is a capsule of radius 0.
-Manifold collide(const Circle& a, const Circle& b, const Transform& b_in_a, float margin);
-Manifold collide(const Capsule& a, const Circle& b, const Transform& b_in_a, float margin);
-Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, float margin);
-Manifold collide(const Capsule& a, const Polygon& b, const Transform& b_in_a, float margin);
-Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, float margin);
-Manifold collide(const Polygon& a, const Capsule& b, const Transform& b_in_a, float margin);
-Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin);
-// Chains are linked only by programs that make them, which refer to link_chains, a function that does nothing.
-void link_chains();
-ISLET_OPTIONAL Manifold collide(const ChainSegment& a, const Circle& b, const Transform& b_in_a, float margin);
-ISLET_OPTIONAL Manifold collide(const ChainSegment& a, const Capsule& b, const Transform& b_in_a, float margin);
-ISLET_OPTIONAL Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& b_in_a, float margin);
 
 }  // namespace islet::detail

@@ -119,11 +119,17 @@ ISLET_COPIED Shape outline_of(Vec2 p1, Vec2 p2, float radius) {
 // One point between a corner or surface point `a` of core A and `b` of core B, which are `gap` apart along the unit normal.
 Manifold point_manifold(Vec2 a, float radius_a, Vec2 b, float radius_b, Vec2 normal, float gap, std::uint16_t id);
 
+// At most one point: core point `a` of A against the circle around `center`, both in frame A.
+ISLET_SHARED Manifold collide_point(Vec2 a, float radius_a, Vec2 center, float radius_b, Vec2 fallback, float margin, std::uint16_t id) {
+    const Vec2 between = center - a;
+    const float limit = margin + radius_a + radius_b;
+    if (length_squared(between) > limit * limit) { return {}; }
+    const Direction d = direction_of(between, fallback);
+    return point_manifold(a, radius_a, center, radius_b, d.unit, d.length, id);
+}
+
 // Up to two points where the incident face lies over the reference face; none where they do not lie over each other.
 Manifold clip_faces(const Face& reference, const Face& incident, bool reference_is_b, Vec2 origin, float margin);
-
-// The whole test of two outlines in one frame; the manifold is moved by origin. (By itself for tests: the pairs of shapes have it inlined.)
-Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float margin);
 
 // Box against box, when both are rectangles by their normals.
 bool is_box(const Polygon& p);

@@ -32,27 +32,6 @@ ShapeProxy checked(const ShapeProxy& p) { return is_valid(p) ? p : ShapeProxy{};
 
 }  // namespace
 
-ShapeProxy make_proxy(const Circle& c) { return is_valid(c) ? proxy_of(c.center, c.radius) : ShapeProxy{}; }
-
-ShapeProxy make_proxy(const Capsule& c) { return is_valid(c) ? proxy_of(c.point1, c.point2, c.radius) : ShapeProxy{}; }
-
-ShapeProxy make_proxy(const Segment& s) { return is_valid(s) ? proxy_of(s.point1, s.point2, 0) : ShapeProxy{}; }
-
-ShapeProxy make_proxy(const ChainSegment& s) {
-    ShapeProxy proxy = make_proxy(s.segment);
-    proxy.one_sided = true;
-    return proxy;
-}
-
-ShapeProxy make_proxy(const Polygon& p) {
-    if (!is_valid(p)) return {};
-    ShapeProxy proxy;
-    for (std::uint32_t i = 0; i < p.count; ++i) proxy.points[i] = p.vertices[i];
-    proxy.count = p.count;
-    proxy.radius = p.radius;
-    return proxy;
-}
-
 ShapeProxy make_proxy(std::span<const Vec2> points, float radius) {
     if (points.size() == 1) return checked(proxy_of(points[0], radius));
     if (points.size() == 2) return checked(proxy_of(points[0], points[1], radius));

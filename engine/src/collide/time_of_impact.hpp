@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../collide/distance.hpp"
+#include "islet/query.hpp"
 
 namespace islet::detail {
 
@@ -19,7 +20,7 @@ Vec2 center_at(const Sweep& sweep, float fraction);
 
 /// A convex shape of a body that makes a sweep. The core's points are relative to the body's centre of mass.
 struct SweptCore {
-    ConvexProxy core;
+    ShapeProxy core;
     Sweep sweep;
     float reach = 0;  // m, of the core's points from the centre of mass
 };

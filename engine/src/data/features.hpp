@@ -32,7 +32,7 @@ ISLET_FEATURES(ISLET_HAS)
 #undef ISLET_HAS
 
 constexpr bool has_shape(ShapeType type) {
-#define ISLET_HAS_SHAPE(name, feature) \
+#define ISLET_HAS_SHAPE(name, Type, feature, ...) \
     if (type == ShapeType::name) return has_##feature;
     ISLET_SHAPE_TYPES(ISLET_HAS_SHAPE)
 #undef ISLET_HAS_SHAPE
@@ -47,7 +47,7 @@ constexpr bool has_joint(JointType type) {
     return false;
 }
 
-#define ISLET_OR_SHAPE_CUT(name, feature) || !has_shape(ShapeType::name)
+#define ISLET_OR_SHAPE_CUT(name, ...) || !has_shape(ShapeType::name)
 #define ISLET_OR_JOINT(name, definition) || has_joint(JointType::name)
 #define ISLET_OR_JOINT_CUT(name, definition) || !has_joint(JointType::name)
 inline constexpr bool has_all_shapes = !(false ISLET_SHAPE_TYPES(ISLET_OR_SHAPE_CUT));
@@ -59,8 +59,8 @@ inline constexpr bool has_all_joints = !(false ISLET_JOINT_TYPES(ISLET_OR_JOINT_
 
 /// The type itself; one that is left out cannot be met. (Type by type: of a table the compiler would learn nothing.)
 constexpr ShapeType known(ShapeType type) {
-#define ISLET_KNOWN(name, feature) \
-    if (!has_shape(ShapeType::name) && type == ShapeType::name) __builtin_unreachable();
+#define ISLET_KNOWN(name, Type, feature, ...) \
+    if (!has_##feature && type == ShapeType::name) __builtin_unreachable();
     ISLET_SHAPE_TYPES(ISLET_KNOWN)
 #undef ISLET_KNOWN
     return type;

@@ -123,11 +123,9 @@ struct Geometry {
     std::uint32_t hash = 0;
     std::uint32_t next = null_index;  // in its bucket; in the free list while unused
     union {
-        Circle circle;
-        Capsule capsule;
-        Segment segment;
-        ChainSegment chain;
-        Polygon polygon;
+#define ISLET_MEMBER(name, Type, ...) Type name;
+        ISLET_SHAPE_TYPES(ISLET_MEMBER)
+#undef ISLET_MEMBER
         std::uint32_t words[36];
     };
     Geometry() : words{} {}

@@ -7,7 +7,9 @@
 #include "../calls/checks.hpp"
 #include "../collide/manifold.hpp"
 #include "../draw/draw_pen.hpp"
+#include "../math/boxes.hpp"
 #include "../math/float_mode.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 
@@ -35,21 +37,15 @@ DrawColor state_color(const Core& core, std::uint32_t body) {
 }
 
 void draw_geometry(const DebugDraw& draw, const Geometry& g, const Transform& pose, const DrawStyle& style) {
-    switch (g.shape_type()) {
-        case ShapeType::circle: return draw_shape(draw, g.circle, pose, style);
-        case ShapeType::capsule: return draw_shape(draw, g.capsule, pose, style);
-        case ShapeType::segment: return draw_shape(draw, g.segment, pose, style);
-        case ShapeType::polygon: return draw_shape(draw, g.polygon, pose, style);
-        case ShapeType::chain_segment: return draw_shape(draw, g.chain.segment, pose, style);
-    }
+    with_shape(g, [&](const auto& shape) { draw_shape(draw, shape, pose, style); });
 }
 
 // A fat box holds the shape, so most of what is out of view is left out without a look at its points.
 bool sees_shape(const Core& core, const DebugDraw& draw, std::uint32_t shape) {
-    return overlaps(core.boxes[shape], draw.view) && overlaps(shape_aabb(core, shape), draw.view);
+    return meet(core.boxes[shape], draw.view) && meet(shape_aabb(core, shape), draw.view);
 }
 
-bool sees_point(const DebugDraw& draw, Vec2 p) { return overlaps(draw.view, {p, p}); }
+bool sees_point(const DebugDraw& draw, Vec2 p) { return meet(draw.view, {p, p}); }
 
 void draw_shapes(const Core& core, const DebugDraw& draw) {
     const std::uint32_t* islands = draw.body_colors == BodyColors::island ? find_all_islands(core) : nullptr;
@@ -66,7 +62,7 @@ void draw_shapes(const Core& core, const DebugDraw& draw) {
 void draw_boxes(const Core& core, const DebugDraw& draw) {
     for_each_live(core.state->shape_pool, core.shapes, [&](std::uint32_t i) {
         if (draw.boxes && sees_shape(core, draw, i)) Pen{draw, {draw_color::box, DrawPart::box, false, i}}.box(shape_aabb(core, i));
-        if (draw.fat_boxes && overlaps(core.boxes[i], draw.view)) Pen{draw, {draw_color::fat_box, DrawPart::fat_box, false, i}}.box(core.boxes[i]);
+        if (draw.fat_boxes && meet(core.boxes[i], draw.view)) Pen{draw, {draw_color::fat_box, DrawPart::fat_box, false, i}}.box(core.boxes[i]);
     });
 }
 
@@ -74,7 +70,7 @@ void draw_tree(const Core& core, const DebugDraw& draw) {
     // A node in use has two children or, as a leaf, a shape; one that is free has neither.
     for (std::uint32_t i = 0; i < core.state->tree.high_water; ++i) {
         const TreeNode& node = core.tree[i];
-        if (node.child1 != null_index && overlaps(node.box, draw.view)) Pen{draw, {draw_color::tree_box, DrawPart::tree_box, false, i}}.box(node.box);
+        if (node.child1 != null_index && meet(node.box, draw.view)) Pen{draw, {draw_color::tree_box, DrawPart::tree_box, false, i}}.box(node.box);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "../constraint/joint_kinds.hpp"
 #include "../draw/draw_pen.hpp"
 #include "../graph/joint_graph.hpp"
+#include "../math/boxes.hpp"
 
 namespace islet::detail {
 
@@ -130,7 +131,7 @@ Aabb bounds_of(const Joint& j, const JointPlace& at, float size) {
 void draw_joint(const Core& core, const DebugDraw& draw, std::uint32_t i) {
     const Joint& j = core.joints[i];
     const JointPlace at = place_of(core, j);
-    if (!overlaps(bounds_of(j, at, draw.size), draw.view)) return;
+    if (!meet(bounds_of(j, at, draw.size), draw.view)) return;
     const DrawColor color = is_joint_idle(core, j) ? draw_color::idle_joint : constraint_color(draw, j.color(), draw_color::joint);
     const Pen pen{draw, {color, DrawPart::joint, false, i}};
     if (at.moves_a) pen.segment(at.center_a, at.a);
@@ -148,7 +149,7 @@ void draw_joint_name(const Core& core, const DebugDraw& draw, std::uint32_t i) {
     const Joint& j = core.joints[i];
     const JointPlace at = place_of(core, j);
     const Vec2 middle = lerp(at.a, at.b, 0.5f);
-    if (!overlaps(draw.view, {middle, middle})) return;
+    if (!meet(draw.view, {middle, middle})) return;
     Pen{draw, {draw_color::name, DrawPart::name, true, i}}.text(middle, names[static_cast<std::uint32_t>(j.joint_type())]);
 }
 

@@ -6,6 +6,7 @@
 
 #include "../math/inlining.hpp"
 #include "islet/geometry.hpp"
+#include "islet/types.hpp"
 
 namespace islet::detail {
 
@@ -14,12 +15,15 @@ namespace islet::detail {
 inline constexpr float min_length = 0.005f;
 
 // m: no coordinate, radius or extent of a shape is larger, so that the fourth powers in an inertia stay far from overflow.
-inline constexpr float max_coordinate = 1e7f;
+inline constexpr float max_coordinate = max_position;
 
 /// False for NaN as well.
 ISLET_INLINE bool in_range(float a) { return abs(a) <= max_coordinate; }
 ISLET_SHARED bool in_range(Vec2 a) { return in_range(a.x) && in_range(a.y); }
 ISLET_INLINE bool is_radius(float r) { return r >= 0 && r <= max_coordinate; }
+
+/// True of two points that a line can be drawn through.
+ISLET_SHARED bool are_apart(Vec2 a, Vec2 b) { return in_range(a) && in_range(b) && distance_squared(a, b) > min_length * min_length; }
 
 /// The index after i in a loop of count.
 ISLET_INLINE std::uint32_t next(std::uint32_t i, std::uint32_t count) { return i + 1 < count ? i + 1 : 0; }

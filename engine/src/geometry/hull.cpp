@@ -79,6 +79,23 @@ void remove(Loop& loop, std::uint32_t corner) {
 
 }  // namespace
 
+namespace detail {
+
+bool is_strictly_convex(std::span<const Vec2> points) {
+    const auto count = static_cast<std::uint32_t>(points.size());
+    if (count < 3) return false;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t j = next(i, count);
+        const Vec2 edge = points[j] - points[i];
+        for (std::uint32_t k = 0; k < count; ++k) {
+            if (k != i && k != j && !(cross(edge, points[k] - points[i]) > 0)) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace detail
+
 Hull compute_hull(std::span<const Vec2> points) {
     if (points.size() < 3 || points.size() > max_polygon_vertices) return {};
     SortedPoints set;

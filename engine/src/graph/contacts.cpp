@@ -9,22 +9,15 @@
 #include "../graph/mixing.hpp"
 #include "../graph/sensors.hpp"
 #include "../math/scalar.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
 namespace {
 
-// The narrow phase has one function for each unordered pair of types; the shape of the higher rank is A.
-std::uint32_t rank(const Core& core, std::uint32_t shape) {
-    switch (core.geometries[core.shapes[shape].geometry].shape_type()) {
-        case ShapeType::circle: return 0;
-        case ShapeType::capsule: return 1;
-        case ShapeType::polygon: return 2;
-        case ShapeType::segment: return 3;
-        case ShapeType::chain_segment: return 4;
-    }
-    return 0;
-}
+const Geometry& geometry_of_shape(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
+std::uint32_t rank(const Core& core, std::uint32_t shape) { return rank_of(geometry_of_shape(core, shape)); }
+bool is_solid(const Core& core, std::uint32_t shape) { return kind_of(geometry_of_shape(core, shape)) == ShapeKind::solid; }
 
 bool filters_agree(const Filter& a, const Filter& b) {
     if (a.group == b.group && a.group != 0) return a.group > 0;
@@ -45,10 +38,11 @@ bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2)
     const Shape& s1 = core.shapes[shape_1];
     const Shape& s2 = core.shapes[shape_2];
     if (s1.body == s2.body || ((core.bodies[s1.body].flags | core.bodies[s2.body].flags) & body_disabled) != 0) return false;
+    if (has_endless && is_endless(core.geometries[s1.geometry]) && is_endless(core.geometries[s2.geometry])) return false;
     if (has_sensors && ((s1.flags | s2.flags) & shape_sensor) != 0) return may_sense(core, s1, s2) && filters_agree(s1.filter, s2.filter);
     if (!core.is_dynamic(s1.body) && !core.is_dynamic(s2.body)) return false;
     if (!filters_agree(s1.filter, s2.filter)) return false;
-    if (rank(core, shape_1) >= 3 && rank(core, shape_2) >= 3) return false;
+    if (!is_solid(core, shape_1) && !is_solid(core, shape_2)) return false;
     return !joint_forbids(core, s1.body, s2.body);
 }
 

@@ -2,9 +2,9 @@
 
 #include "../graph/sensors.hpp"
 
-#include "../collide/corners.hpp"
 #include "../collide/distance.hpp"
 #include "../graph/contacts.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
@@ -48,9 +48,10 @@ void make_room(const Core& core, TouchEvent* array, std::uint32_t touches, Senso
 bool overlaps_sensor(const Core& core, std::uint32_t contact) {
     const Contact& c = core.contacts[contact];
     const ContactManifold& m = core.manifolds[contact];
-    const Corners a = corners_of(core.geometries[core.shapes[c.shape_a].geometry]);
     const Corners b = corners_of(core.geometries[core.shapes[c.shape_b].geometry]);
     const Transform b_in_a = pose_between(core, m.body_a, m.body_b, stand_now(core, m.body_a, m.body_b));
+    Vec2 room[4];
+    const Corners a = corners_near(core.geometries[core.shapes[c.shape_a].geometry], has_endless ? around(b, b_in_a) : Around{}, room);
     Vec2 moved[max_polygon_vertices];
     for (std::uint32_t i = 0; i < b.count; ++i) moved[i] = transform_point(b_in_a, b.points[i]);
     return core_distance(a.points, a.count, moved, b.count).distance <= a.radius + b.radius;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../graph/mixing.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
@@ -15,15 +16,7 @@ inline MixedSurface surface_of(const Core& core, std::uint32_t contact) {
     const Contact& c = core.contacts[contact];
     const Shape& a = core.shapes[c.shape_a];
     const Shape& b = core.shapes[c.shape_b];
-    const auto radius = [&](const Shape& shape) {
-        const Geometry& g = core.geometries[shape.geometry];
-        switch (g.shape_type()) {
-            case ShapeType::circle: return g.circle.radius;
-            case ShapeType::capsule: return g.capsule.radius;
-            case ShapeType::polygon: return g.polygon.radius;
-            default: return 0.0f;
-        }
-    };
+    const auto radius = [&](const Shape& shape) { return corners_of(core.geometries[shape.geometry]).radius; };
     const auto rolling_arm = [&] {
         const float resistance = max(a.rolling_resistance, b.rolling_resistance);
         if (resistance == 0) return resistance;  // as most are: their geometries need not come from memory

@@ -3,35 +3,19 @@
 #include "../query/queries.hpp"
 
 #include "../calls/checks.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
-ShapeProxy proxy_of(const Geometry& g) {
-    ShapeProxy p;
-    const auto line = [&](const Segment& s, float radius) {
-        p.points[0] = s.point1;
-        p.points[1] = s.point2;
-        p.count = 2;
-        p.radius = radius;
-    };
-    switch (g.shape_type()) {
-        case ShapeType::circle:
-            p.points[0] = g.circle.center;
-            p.count = 1;
-            p.radius = g.circle.radius;
-            break;
-        case ShapeType::capsule: line({g.capsule.point1, g.capsule.point2}, g.capsule.radius); break;
-        case ShapeType::segment: line(g.segment, 0); break;
-        case ShapeType::chain_segment:
-            line(g.chain.segment, 0);
-            p.one_sided = true;
-            break;
-        case ShapeType::polygon:
-            for (std::uint32_t i = 0; i < g.polygon.count; ++i) p.points[i] = g.polygon.vertices[i];
-            p.count = g.polygon.count;
-            p.radius = g.polygon.radius;
-            break;
+ShapeProxy proxy_of(const Geometry& g, [[maybe_unused]] const ShapeProxy& seen, [[maybe_unused]] Vec2 way) {
+    Around near{};
+    if constexpr (has_endless) {
+        near = around({seen.points, seen.count, seen.radius}, {});
+        near.reach += length(way);
     }
+    Vec2 room[4];
+    ShapeProxy p = proxy_of(corners_near(g, near, room));
+    p.one_sided = kind_of(g) == ShapeKind::front;
     return p;
 }
 

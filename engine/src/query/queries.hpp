@@ -21,8 +21,8 @@ inline bool is_queried(const Core& core, std::uint32_t shape, const QueryFilter&
     return !hidden && (filter.mask & f.category) != 0 && (f.mask & filter.category) != 0;
 }
 
-/// A shape in its body's frame.
-ShapeProxy proxy_of(const Geometry& g);
+/// A shape in its body's frame, for a question about `seen`, which is in that frame too, and its way. (Only what has no end depends on the question.)
+ShapeProxy proxy_of(const Geometry& g, const ShapeProxy& seen, Vec2 way = {});
 /// A point as a shape: a ray is its cast.
 inline ShapeProxy point_proxy(Vec2 p) {
     ShapeProxy proxy;
@@ -42,13 +42,6 @@ Aabb box_of(const ShapeProxy& p);
 
 /// Rounding in boxes and in what is inside them, m, for numbers up to those in `box`: what is within it of a box may touch what is in the box.
 inline float rounding_of(const Aabb& box) { return 1e-6f * max(max(abs(box.lower.x), abs(box.lower.y)), max(abs(box.upper.x), abs(box.upper.y))); }
-
-/// As overlaps, without branches: most boxes that a search looks at are beside the question, and no processor could guess on which side.
-ISLET_INLINE bool boxes_meet(const Aabb& a, const Aabb& b) {
-    const unsigned x = unsigned(a.lower.x <= b.upper.x) & unsigned(b.lower.x <= a.upper.x);
-    const unsigned y = unsigned(a.lower.y <= b.upper.y) & unsigned(b.lower.y <= a.upper.y);
-    return (x & y) != 0;
-}
 
 /// Calls visit(shape) for each shape whose fat box `reaches` accepts, in no particular order. Resting shapes are in the tree. Awake ones are found by going
 /// through their bodies or, where many are awake, through all boxes, which stand in a row in memory (of 8000 awake shapes in a third of the time).

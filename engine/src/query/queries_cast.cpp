@@ -47,7 +47,7 @@ struct Cast {
 
     /// The fraction of the way at which the sweep enters a box, at least 0; above 1 if it does not.
     float entry(const Aabb& to) const {
-        if (!boxes_meet(swept, to)) return 2.0f;
+        if (!meet_at_once(swept, to)) return 2.0f;
         const Stay x = stay_in(box.lower.x, box.upper.x, d.x, inv_d.x, to.lower.x, to.upper.x);
         const Stay y = stay_in(box.lower.y, box.upper.y, d.y, inv_d.y, to.lower.y, to.upper.y);
         const float enter = max(0.0f, max(x.enter, y.enter));
@@ -58,8 +58,9 @@ struct Cast {
     QueryHit meet(std::uint32_t shape) const {
         if (!is_queried(core, shape, filter)) return {};
         const Transform t = body_transform(core, core.shapes[shape].body);
-        const ShapeProxy target = proxy_of(core.geometries[core.shapes[shape].geometry]);
-        const CastHit hit = cast_proxy(seen_from(t, moving), inv_rotate(t.q, d), target);
+        const ShapeProxy seen = seen_from(t, moving);
+        const Vec2 way = inv_rotate(t.q, d);
+        const CastHit hit = cast_proxy(seen, way, proxy_of(core.geometries[core.shapes[shape].geometry], seen, way));
         if (!hit.hit) return {};
         // Not before its box: so it never matters when a search comes to the box.
         const float fraction = max(hit.fraction, entry(core.boxes[shape]));

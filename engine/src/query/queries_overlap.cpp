@@ -4,6 +4,7 @@
 #include "../bodies/bounds.hpp"
 #include "../calls/checks.hpp"
 #include "../collide/difference.hpp"
+#include "../math/boxes.hpp"
 #include "../math/float_mode.hpp"
 #include "../query/queries.hpp"
 
@@ -26,10 +27,10 @@ struct Overlap {
 
     bool holds(std::uint32_t shape) const {
         if (!is_queried(core, shape, filter)) return false;
-        if (question == Question::box) return overlaps(shape_aabb(core, shape), box);
-        const ShapeProxy other = proxy_of(core.geometries[core.shapes[shape].geometry]);
-        if (question == Question::point && other.count == 2 && other.radius == 0) return false;
+        if (question == Question::box) return meet(shape_aabb(core, shape), box);
         const ShapeProxy seen = seen_from(body_transform(core, core.shapes[shape].body), proxy);
+        const ShapeProxy other = proxy_of(core.geometries[core.shapes[shape].geometry], seen);
+        if (question == Question::point && other.count == 2 && other.radius == 0) return false;
         return nearest(difference_of(seen, other)).distance <= 0;
     }
 };
@@ -41,7 +42,7 @@ std::uint32_t count_overlaps(const Overlap& overlap, std::span<ShapeId> out) {
     FirstFew<ShapeId> found{out.data(), out.size()};
     std::uint32_t count = 0;
     search_shapes(
-        overlap.core, [&](const Aabb& box) { return boxes_meet(box, reach); },
+        overlap.core, [&](const Aabb& box) { return meet_at_once(box, reach); },
         [&](std::uint32_t shape) {
             if (!overlap.holds(shape)) return;
             ++count;
@@ -59,7 +60,7 @@ void visit_overlaps(const Overlap& overlap, OverlapVisitor visit_hook, void* con
     for (bool again = true; again;) {
         FirstFew<ShapeId> found{shapes, visits_a_search};
         search_shapes(
-            overlap.core, [&](const Aabb& box) { return boxes_meet(box, reach); },
+            overlap.core, [&](const Aabb& box) { return meet_at_once(box, reach); },
             [&](std::uint32_t shape) {
                 const ShapeId id = overlap.core.shape_id(shape);
                 if (comes_before(last, id) && (!found.full() || comes_before(id, shapes[visits_a_search - 1])) && overlap.holds(shape)) found.add(id);
@@ -123,8 +124,9 @@ ClosestHit World::closest(Vec2 point, float max_distance, const QueryFilter& fil
         [&](std::uint32_t shape) {
             if (!is_queried(c, shape, filter)) return;
             const Transform t = body_transform(c, c.shapes[shape].body);
-            const ShapeProxy other = proxy_of(c.geometries[c.shapes[shape].geometry]);
-            const Difference w = difference_of(seen_from(t, proxy), other);
+            const ShapeProxy seen = seen_from(t, proxy);
+            const ShapeProxy other = proxy_of(c.geometries[c.shapes[shape].geometry], seen);
+            const Difference w = difference_of(seen, other);
             const Nearest n = nearest(w);
             const float distance = max(n.distance, gap(c.boxes[shape]));  // not less than its box: so it never matters when a search comes to the box
             const bool closer = distance < within || (distance == within && (!best || shape + 1 < best.shape.index1));

@@ -43,12 +43,12 @@ std::uint32_t World::surfaces_near(const ShapeProxy& shape, float within, std::s
     FirstFew<Surface> found{out.data(), out.size()};
     std::uint32_t count = 0;
     search_shapes(
-        c, [&](const Aabb& box) { return boxes_meet(box, reach); },
+        c, [&](const Aabb& box) { return meet_at_once(box, reach); },
         [&](std::uint32_t s) {
             if (!is_queried(c, s, filter)) return;
             const Transform t = body_transform(c, c.shapes[s].body);
-            const ShapeProxy other = proxy_of(c.geometries[c.shapes[s].geometry]);
             const ShapeProxy seen = seen_from(t, shape);
+            const ShapeProxy other = proxy_of(c.geometries[c.shapes[s].geometry], seen);
             const Difference w = difference_of(seen, other);
             Nearest n = nearest(w);
             if (!(n.distance <= within) || (other.one_sided && !face_of_segment(seen, other, n))) return;

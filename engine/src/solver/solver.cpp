@@ -85,7 +85,7 @@ SolveNumbers choose_numbers(const State& state, float dt) {
         s.biased.inv_h = n.inv_h;
         s.biased.bias_rate = def.baumgarte * n.inv_h;
         s.biased.push_speed = def.contact_push_speed;
-        s.biased.slop = 0.005f;
+        s.biased.slop = linear_slop;
         s.ground = s.biased;
     }
 

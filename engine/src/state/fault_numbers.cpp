@@ -7,6 +7,7 @@
 #include "../calls/checks.hpp"
 #include "../collide/manifold.hpp"
 #include "../constraint/joint_kinds.hpp"
+#include "../shapes/shape_types.hpp"
 #include "../solver/solver_def.hpp"
 #include "../state/faults.hpp"
 
@@ -32,17 +33,6 @@ bool floats_are_finite(const Record& record, std::size_t first, std::size_t end)
         if (!is_finite(a)) return false;
     }
     return true;
-}
-
-bool is_valid_geometry(const Geometry& g) {
-    switch (g.shape_type()) {
-        case ShapeType::circle: return is_valid(g.circle);
-        case ShapeType::capsule: return is_valid(g.capsule);
-        case ShapeType::segment: return is_valid(g.segment);
-        case ShapeType::polygon: return is_valid(g.polygon);
-        case ShapeType::chain_segment: return is_valid(g.chain);
-    }
-    return false;
 }
 
 }  // namespace
@@ -86,7 +76,7 @@ const char* fault_in_numbers(const Shape& s, const Aabb& box) {
 }
 
 const char* fault_in_numbers(const Geometry& g) {
-    if (g.type > static_cast<std::uint32_t>(ShapeType::chain_segment) || !is_valid_geometry(g)) return "a geometry is not valid";
+    if (g.type >= shape_type_count || !with_shape(g, [](const auto& shape) { return is_valid(shape); })) return "a geometry is not valid";
     return g.hash == geometry_hash(g) ? nullptr : "a geometry has the wrong hash";
 }
 

@@ -272,6 +272,7 @@ const char* fault_in_place(const Core& c, std::uint32_t i) {
 
 const char* fault_in_box(const Core& c, std::uint32_t s) {
     const std::uint32_t body = c.shapes[s].body;
+    if (is_endless(c.geometries[c.shapes[s].geometry]) && c.bodies[body].type() == BodyType::dynamic) return "a dynamic body has a shape without end";
     const float inexact = box_rounding(c, body) + min(drift_of(c, body), max(0.0f, most_room(c.boxes[s])));
     return contains(expand(c.boxes[s], inexact), shape_aabb(c, s)) ? nullptr : "a shape has left its fat box";
 }

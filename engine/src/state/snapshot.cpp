@@ -7,7 +7,6 @@
 #include "../bodies/joint_changes.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../collide/manifold.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/hooks.hpp"
 #include "../graph/joint_graph.hpp"
@@ -255,7 +254,6 @@ bool World::load(std::span<const std::byte> image) {
     if (!check(c, find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;
     link_joint_solve();  // an image may bring what the program itself never makes
     link_joint_changes();
-    link_chains();
     take_over(c, h, image.data());
     if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));
     return true;

@@ -12,6 +12,7 @@
 #include "../broadphase/tree.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
+#include "../math/boxes.hpp"
 #include "../math/scalar.hpp"
 #include "../step/continuous.hpp"
 
@@ -55,7 +56,7 @@ WayImpact first_impact(const Core& core, std::uint32_t body, const Sweep& way, c
         const Pose& other_pose = core.poses[other];
         const Vec2 start = other_pose.center - other_way.dp;
         const Aabb other_box = expand({min(start, other_pose.center), max(start, other_pose.center)}, other_pose.max_extent);
-        if (i == slot || !overlaps(box, other_box)) continue;
+        if (i == slot || !meet(box, other_box)) continue;
         const float other_turned = abs(other_way.dq) * other_pose.max_extent;
         if (length(way.way - other_way.dp) + turned + other_turned <= far_enough) continue;
         if (is_stopped(core, other) && (last_round || length(other_way.dp) + other_turned > moved)) continue;

@@ -10,7 +10,6 @@
 
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
-#include "../collide/manifold.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
@@ -19,6 +18,8 @@
 #include "../math/boxes.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
+#include "../shapes/manifolds.hpp"
+#include "../shapes/shape_types.hpp"
 #include "../step/continuous.hpp"
 #include "../step/inner_edges.hpp"
 #include "../step/one_way.hpp"
@@ -59,25 +60,14 @@ bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
     return true;
 }
 
-// The narrow phase function for the two types; A has the higher rank (see contacts.cpp).
+// The narrow phase function for the two types. A has the higher rank, and one of the two is solid.
 Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin) {
-    const auto type_b = b.shape_type();
-    const auto against = [&](const auto& shape_a) {
-        switch (type_b) {
-            case ShapeType::circle: return collide(shape_a, b.circle, b_in_a, margin);
-            case ShapeType::capsule: return collide(shape_a, b.capsule, b_in_a, margin);
-            case ShapeType::polygon: return collide(shape_a, b.polygon, b_in_a, margin);
-            default: return Manifold{};
-        }
-    };
-    switch (a.shape_type()) {
-        case ShapeType::circle: return collide(a.circle, b.circle, b_in_a, margin);
-        case ShapeType::capsule: return against(a.capsule);
-        case ShapeType::segment: return against(Capsule{a.segment.point1, a.segment.point2, 0});
-        case ShapeType::polygon: return against(a.polygon);
-        case ShapeType::chain_segment: return against(a.chain);
-    }
-    return {};
+    return with_shape(a, [&]<class A>(const A& shape_a) {
+        return with_shape(b, [&]<class B>(const B& shape_b) -> Manifold {
+            if constexpr (ShapeRow<B>::rank <= ShapeRow<A>::rank && ShapeRow<B>::kind == ShapeKind::solid) return collide(shape_a, shape_b, b_in_a, margin);
+            __builtin_unreachable();
+        });
+    });
 }
 
 // The manifold of two shapes as they stand; points farther apart than `margin` are left out.
@@ -95,7 +85,7 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
     margin = speculative_distance + 2.0f * most;
     const Manifold now = manifold_at(core, c, m, stand, margin, b_in_a);
     // From where a body is now a link of a chain may leave it to the next one, and yet be what it comes to.
-    const bool is_link = core.geometries[core.shapes[c.shape_a].geometry].shape_type() == ShapeType::chain_segment;
+    const bool is_link = kind_of(core.geometries[core.shapes[c.shape_a].geometry]) == ShapeKind::front;
     if (now.count == 0 && !is_link) return now;
     if (now.count != 0) {
         const float apart = least_separation(now);
@@ -168,6 +158,7 @@ Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32
     if (((a.flags | b.flags) & pose_moved) != 0) {
         const Contact& c = core.contacts[index];
         if (!meet(core.boxes[c.shape_a], core.boxes[c.shape_b]) && !may_meet(core, c.shape_a, c.shape_b, dt)) return Change::parts;
+        if (has_endless && keeps_from_endless(core, c.shape_a, c.shape_b, dt)) return Change::parts;
     }
     if (has_sensors && (m.flags & contact_sensor) != 0)
         return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;

@@ -11,7 +11,6 @@
 #include "../bodies/bounds.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../broadphase/tree.hpp"
-#include "../collide/clear_way.hpp"
 #include "../collide/time_of_impact.hpp"
 #include "../data/features.hpp"
 #include "../graph/contacts.hpp"
@@ -19,6 +18,7 @@
 #include "../math/boxes.hpp"
 #include "../math/scalar.hpp"
 #include "../solver/free_motion.hpp"
+#include "../step/clear_way.hpp"
 
 namespace islet::detail {
 
@@ -43,38 +43,49 @@ Vec2 inset_corner(const Polygon& p, std::uint32_t i, float inset) {
     return corner;
 }
 
-float half_thickness(const Geometry& g) { return corners_of(g).radius + (g.shape_type() == ShapeType::polygon ? inner_radius(g.polygon) : 0); }
+float half_thickness(const Geometry& g) {
+    const Polygon* faces = faces_of(g);
+    return corners_of(g).radius + (faces != nullptr ? inner_radius(*faces) : 0);
+}
 
 enum class Part { whole, core, middle };
 
-/// What of a shape is swept: all of it, its core, or its middle, a point or a line.
-SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part part) {
+// Where another body is and comes, as a body sees it at the start.
+Around around_way(const Core& core, const Sweep& sweep, Vec2 local_center, std::uint32_t other, const Sweep& other_sweep) {
+    const Vec2 apart = other_sweep.center - sweep.center;
+    const float way = length(other_sweep.way - sweep.way);
+    return {local_center + inv_rotate(sweep.q, apart), core.poses[other].max_extent + way + abs(sweep.turn) * (length(apart) + way)};
+}
+
+/// What of a shape is swept: all of it, its core, or its middle, a point or a line. Of a shape without end: what is around the other one's way.
+SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part part, std::uint32_t other, const Sweep& other_sweep) {
     const Geometry& g = core.geometries[core.shapes[shape].geometry];
     const Vec2 center = core.bodies[core.shapes[shape].body].local_center;
-    const Corners corners = corners_of(g);
-    const bool inset = part != Part::whole && g.shape_type() == ShapeType::polygon;
-    const float by = inset ? 0.5f * inner_radius(g.polygon) : 0;
+    Vec2 room[4];
+    const Corners corners = corners_near(g, is_endless(g) ? around_way(core, sweep, center, core.shapes[other].body, other_sweep) : Around{}, room);
+    const Polygon* faces = part != Part::whole ? faces_of(g) : nullptr;
+    const bool inset = faces != nullptr;
+    const float by = inset ? 0.5f * inner_radius(*faces) : 0;
     SweptCore s;
     s.sweep = sweep;
     s.core.count = inset && part == Part::middle ? 1 : corners.count;
     s.core.radius = part == Part::whole ? corners.radius : part == Part::core ? 0.5f * corners.radius : 0;
     for (std::uint32_t i = 0; i < s.core.count; ++i) {
-        const Vec2 point = !inset ? corners.points[i] : part == Part::core ? inset_corner(g.polygon, i, by) : g.polygon.centroid;
+        const Vec2 point = !inset ? corners.points[i] : part == Part::core ? inset_corner(*faces, i, by) : faces->centroid;
         s.core.points[i] = point - center;
         s.reach = max(s.reach, length(s.core.points[i]));
     }
     return s;
 }
 
-// A chain is met from its front alone.
 bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep, std::uint32_t other) {
     const Geometry& g = core.geometries[core.shapes[other].geometry];
-    if (g.shape_type() != ShapeType::chain_segment) return false;
+    if (kind_of(g) != ShapeKind::front) return false;
     const std::uint32_t body = core.shapes[other].body;
     const Vec2 middle = middle_of(core.geometries[core.shapes[shape].geometry]) - core.bodies[core.shapes[shape].body].local_center;
     const Vec2 from = inv_transform_point(body_transform(core, body), sweep.center + rotate(sweep.q, middle));
-    const Segment& s = g.chain.segment;
-    return dot(right_perp(s.point2 - s.point1), from - s.point1) < 0;
+    const Vec2* line = corners_of(g).points;
+    return dot(right_perp(line[1] - line[0]), from - line[0]) < 0;
 }
 
 // Whether the contact of two shapes, one of them one-way or asking the pre_solve hook, holds in this step. The contact of a fast body was made ahead, and the
@@ -110,7 +121,7 @@ Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_he
 
 float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {
     constexpr float gap = 0.25f * linear_slop;
-    return time_of_impact(swept(core, shape_a, a, Part::whole), swept(core, shape_b, b, Part::whole), gap, 1);
+    return time_of_impact(swept(core, shape_a, a, Part::whole, shape_b, b), swept(core, shape_b, b, Part::whole, shape_a, a), gap, 1);
 }
 
 Sweep sweep_of(const Core& core, std::uint32_t body, const SolverBody& way) {
@@ -123,12 +134,13 @@ Sweep at_rest(const Core& core, std::uint32_t body) { return {core.poses[body].c
 float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::uint32_t other, const Sweep& other_way, float end) {
     if (!is_solid(core, shape, other) || comes_from_behind(core, shape, way, other)) return no_impact;
     const float tolerance = clamp(0.25f * half_thickness(core.geometries[core.shapes[shape].geometry]), 0.1f * linear_slop, most_tolerance);
-    const SweptCore obstacle = swept(core, other, other_way, Part::whole);
-    float passing = time_of_impact(swept(core, shape, way, Part::core), obstacle, 0.5f * tolerance, end);
+    const SweptCore obstacle = swept(core, other, other_way, Part::whole, shape, way);
+    const auto moving = [&](Part part) { return swept(core, shape, way, part, other, other_way); };
+    float passing = time_of_impact(moving(Part::core), obstacle, 0.5f * tolerance, end);
     // Where it has been squeezed in so deep already, its middle must at least stay on this side.
-    if (passing <= 0) passing = time_of_impact(swept(core, shape, way, Part::middle), obstacle, least_gap, end);
+    if (passing <= 0) passing = time_of_impact(moving(Part::middle), obstacle, least_gap, end);
     if (passing < 0 || passing == no_impact) return no_impact;
-    const float touching = time_of_impact(swept(core, shape, way, Part::whole), obstacle, tolerance, passing);
+    const float touching = time_of_impact(moving(Part::whole), obstacle, tolerance, passing);
     return touching > 0 && touching < passing ? touching : passing;
 }
 

@@ -15,10 +15,10 @@
 #include "../step/inner_edges.hpp"
 
 #include "../bodies/bounds.hpp"
-#include "../collide/corners.hpp"
 #include "../collide/outline.hpp"
 #include "../graph/contacts.hpp"
 #include "../math/scalar.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
@@ -61,10 +61,7 @@ Span held_by(const Polygon& p, Vec2 start, Vec2 direction, Span part) {
     return part;
 }
 
-const Polygon* polygon_of(const Core& core, std::uint32_t shape) {
-    const Geometry& g = core.geometries[core.shapes[shape].geometry];
-    return g.shape_type() == ShapeType::polygon ? &g.polygon : nullptr;
-}
+const Polygon* polygon_of(const Core& core, std::uint32_t shape) { return faces_of(core.geometries[core.shapes[shape].geometry]); }
 
 /// A piece of floor and the shape that stands on it. Everything is in the piece's body frame.
 struct Floor {

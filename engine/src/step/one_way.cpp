@@ -3,8 +3,8 @@
 #include "../step/one_way.hpp"
 
 #include "../bodies/bounds.hpp"
-#include "../collide/corners.hpp"
 #include "../math/scalar.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
@@ -30,23 +30,29 @@ Lowest lowest_of(const Corners& c, Vec2 direction) {
     return low;
 }
 
+const Geometry& its_geometry(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
+
+// How far a shape rises along a direction; of one without end: what is near the other.
+float top_of(const Geometry& g, Vec2 up, const Corners& other, const Transform& to_shape) {
+    Vec2 room[4];
+    return lowest_of(corners_near(g, has_endless ? around(other, to_shape) : Around{}, room), -up).height;
+}
+
 /// A one-way shape and the other shape, in the one-way shape's body frame. Only the other's corners are in its own body's frame.
 struct Pair {
     Vec2 up;
-    Corners corners, other;
+    Corners other;
     Transform to_shape;
+    const Geometry& geometry;
 
     Pair(const Core& core, std::uint32_t shape, const Transform& shape_pose, const Corners& its, const Transform& pose)
-        : up(direction_of_flags(core.shapes[shape].flags)),
-          corners(corners_of(core.geometries[core.shapes[shape].geometry])),
-          other(its),
-          to_shape(inv_mul(shape_pose, pose)) {}
+        : up(direction_of_flags(core.shapes[shape].flags)), other(its), to_shape(inv_mul(shape_pose, pose)), geometry(its_geometry(core, shape)) {}
     Pair(const Core& core, std::uint32_t shape, std::uint32_t other_shape)
-        : Pair(core, shape, body_transform(core, core.shapes[shape].body), corners_of(core.geometries[core.shapes[other_shape].geometry]),
+        : Pair(core, shape, body_transform(core, core.shapes[shape].body), corners_of(its_geometry(core, other_shape)),
                body_transform(core, core.shapes[other_shape].body)) {}
 
     Lowest lowest() const { return lowest_of(other, inv_rotate(to_shape.q, up)); }
-    float height() const { return lowest().height + dot(up, to_shape.p) + lowest_of(corners, -up).height; }
+    float height() const { return lowest().height + dot(up, to_shape.p) + top_of(geometry, up, other, to_shape); }
 };
 
 // Where a body stood a step ago, if it has moved as it moves now.
@@ -57,14 +63,17 @@ Transform pose_before(const Core& core, std::uint32_t body, float dt) {
 
 float height_before(const Core& core, std::uint32_t shape, std::uint32_t other, float dt) {
     if ((core.shapes[shape].flags & shape_one_way_bits) == 0) return out_of_reach;
+    if (is_endless(its_geometry(core, other))) return -out_of_reach;
     const Transform shape_pose = pose_before(core, core.shapes[shape].body, dt);
-    return Pair(core, shape, shape_pose, corners_of(core.geometries[core.shapes[other].geometry]), pose_before(core, core.shapes[other].body, dt)).height();
+    return Pair(core, shape, shape_pose, corners_of(its_geometry(core, other)), pose_before(core, core.shapes[other].body, dt)).height();
 }
 
 }  // namespace
 
 float height_above(const Core& core, std::uint32_t shape, std::uint32_t other) {
-    return (core.shapes[shape].flags & shape_one_way_bits) == 0 ? out_of_reach : Pair(core, shape, other).height();
+    if ((core.shapes[shape].flags & shape_one_way_bits) == 0) return out_of_reach;
+    if (is_endless(its_geometry(core, other))) return -out_of_reach;  // what has no end is above nothing
+    return Pair(core, shape, other).height();
 }
 
 float height_above(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose) {

@@ -8,7 +8,7 @@
 //     dropped   passes until the two part or it is above by more than a slop: the pre_solve hook said no to a contact that would have held
 #pragma once
 
-#include "../collide/corners.hpp"
+#include "../shapes/shape_types.hpp"
 #include "../collide/manifold.hpp"
 #include "../data/core.hpp"
 

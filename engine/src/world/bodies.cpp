@@ -245,6 +245,9 @@ void World::set_type(BodyId id, BodyType type) {
     if (i == null_index || !check(c, type <= BodyType::dynamic, Error::out_of_range)) return;
     Body& b = c.bodies[i];
     if (b.type() == type) return;
+    if (has_endless && type == BodyType::dynamic)
+        for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next)
+            if (!check(c, !is_endless(c.geometries[c.shapes[s].geometry]), Error::endless_shape)) return;
     // Colours depend on the types, so contacts go before the type changes, and joints get new ones after it.
     end_contacts(c, i);
     wake_island(c, i, c.arena());

@@ -1,24 +1,17 @@
-// Making chains, in a file of its own: a program that makes none does not link what they collide by (see link_chains).
+// Making chains, in a file of its own: a program that makes none does not link what they collide by.
 #include "../exact.hpp"
 
 #include "../bodies/geometry_pool.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../collide/manifold.hpp"
+#include "../shapes/manifolds.hpp"
 #include "../world/shapes.hpp"
 
 namespace islet {
 
 using namespace detail;
 
-ShapeId World::create_shape(BodyId body, const ChainSegment& segment, const ShapeDef& def) {
-    note_call<Call::create_chain_segment>(core(), body, segment, def);
-    if (!check_there(core(), has_chains)) return {};
-    link_chains();
-    Geometry g = blank_geometry(ShapeType::chain_segment);
-    g.chain = segment;
-    return attach_shape(core(), body, g, islet::is_valid(segment), def);
-}
+ISLET_DEFINE_CREATE_SHAPE(chain_segment, ChainSegment)
 
 std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool loop, const ShapeDef& def, std::span<ShapeId> out) {
     Core& c = core();
@@ -44,17 +37,12 @@ std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool 
         if (!check(c, islet::is_valid(segment_at(i)), Error::bad_chain)) return 0;
     if (!check(c, c.capacity.shapes - c.state->shape_pool.count >= segments, Error::shapes_full)) return 0;
 
-    const auto geometry_at = [&](std::uint32_t i) {
-        Geometry g = blank_geometry(ShapeType::chain_segment);
-        g.chain = segment_at(i);
-        return g;
-    };
+    const auto geometry_at = [&](std::uint32_t i) { return geometry_of(segment_at(i)); };
     // All or nothing, so count first. (A segment that the chain itself repeats is counted each time.)
     std::uint32_t fresh = 0;
     for (std::uint32_t i = 0; i < segments; ++i) fresh += find_geometry(c, geometry_at(i)) == null_index ? 1 : 0;
     if (!check(c, geometry_capacity(c.capacity) - c.state->geometry_pool.count >= fresh, Error::geometries_full)) return 0;
 
-    link_chains();
     for (std::uint32_t i = 0; i < segments; ++i) {
         const std::uint32_t index = add_shape(c, body, geometry_at(i), def);
         if (i < out.size()) out[i] = c.shape_id(index);

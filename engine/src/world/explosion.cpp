@@ -6,9 +6,10 @@
 #include "../bodies/sleep.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../collide/corners.hpp"
 #include "../collide/distance.hpp"
+#include "../math/boxes.hpp"
 #include "../math/float_mode.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 
@@ -67,9 +68,8 @@ void World::explode(const ExplosionDef& d) {
     for (std::uint32_t i = 0; i < c.state->shape_pool.high_water; ++i) {
         if (!pool_live(c.state->shape_pool, c.shapes, i)) continue;
         const Shape& s = c.shapes[i];
-        if (!is_pushable(c, s.body) || (s.flags & shape_sensor) != 0 || (s.filter.category & d.mask) == 0 || !overlaps(c.boxes[i], box)) continue;
-        const ShapeType type = c.geometries[s.geometry].shape_type();
-        if (type != ShapeType::segment && type != ShapeType::chain_segment) push_shape(c, d, i);
+        if (!is_pushable(c, s.body) || (s.flags & shape_sensor) != 0 || (s.filter.category & d.mask) == 0 || !meet(c.boxes[i], box)) continue;
+        if (kind_of(c.geometries[s.geometry]) == ShapeKind::solid) push_shape(c, d, i);
     }
 }
 

@@ -26,6 +26,7 @@ void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) 
     const std::uint32_t i = find_shape(core, id);
     if (i == null_index || !check(core, valid, Error::bad_geometry)) return;
     Shape& s = core.shapes[i];
+    if (!check(core, !is_endless(g) || !core.is_dynamic(s.body), Error::endless_shape)) return;
     const bool fits = core.state->geometry_pool.count < geometry_capacity(core.capacity) || core.geometries[s.geometry].references == 1 ||
                       find_geometry(core, g) != null_index;
     if (!check(core, fits, Error::geometries_full)) return;
@@ -62,32 +63,14 @@ bool flag_of(const Core& core, ShapeId id, std::uint32_t flag) {
 
 }  // namespace
 
-void World::set_circle(ShapeId id, const Circle& circle) {
-    note_call<Call::set_circle>(core(), id, circle);
-    Geometry g = blank_geometry(ShapeType::circle);
-    g.circle = circle;
-    replace(core(), id, g, islet::is_valid(circle), true);
-}
-
-void World::set_capsule(ShapeId id, const Capsule& capsule) {
-    note_call<Call::set_capsule>(core(), id, capsule);
-    Geometry g = blank_geometry(ShapeType::capsule);
-    g.capsule = capsule;
-    replace(core(), id, g, islet::is_valid(capsule), has_capsules);
-}
-
-void World::set_segment(ShapeId id, const Segment& segment) {
-    note_call<Call::set_segment>(core(), id, segment);
-    Geometry g = blank_geometry(ShapeType::segment);
-    g.segment = segment;
-    replace(core(), id, g, islet::is_valid(segment), has_segments);
-}
-
-void World::set_polygon(ShapeId id, const Polygon& polygon) {
-    note_call<Call::set_polygon>(core(), id, polygon);
-    const bool valid = islet::is_valid(polygon);
-    replace(core(), id, valid ? geometry_of(polygon) : blank_geometry(ShapeType::polygon), valid, has_polygons);
-}
+#define ISLET_SET(name, Type, feature, kind, linked) ISLET_SET_##linked(name, Type)
+#define ISLET_SET_always(name, Type)                                                                 \
+    void World::set_##name(ShapeId id, const Type& shape) {                                          \
+        note_call<Call::set_##name>(core(), id, shape);                                              \
+        replace(core(), id, geometry_of(shape), islet::is_valid(shape), has_shape(ShapeType::name)); \
+    }
+#define ISLET_SET_when_made(name, Type)
+ISLET_SHAPE_TYPES(ISLET_SET)
 
 float World::density(ShapeId id) const {
     const std::uint32_t i = find_shape(core(), id);

@@ -135,62 +135,20 @@ std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& g, const
 ShapeId attach_shape(Core& core, BodyId id, const Geometry& g, bool valid, const ShapeDef& def) {
     const std::uint32_t body = find_body(core, id);
     if (body == null_index || !check(core, valid, Error::bad_geometry) || !check_shape_def(core, def)) return {};
+    if (!check(core, !is_endless(g) || !core.is_dynamic(body), Error::endless_shape)) return {};
     const std::uint32_t index = add_shape(core, body, g, def);
     if (index == null_index) return {};
     shapes_changed(core, body);
     return core.shape_id(index);
 }
 
-Geometry blank_geometry(ShapeType type) {
-    Geometry g;
-    g.type = static_cast<std::uint32_t>(type);
-    return g;
-}
-
-// Only what counts: equal polygons must be equal bit by bit.
-Geometry geometry_of(const Polygon& polygon) {
-    Geometry g = blank_geometry(ShapeType::polygon);
-    g.polygon.count = polygon.count;
-    g.polygon.radius = polygon.radius;
-    g.polygon.centroid = polygon.centroid;
-    for (std::uint32_t i = 0; i < polygon.count; ++i) {
-        g.polygon.vertices[i] = polygon.vertices[i];
-        g.polygon.normals[i] = polygon.normals[i];
-    }
-    return g;
-}
-
 }  // namespace detail
 
-ShapeId World::create_shape(BodyId body, const Circle& circle, const ShapeDef& def) {
-    note_call<Call::create_circle>(core(), body, circle, def);
-    Geometry g = blank_geometry(ShapeType::circle);
-    g.circle = circle;
-    return attach_shape(core(), body, g, islet::is_valid(circle), def);
-}
-
-ShapeId World::create_shape(BodyId body, const Capsule& capsule, const ShapeDef& def) {
-    note_call<Call::create_capsule>(core(), body, capsule, def);
-    if (!check_there(core(), has_capsules)) return {};
-    Geometry g = blank_geometry(ShapeType::capsule);
-    g.capsule = capsule;
-    return attach_shape(core(), body, g, islet::is_valid(capsule), def);
-}
-
-ShapeId World::create_shape(BodyId body, const Segment& segment, const ShapeDef& def) {
-    note_call<Call::create_segment>(core(), body, segment, def);
-    if (!check_there(core(), has_segments)) return {};
-    Geometry g = blank_geometry(ShapeType::segment);
-    g.segment = segment;
-    return attach_shape(core(), body, g, islet::is_valid(segment), def);
-}
-
-ShapeId World::create_shape(BodyId body, const Polygon& polygon, const ShapeDef& def) {
-    note_call<Call::create_polygon>(core(), body, polygon, def);
-    if (!check_there(core(), has_polygons)) return {};
-    const bool valid = islet::is_valid(polygon);
-    return attach_shape(core(), body, valid ? geometry_of(polygon) : blank_geometry(ShapeType::polygon), valid, def);
-}
+// A type that only programs which make it link has a file of its own.
+#define ISLET_CREATE(name, Type, feature, kind, linked) ISLET_CREATE_##linked(name, Type)
+#define ISLET_CREATE_always ISLET_DEFINE_CREATE_SHAPE
+#define ISLET_CREATE_when_made(name, Type)
+ISLET_SHAPE_TYPES(ISLET_CREATE)
 
 void World::destroy_shape(ShapeId id) {
     Core& c = core();
@@ -240,26 +198,12 @@ const Geometry* geometry_if(const Core& c, ShapeId id, ShapeType type) {
 
 }  // namespace
 
-const Circle* World::circle(ShapeId id) const {
-    const Geometry* g = geometry_if(core(), id, ShapeType::circle);
-    return g != nullptr ? &g->circle : nullptr;
-}
-const Capsule* World::capsule(ShapeId id) const {
-    const Geometry* g = geometry_if(core(), id, ShapeType::capsule);
-    return g != nullptr ? &g->capsule : nullptr;
-}
-const Segment* World::segment(ShapeId id) const {
-    const Geometry* g = geometry_if(core(), id, ShapeType::segment);
-    return g != nullptr ? &g->segment : nullptr;
-}
-const Polygon* World::polygon(ShapeId id) const {
-    const Geometry* g = geometry_if(core(), id, ShapeType::polygon);
-    return g != nullptr ? &g->polygon : nullptr;
-}
-const ChainSegment* World::chain_segment(ShapeId id) const {
-    const Geometry* g = geometry_if(core(), id, ShapeType::chain_segment);
-    return g != nullptr ? &g->chain : nullptr;
-}
+#define ISLET_DEFINE_READ(name, Type, ...)                            \
+    const Type* World::name(ShapeId id) const {                       \
+        const Geometry* g = geometry_if(core(), id, ShapeType::name); \
+        return g != nullptr ? &g->name : nullptr;                     \
+    }
+ISLET_SHAPE_TYPES(ISLET_DEFINE_READ)
 
 void World::set_friction(ShapeId id, float friction) {
     Core& c = core();

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
 #include "../data/core.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
@@ -17,15 +20,18 @@ void remix(Core& core, std::uint32_t shape, std::uint32_t forget = 0);
 
 /// True if the definition keeps its rules; else records the error.
 bool check_shape_def(const Core& core, const ShapeDef& def);
-/// A geometry whose every byte is decided by its type and what is then filled in: equal ones are shared.
-Geometry blank_geometry(ShapeType type);
-/// Of a valid polygon.
-Geometry geometry_of(const Polygon& polygon);
 /// Takes a slot, and links it to its body and its geometry; null_index if there is no room, with the error recorded.
 std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& geometry, const ShapeDef& def);
 /// After shapes were added to a body or taken from it: mass, boxes, the tree.
 void shapes_changed(Core& core, std::uint32_t body);
 /// All of these in turn, with the body and the definition checked; `valid` says whether the geometry is.
 ShapeId attach_shape(Core& core, BodyId body, const Geometry& geometry, bool valid, const ShapeDef& def);
+
+/// World::create_shape for a type of shape.
+#define ISLET_DEFINE_CREATE_SHAPE(name, Type)                                                                                                             \
+    ShapeId World::create_shape(BodyId body, const Type& shape, const ShapeDef& def) {                                                                    \
+        note_call<Call::create_##name>(core(), body, shape, def);                                                                                         \
+        return check_there(core(), has_shape(ShapeType::name)) ? attach_shape(core(), body, geometry_of(shape), islet::is_valid(shape), def) : ShapeId{}; \
+    }
 
 }  // namespace islet::detail

@@ -10,8 +10,8 @@
 #include "../bodies/sleep.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../collide/corners.hpp"
 #include "../math/float_mode.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 
@@ -42,8 +42,7 @@ void World::apply_wind(ShapeId id, const WindDef& wind) {
     if (!check(c, wind.density >= 0 && wind.drag >= 0 && length_squared(wind.velocity) <= max_speed_limit * max_speed_limit, Error::out_of_range)) return;
     const std::uint32_t body = c.shapes[i].body;
     const Geometry& g = c.geometries[c.shapes[i].geometry];
-    const ShapeType type = g.shape_type();
-    if (!is_pushable(c, body) || type == ShapeType::segment || type == ShapeType::chain_segment) return;
+    if (!is_pushable(c, body) || kind_of(g) != ShapeKind::solid) return;
     if (!c.is_awake(body) && !wind.wake) return;
     wake_island(c, body, c.arena());
 

@@ -14,10 +14,19 @@
 
 #include "../collide/distance.hpp"
 #include "../collide/outline.hpp"
+#include "../geometry/convex.hpp"
 #include "../math/inlining.hpp"
+#include "../shapes/manifolds.hpp"
+#include "islet/query.hpp"
 
-namespace islet::detail {
+namespace islet {
+
+using namespace detail;
+
 namespace {
+
+// A chain that goes on straight beyond its end has a ghost that mirrors one end of the last segment at the other, so it may lie beyond max_position.
+ISLET_SHARED bool is_ghost(Vec2 a) { return in_range(0.25f * a); }
 
 // Corners and normals closer to straight than this (sine of the angle) count as straight.
 constexpr float straight = 0.01f;
@@ -146,7 +155,15 @@ Manifold collide_link(const Link& k, const Outline& b, Vec2 centroid, Vec2 origi
 
 }  // namespace
 
-void link_chains() {}
+bool is_valid(const ChainSegment& s) { return is_valid(s.segment) && is_ghost(s.ghost1) && is_ghost(s.ghost2); }
+
+ShapeProxy make_proxy(const ChainSegment& s) {
+    ShapeProxy proxy = make_proxy(s.segment);
+    proxy.one_sided = true;
+    return proxy;
+}
+
+namespace detail {
 
 Manifold collide(const ChainSegment& a, const Circle& b, const Transform& b_in_a, float margin) {
     const Vec2 center = transform_point(b_in_a, b.center);
@@ -193,4 +210,6 @@ Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& b_in_
     return collide_link(link_of(a), outline_of(b, b_in_a, origin), transform_point(t, b.centroid), origin, margin);
 }
 
-}  // namespace islet::detail
+}  // namespace detail
+
+}  // namespace islet

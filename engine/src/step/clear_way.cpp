@@ -5,10 +5,10 @@
 // must be so far apart that each advance of the search is a fortieth of the way or more: it cannot run out of advances, and ends with nothing found.
 #include "../exact.hpp"
 
-#include "../collide/clear_way.hpp"
+#include "../step/clear_way.hpp"
 
-#include "../collide/corners.hpp"
 #include "../math/scalar.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
@@ -27,8 +27,8 @@ struct Line {
 
 // Of the face of a polygon that looks most at the point, or of a segment.
 Line line_towards(Vec2 point, const Geometry& g, const Corners& corners) {
-    if (g.shape_type() == ShapeType::polygon) {
-        const Polygon& p = g.polygon;
+    if (const Polygon* faces = faces_of(g)) {
+        const Polygon& p = *faces;
         std::uint32_t best = 0;
         float most = dot(p.normals[0], point - p.vertices[0]);
         for (std::uint32_t i = 1; i < p.count; ++i) {

@@ -7,25 +7,6 @@ namespace islet {
 
 using namespace detail;
 
-void draw_shape(const DebugDraw& draw, const Circle& c, const Transform& pose, const DrawStyle& style) {
-    Pen{draw, style}.circle(transform_point(pose, c.center), c.radius, {pose.q.c, pose.q.s});
-}
-
-void draw_shape(const DebugDraw& draw, const Capsule& c, const Transform& pose, const DrawStyle& style) {
-    Pen{draw, style}.capsule(transform_point(pose, c.point1), transform_point(pose, c.point2), c.radius);
-}
-
-void draw_shape(const DebugDraw& draw, const Segment& s, const Transform& pose, const DrawStyle& style) {
-    Pen{draw, style}.segment(transform_point(pose, s.point1), transform_point(pose, s.point2));
-}
-
-void draw_shape(const DebugDraw& draw, const Polygon& p, const Transform& pose, const DrawStyle& style) {
-    if (p.count > max_polygon_vertices) return;
-    Vec2 corners[max_polygon_vertices];
-    for (std::uint32_t i = 0; i < p.count; ++i) corners[i] = transform_point(pose, p.vertices[i]);
-    Pen{draw, style}.polygon({corners, p.count}, p.radius);
-}
-
 // Six hues of 256 tints each; from one number to the next the hue goes on by the golden section of the circle, so that any few in a row are far apart.
 // Every other round of sixteen is paler.
 DrawColor distinct_color(std::uint32_t n) {

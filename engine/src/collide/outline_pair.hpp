@@ -3,14 +3,12 @@
 // For two convex outlines every face normal gives a lower bound of the distance; the greatest of them picks the reference face. If the
 // face it looks at, clipped to it, comes as close as that bound, face contact is the answer. Otherwise two corners are closest, and GJK
 // says which. (The order of these steps, and that rounded and speculative contacts need the last one, is learnt from Box2D 3.)
-#include "../exact.hpp"
+#pragma once
 
 #include "../collide/distance.hpp"
 #include "../collide/outline.hpp"
-#include "../math/boxes.hpp"
 
 namespace islet::detail {
-namespace {
 
 struct Axis {
     float separation = 0;  // m, between the cores
@@ -34,7 +32,7 @@ ISLET_COPIED Axis best_axis(const P& p, const Q& q) {
 
 // Overlapping outlines whose faces miss each other: the deepest corner alone.
 template <class Reference, class Other>
-Manifold deepest_corner(const Reference& reference, const Axis& axis, const Other& other, bool reference_is_b, Vec2 origin) {
+inline Manifold deepest_corner(const Reference& reference, const Axis& axis, const Other& other, bool reference_is_b, Vec2 origin) {
     const Face face = face_of(reference, axis.face);
     const std::uint32_t deepest = corner_against(other, face.normal);
     const Vec2 corner = other.vertices[deepest] + origin;
@@ -73,40 +71,6 @@ ISLET_COPIED Manifold collide_cores(const A& a, const B& b, Vec2 origin, float m
     if (near.distance > limit) { return {}; }
     return point_manifold(near.point_a + origin, a.radius, near.point_b + origin, b.radius, near.normal, near.distance,
                           feature_id(near.index_a[0], near.index_b[0]));
-}
-
-}  // namespace
-
-Manifold collide_outlines(const Outline& a, const Outline& b, Vec2 origin, float margin) { return collide_cores(a, b, origin, margin); }
-
-Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin) {
-    Manifold m;
-    if (is_box(a) && is_box(b) && collide_boxes(a, b, b_in_a, margin, m)) { return m; }
-    const Vec2 origin = a.vertices[0];
-    return collide_cores(outline_of(a, origin), outline_of(b, b_in_a, origin), origin, margin);
-}
-
-Manifold collide(const Polygon& a, const Capsule& b, const Transform& b_in_a, float margin) {
-    const Vec2 origin = a.vertices[0];
-    const Transform t = {b_in_a.p - origin, b_in_a.q};
-    return collide_cores(outline_of(a, origin), outline_of(transform_point(t, b.point1), transform_point(t, b.point2), b.radius), origin, margin);
-}
-
-Manifold collide(const Capsule& a, const Polygon& b, const Transform& b_in_a, float margin) {
-    const Vec2 origin = a.point1;
-    return collide_cores(outline_of({}, a.point2 - origin, a.radius), outline_of(b, b_in_a, origin), origin, margin);
-}
-
-Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, float margin) {
-    const Vec2 origin = a.point1;
-    const Transform t = {b_in_a.p - origin, b_in_a.q};
-    const Vec2 end = a.point2 - origin;
-    const Vec2 b1 = transform_point(t, b.point1);
-    const Vec2 b2 = transform_point(t, b.point2);
-    // Most capsules that the broad phase pairs are further apart than this; it saves the square roots.
-    const float limit = margin + a.radius + b.radius;
-    if (!meet(expand(box_around({}, end), limit), box_around(b1, b2))) { return {}; }
-    return collide_cores(outline_of({}, end, a.radius), outline_of(b1, b2, b.radius), origin, margin);
 }
 
 }  // namespace islet::detail
