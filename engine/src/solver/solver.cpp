@@ -121,8 +121,8 @@ void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
         b.v = {motion.v.x + 0.0f, motion.v.y + 0.0f};
         b.w = motion.w + 0.0f;
         b.inv_mass = pose.inv_mass;
-        b.dp = {0, 0};
-        b.dq = 0;
+        b.warm_v = {0, 0};
+        b.warm_w = 0;
         const float lightness = has_tuning && s.plan.lightness != nullptr ? s.plan.lightness[i] : 1.0f;
         b.inv_mass *= lightness;
         b.inv_inertia = stiffened(lightness * pose.inv_inertia, core.bodies[i].stretch);
@@ -142,8 +142,8 @@ void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_
         Vec2 dv = b.v - m.v_free;
         float dw = b.w - m.w_free;
         if (first) {
-            dv = b.dp;
-            dw = b.dq;
+            dv = b.warm_v;
+            dw = b.warm_w;
             b.dp = {0, 0};
             b.dq = 0;
         }
