@@ -1,4 +1,4 @@
-// Hits: contacts whose shapes came together fast. Whoever asks for them links them (solver/hits.hpp).
+// Hits: contacts whose shapes came together fast (solver/hits.hpp).
 #include "../exact.hpp"
 
 #include "../solver/hits.hpp"

@@ -1,5 +1,5 @@
-// Hit events: read off the rows of contacts once they are solved, which know the approach of what bounces or tells of hits. Weakly referenced: only
-// World::hit_events, which reads them, links it.
+// Hit events. After the solve, the rows of contacts that bounce or report hits know how fast the shapes came together. Referenced weakly: a program that never
+// calls World::hit_events does not link this.
 #pragma once
 
 #include "../constraint/contact_rows.hpp"
@@ -8,20 +8,21 @@
 
 namespace islet::detail {
 
-/// How fast the shapes of a contact came together, and at which of its points. A speed is never below 0, so its sign has room for the point.
+/// How fast the shapes of a contact came together, and at which of its points. A speed is never below 0, so the bit of its sign is free for the point.
 class Hit {
 public:
-    /// Of the two points the one that came down faster; the speeds are 0 where the shapes needed no impulse.
-    static Hit of_points(float first, float second) { return Hit(second > first ? -second : first); }
-    float speed() const { return abs(signed_); }  // m/s
-    std::uint32_t point() const { return signed_ < 0 ? 1 : 0; }
+    /// At the point that came down faster. A point that needed no impulse has the speed 0.
+    static Hit of_points(float first, float second) { return second > first ? Hit(second, 1) : Hit(first, 0); }
+    float speed() const { return __builtin_bit_cast(float, speed_and_point_ & ~sign_bit); }  // m/s
+    std::uint32_t point() const { return speed_and_point_ >> 31; }
 
 private:
-    explicit Hit(float s) : signed_(s) {}
-    float signed_;
+    static constexpr std::uint32_t sign_bit = 1u << 31;
+    Hit(float speed, std::uint32_t point) : speed_and_point_(bits_of(speed) | point << 31) {}
+    std::uint32_t speed_and_point_;
 };
 
-/// Of solved rows: writes to `hits`, by contact, those of contacts that are to tell of them (contact_hits).
+/// Writes to `hits`, by contact, the hits of those contacts in solved rows that report them (contact_hits).
 ISLET_OPTIONAL void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, Hit* hits);
 ISLET_OPTIONAL void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, Hit* hits);
 ISLET_OPTIONAL void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, Hit* hits);
@@ -29,7 +30,7 @@ ISLET_OPTIONAL void note_hits(const ContactManifold* manifolds, const ContactRow
 /// Reports the contacts whose shapes came together faster than the threshold, in slot order.
 ISLET_OPTIONAL void report_hits(Core& core, const Hit* hits);
 
-/// Does nothing, but whoever refers to it links the functions above.
+/// Does nothing. A program that refers to it links the functions above.
 void link_hits();
 inline bool hits_are_linked() { return ISLET_IS_LINKED(report_hits); }
 
