@@ -1,4 +1,4 @@
-// Joints of disabled bodies. Programs that disable none do not link this file (joint_graph.hpp).
+// Joints of disabled bodies. Programs that disable no bodies do not link this file (joint_graph.hpp).
 #include "../exact.hpp"
 
 #include "../graph/joint_graph.hpp"

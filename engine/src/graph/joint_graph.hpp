@@ -1,4 +1,4 @@
-// The graph of joints: one node a body, one edge a joint.
+// The graph of joints: each body is a node, and each joint ties two of them.
 #pragma once
 
 #include "../data/core.hpp"
@@ -30,10 +30,10 @@ inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t 
     return false;
 }
 
-/// True if a body that the joint acts on is disabled: then it acts on none. Weakly referenced: only programs that call World::set_enabled link it, and have
-/// such bodies.
+/// True if a body that the joint acts on is disabled; the joint then acts on no body. Referenced weakly: only programs that call World::set_enabled link it,
+/// and have such bodies.
 ISLET_OPTIONAL bool has_disabled_body(const Core& core, const Joint& j);
-/// Does nothing, but whoever refers to it links the function above.
+/// Does nothing. A program that refers to it links the function above.
 void link_disabling();
 inline bool disabling_is_linked() { return ISLET_IS_LINKED(has_disabled_body); }
 inline bool is_joint_idle(const Core& core, const Joint& j) { return disabling_is_linked() && has_disabled_body(core, j); }
@@ -43,8 +43,8 @@ inline bool is_joint_awake(const Core& core, const Joint& j) {
     return ((j.body_a != null_index && core.is_awake(j.body_a)) || core.is_awake(j.body_b)) && !is_joint_idle(core, j);
 }
 
-/// After a body was enabled or disabled: decides of each joint whether it is awake. (A gear may use joints of bodies that it does not hang on, so all joints
-/// are looked at.) Links has_disabled_body.
+/// Decides for each joint whether it is awake, after a body was enabled or disabled. (All joints are checked, because a gear may use joints of bodies on which
+/// it does not hang.) Links has_disabled_body.
 void refresh_awake_joints(Core& core);
 
 /// A mouse joint's side A is in no list.

@@ -3,29 +3,29 @@
 // A sensor and a shape whose fat boxes overlap have a contact like any other two, marked contact_sensor. It has no points and is never solved:
 // contact_touching, by which islands, sleep and the solver go, is never set. contact_overlap says instead whether the two shapes overlap.
 //
-// A lean program (ISLET_LEAN) that uses no sensors does not link them: what contacts need is referenced weakly, and only the functions of World that read
-// what sensors saw call link_sensors, which takes it all. Where it is missing there are no sensors, so none of it is ever called.
+// A lean program (ISLET_LEAN) that uses no sensors does not link them. The functions below are referenced weakly, and only those functions of World that read
+// overlaps call link_sensors, which takes all of them. A program without them has no sensors, so it never calls them.
 #pragma once
 
 #include "../data/core.hpp"
 
 namespace islet::detail {
 
-/// True if of two shapes, one of them a sensor, that one may see the other, whatever their filters say. (Geometry of every kind can be overlapped, and
-/// joints do not matter.)
+/// True if one of two shapes is a sensor that may see the other one, whatever their filters say. (Sensors see every kind of geometry, and joints do not
+/// matter.)
 ISLET_OPTIONAL bool may_sense(const Core& core, const Shape& s1, const Shape& s2);
 /// True if the two shapes of a sensor's contact overlap now.
 ISLET_OPTIONAL bool overlaps_sensor(const Core& core, std::uint32_t contact);
-/// Notes that they began to, or ceased to, and records the event.
+/// Note that the two shapes began, or ceased, to overlap, and record the event.
 ISLET_OPTIONAL void begin_overlap(Core& core, std::uint32_t contact);
 ISLET_OPTIONAL void end_overlap(Core& core, std::uint32_t contact);
 
-/// Moves what sensors told out of the way of one more touch in the same array.
+/// Moves the events of sensors out of the way of one more touch in the same array.
 ISLET_OPTIONAL void make_room(const Core& core, TouchEvent* array, std::uint32_t touches, SensorEvents& list);
 
-/// Does nothing, but whoever refers to it links the functions above.
+/// Does nothing. A program that refers to it links the functions above.
 void link_sensors();
-/// True if anybody did.
+/// True if the program has linked them.
 inline bool sensors_are_linked() { return ISLET_IS_LINKED(begin_overlap); }
 
 /// True of a sensor.
