@@ -32,8 +32,8 @@ struct Approach {
     float most() const { return abs(way.x) + abs(way.y) + turn; }  // m, at least the way of any point
 };
 
-inline constexpr float pull_share =
-    0.625f;  // share of the way that a pull makes in a step: velocities change in four substeps, each before the move (1 + 2 + 3 + 4 over 16)
+/// Share of a pull's way in a step that bodies really go: velocities change in four substeps, each before the move, (1 + 2 + 3 + 4) / 16.
+inline constexpr float pull_share = 0.625f;
 
 /// `fall` (m) is the way that gravity adds; 0 for bodies that hold each other.
 inline Approach approach_of(const Pose& a, const Pose& b, const Motion& ma, const Motion& mb, float dt, float fall) {

@@ -30,7 +30,7 @@ bool check_def(const Core& core, const BodyDef& d) {
            check(core, d.enabled || disabling_is_linked(), Error::feature_cut);
 }
 
-// Takes the slot of a body that can be pushed and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.
+// The slot of a body that can be pushed, which wakes up; null_index, without effect, for other bodies.
 std::uint32_t push(Core& core, BodyId id) {
     const std::uint32_t i = find_body(core, id);
     if (i == null_index || !is_pushable(core, i)) return null_index;
@@ -113,7 +113,7 @@ BodyId World::body_at(std::uint32_t slot) const {
     return pool_live(c.state->body_pool, c.bodies, slot) ? c.body_id(slot) : BodyId{};
 }
 
-// Reading: value if the id is good, else the type's zero.
+// Read functions return zero if the id is not good.
 #define ISLET_READ_BODY(value)                \
     const Core& c = core();                   \
     const std::uint32_t i = find_body(c, id); \
@@ -247,7 +247,7 @@ void World::set_type(BodyId id, BodyType type) {
     if (i == null_index || !check(c, type <= BodyType::dynamic, Error::out_of_range)) return;
     Body& b = c.bodies[i];
     if (b.type() == type) return;
-    // Colours depend on the types, so contacts go before the type changes, and joints get new ones after it.
+    // Colours depend on the types, so contacts are destroyed before the type changes, and joints get new colours after it.
     end_contacts(c, i);
     wake_island(c, i, c.arena());
     const bool joined = b.joint_head != 0;

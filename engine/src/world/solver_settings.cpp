@@ -1,4 +1,4 @@
-// In a file of its own: a lean program that never calls it does not link what only its settings ask for (see link_ordering).
+// In a file of its own: a lean program that never calls set_solver does not link the parts that only its settings use (link_ordering).
 #include "../exact.hpp"
 
 #include "../calls/checks.hpp"
