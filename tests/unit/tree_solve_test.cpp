@@ -275,11 +275,11 @@ TEST(JointTrees, LeavesComeBeforeTheirParents) {
         }
         row.world.step();
         Core& core = Core::of(*row.world);
-        std::vector<TreeBody> order(64);
-        order.resize(order_trees(core, true, order.data(), core.arena()));
+        std::vector<Link> order(64);
+        order.resize(order_links(core, true, order.data(), core.arena()));
         std::vector<bool> seen(64, false);
         std::uint32_t joints = 0;
-        for (const TreeBody& b : order) {
+        for (const Link& b : order) {
             EXPECT_FALSE(seen[b.body]);
             seen[b.body] = true;
             if (b.joint == null_index) continue;

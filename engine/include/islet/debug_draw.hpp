@@ -1,4 +1,4 @@
-// DebugDraw: a world as simple things to draw, handed one by one to functions of yours.
+// DebugDraw: draws a world through functions of yours, as polygons, circles, capsules, lines, points and texts.
 //
 //     DebugDraw draw;
 //     draw.polygon = [](std::span<const Vec2> corners, float radius, const DrawStyle& style, void* window) { ... };
@@ -7,8 +7,8 @@
 //     draw.contacts = true;
 //     world.draw(draw);
 //
-// All places are in the world, all lengths in metres: a camera is yours. What is drawn and in which order follows from the world's state alone: shapes,
-// then boxes, joints, contacts, centres of mass and names, each by ascending slot.
+// All positions are in the world and all lengths in metres; the camera is yours. The world's state alone decides what is drawn and in which order: shapes, then
+// boxes, joints, contacts, centres of mass and names, each by ascending slot.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace islet {
 /// 0xrrggbb.
 using DrawColor = std::uint32_t;
 
-/// The colours that DebugDraw gives. A function of yours may look for one of them and draw it in another.
+/// The colours that DebugDraw uses. A function of yours may replace any of them.
 namespace draw_color {
 // Shapes, by what their body is.
 inline constexpr DrawColor static_body = 0xd8dce3;  // grey
@@ -54,10 +54,10 @@ inline constexpr DrawColor name = 0x2c3440;
 inline constexpr DrawColor overflow = 0x111111;  // constraint_colors: constraints that found no colour and are solved one by one
 }  // namespace draw_color
 
-/// Colour number n of an endless row in which neighbours are easy to tell apart: what islands and constraint colours are drawn in.
+/// Colour number n of an endless series in which neighbours are easy to tell apart. Islands and constraint colours are drawn in these.
 DrawColor distinct_color(std::uint32_t n);
 
-/// What a thing drawn belongs to.
+/// The kind of a drawn thing, and whose slot DrawStyle::slot is.
 enum class DrawPart : std::uint8_t {
     shape,     ///< DrawStyle::slot is that of the body (World::body_at)
     box,       ///< of the shape
@@ -71,25 +71,25 @@ enum class DrawPart : std::uint8_t {
     name,      ///< of the body, or of the joint that the name is of
 };
 
-/// How to draw a thing, and what it is part of. Who only wants a picture needs no more than the colour.
+/// How to draw a thing, and what it belongs to. A plain picture needs only the colour.
 struct DrawStyle {
     DrawColor color = 0;
     DrawPart part = DrawPart::shape;
-    bool solid = true;       ///< of polygons, circles and capsules: filled. Shapes are, but for sensors; boxes and the marks of joints are outlines.
+    bool solid = true;       ///< Polygons, circles and capsules are filled. True for shapes but sensors; false for boxes and the marks of joints.
     std::uint32_t slot = 0;  ///< of what the thing belongs to
 };
 
-/// Which colour a dynamic body's shapes have. Others keep their own, and so do sensors and what is disabled.
+/// The colour of a dynamic body's shapes. Shapes of other bodies, sensors and disabled bodies keep their own colours.
 enum class BodyColors : std::uint8_t {
     state,   ///< that of draw_color
     island,  ///< distinct_color of the lowest slot of a body in its island, awake or not. Islands are found while drawing, from contacts and joints.
 };
 
-/// What draws, and what is drawn. Functions that are null are skipped; none may change the world (in_step). The pointers they get are valid during the call
-/// only.
+/// The functions that draw, and the parts of the world to draw. Functions may be null, and may not change the world (in_step). The pointers that they get are
+/// valid only during the call.
 struct DebugDraw {
-    /// A convex polygon, counter-clockwise, rounded by `radius` (>= 0) around its corners. The first edge is always the same one of a shape: a mark on it
-    /// shows how the shape turns.
+    /// A convex polygon, counter-clockwise, rounded by `radius` (>= 0) around its corners. The first edge is always the same edge of the shape, so a mark
+    /// on it shows how the shape turns.
     void (*polygon)(std::span<const Vec2> corners, float radius, const DrawStyle& style, void* context) = nullptr;
     /// `axis` is a unit vector that turns with the circle.
     void (*circle)(Vec2 center, float radius, Vec2 axis, const DrawStyle& style, void* context) = nullptr;
@@ -102,7 +102,7 @@ struct DebugDraw {
     void (*text)(Vec2 point, const char* text, const DrawStyle& style, void* context) = nullptr;
     void* context = nullptr;  ///< passed on to all of them
 
-    /// m. What lies outside is left out. All is drawn by default.
+    /// m. Things outside are left out. By default all are drawn.
     Aabb view = {{-1.0e30f, -1.0e30f}, {1.0e30f, 1.0e30f}};
     float size = 0.25f;          ///< m, > 0: of the marks of joints and of normals and axes
     float impulse_scale = 1.0f;  ///< m for each N s, >= 0
@@ -113,15 +113,15 @@ struct DebugDraw {
     bool normals = false;    ///< of contacts, from A to B
     bool impulses = false;   ///< of contacts over the last substep, on B: along the normal, and of friction along the surface
     bool boxes = false;      ///< the tight box of each shape
-    bool fat_boxes = false;  ///< the box by which each shape's pairs are found; it is kept until the shape leaves it
-    bool tree = false;       ///< the boxes of the tree that holds the shapes at rest, but for its leaves, which are fat boxes
+    bool fat_boxes = false;  ///< the fat box of each shape, with which pairs are found; the shape keeps it until it leaves it
+    bool tree = false;       ///< the boxes of the tree of resting shapes; its leaves, which are fat boxes, are left out
     bool centers = false;    ///< the centre of mass and the axes of each body that is not static
     bool names = false;      ///< the slot of each body that is not static at its centre, the type of each joint at its place
     BodyColors body_colors = BodyColors::state;
     bool constraint_colors = false;  ///< joints, contact points and normals in distinct_color of the constraint colour (0 to 31) they are solved with
 };
 
-/// Draws a geometry alone, as World::draw draws it for a shape whose body is at `pose`. Options and the view are not looked at.
+/// Draws a geometry as World::draw draws a shape whose body is at `pose`. The options and the view have no effect.
 void draw_shape(const DebugDraw& draw, const Circle& circle, const Transform& pose, const DrawStyle& style);
 void draw_shape(const DebugDraw& draw, const Capsule& capsule, const Transform& pose, const DrawStyle& style);
 void draw_shape(const DebugDraw& draw, const Segment& segment, const Transform& pose, const DrawStyle& style);

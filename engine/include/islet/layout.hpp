@@ -1,4 +1,4 @@
-// How a world's block of memory is laid out: a handful of arrays whose sizes follow from the capacity alone.
+// The layout of a world's block of memory: arrays whose sizes follow from the capacity alone.
 //
 //   | World + Core (host part: pointers, hook) | persistent: State, bodies, shapes, geometries, contacts, ... | output | scratch |
 //
@@ -21,7 +21,7 @@ inline constexpr std::size_t world_alignment = 64;
 /// No capacity may exceed this.
 inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u << 18;
 
-/// Whether a world can be made with such a capacity.
+/// Whether World::create accepts the capacity.
 constexpr bool is_valid(const Capacity& c) {
     return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= max_capacity && c.shapes <= max_capacity && c.contacts <= max_capacity &&
            c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity;
@@ -32,8 +32,8 @@ namespace detail {
 inline constexpr std::size_t core_bytes = 640;  // room for Core inside World
 inline constexpr std::size_t host_bytes = 704;  // room for World at the start of the block
 
-// The widest lanes of any engine for this processor decide how the constraint rows are padded in scratch. They depend on the processor alone, never on a
-// file's flags: a program and the engine are compiled apart and must agree.
+// The widest lanes that an engine for this processor can have decide how constraint rows are padded in scratch. They depend on the processor alone, never on
+// compiler flags, because a program and the engine are compiled apart and must agree.
 #if defined(__x86_64__) || defined(_M_X64)
 inline constexpr std::uint32_t layout_lanes = 8;
 #elif defined(__i386__) || defined(_M_IX86) || defined(__aarch64__) || defined(__wasm__)
@@ -44,7 +44,7 @@ inline constexpr std::uint32_t layout_lanes = 1;
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
 static_assert(max_lanes <= layout_lanes, "this processor has no such ISLET_MAX_LANES");
 
-// Sizes of the records, checked where the structs stand: those of the arrays below in data/arrays.hpp, the others beside each struct.
+// Sizes of the records. data/arrays.hpp checks those of the arrays below; the others are checked beside each struct.
 inline constexpr std::size_t state_bytes = 256;
 inline constexpr std::size_t pose_bytes = 32;
 inline constexpr std::size_t motion_bytes = 32;
@@ -66,14 +66,14 @@ inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of
 inline constexpr std::uint32_t joint_kernel_count = 0 ISLET_JOINT_KERNELS(ISLET_ONE);
 #undef ISLET_ONE
 inline constexpr std::size_t joint_run_bytes = 24;
-inline constexpr std::size_t tree_link_bytes = 140;  // per body of a tree of joints
+inline constexpr std::size_t tree_link_bytes = 140;  // per link of a joint tree
 inline constexpr std::size_t batch_bytes = 168;
 inline constexpr std::uint32_t max_plan_parts = 8;                           // that the touching contacts are cut into while they are planned
-inline constexpr std::size_t sweep_bytes = 108;                              // per shape, while pairs are found
-inline constexpr std::uint32_t sort_digit_bits = layout_lanes > 1 ? 11 : 8;  // of the sort by which pairs are found: three passes, or four in little memory
+inline constexpr std::size_t sweep_bytes = 108;                              // per shape, while pairs are found by sorting
+inline constexpr std::uint32_t sort_digit_bits = layout_lanes > 1 ? 11 : 8;  // the sort makes three passes, or four where memory is small
 inline constexpr std::uint32_t sort_digits = 1u << sort_digit_bits;
 inline constexpr std::uint32_t color_count = 32;    // constraint colours: bits of a body's mask
-inline constexpr std::uint32_t batch_bodies = 704;  // a batch of islands closes at this many bodies: with their rows they still fit a core's own cache
+inline constexpr std::uint32_t batch_bodies = 704;  // a batch is full from so many bodies on: with their rows they fit a core's own cache
 
 constexpr std::uint32_t next_power_of_two(std::uint32_t n) {
     std::uint32_t p = 1;
@@ -90,7 +90,7 @@ constexpr std::uint32_t hit_capacity(const Capacity& c) { return c.hits != 0 ? c
 /// Batches that the islands of a world can make, at most.
 constexpr std::uint32_t batch_capacity(const Capacity& c) { return c.bodies / batch_bodies + 2; }
 
-/// Parts that the touching contacts are cut into while they are planned: small worlds are not cut.
+/// Parts that the touching contacts are cut into while they are planned. Small worlds are not cut.
 constexpr std::uint32_t plan_parts(const Capacity& c) { return c.contacts < 2048 ? 1 : max_plan_parts; }
 
 /// Contact rows including the padding that fills up the last block of each colour of each batch.
@@ -108,10 +108,10 @@ constexpr std::size_t joint_run_capacity(const Capacity& c) {
 /// Joint rows including the padding that fills up the last block of each run.
 constexpr std::size_t joint_row_capacity(const Capacity& c) { return c.joints + joint_run_capacity(c) * (layout_lanes - 1); }
 
-/// Bodies in trees of joints that are solved exactly, at most.
+/// Links of joint trees, at most.
 constexpr std::uint32_t tree_capacity(const Capacity& c) { return c.bodies < 2 * c.joints ? c.bodies : 2 * c.joints; }
 
-/// What a world has an array for: one element for each.
+/// An array has one element for each of these.
 enum class Per : std::uint8_t { world, body, shape, geometry, bucket, tree_node, contact, pair, joint, hit };
 
 /// Elements that there is room for.
@@ -131,15 +131,15 @@ constexpr std::size_t room_for(Per per, const Capacity& c) {
     return 0;
 }
 
-/// saved: persistent, and in snapshots. derived: persistent, and made anew from the others when a snapshot is restored. output: holds what the last step told.
+/// saved: persistent, and in snapshots. derived: persistent, and made from the other arrays when a snapshot is restored. output: results of the last step.
 enum class Kept : std::uint8_t { saved, derived, output };
 
 inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bits, which takes whole words of 64
 
-// The arrays of a world, in the order of its block and of its snapshots. To add one, add a line here and the pointer of that name to Core (data/core.hpp):
-// the offset, the pointer's value, snapshots, deltas, the hash and the checks of pools and bits follow. In snapshots that changes image_version too.
-//   size   bytes of an element, of what is saved a multiple of 8; or one_bit
-//   hash   when World::hash comes to the array: 1 first, 0 never (the state is hashed field by field, before all arrays)
+// The arrays of a world, in the order of its block and of its snapshots. To add one, add a line here and the pointer of that name to Core (data/core.hpp).
+// The offset, the pointer's value, snapshots, deltas, the hash and the checks of pools and bits follow. A saved array needs a new image_version.
+//   size   bytes of an element, or one_bit; a multiple of 8 if the array is saved
+//   hash   the array's turn in World::hash: 1 is first, 0 is never (the state is hashed field by field, before all arrays)
 //
 //    name              size                      one per    kept     hash
 // clang-format off
@@ -162,7 +162,7 @@ inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bit
     X(awake_joints,     one_bit,                  joint,     saved,   13) \
     X(moved_shapes,     one_bit,                  shape,     saved,   14) \
     X(begin_events,     sizeof(TouchEvent),       contact,   output,   0) \
-    X(end_events,       sizeof(TouchEvent),       contact,   output,   0) /* what the next step tells of them is saved and hashed, behind all arrays */ \
+    X(end_events,       sizeof(TouchEvent),       contact,   output,   0) /* those that the next step reports are saved and hashed, after all arrays */ \
     X(hit_events,       sizeof(HitEvent),         hit,       output,   0) \
     X(moved_events,     sizeof(BodyId),           body,      output,   0) \
     X(slept_events,     sizeof(BodyId),           body,      output,   0) \
@@ -207,10 +207,11 @@ constexpr std::size_t align_up(std::size_t n) { return (n + 63) / 64 * 64; }
 
 constexpr std::size_t max_of(std::size_t a, std::size_t b) { return a > b ? a : b; }
 
-// Bytes that the stages of a step take from scratch, at most (tests/unit/scratch_test.cpp holds that). The other calls that use scratch take less.
+// Bytes that the stages of a step take from scratch, at most (tests/unit/scratch_test.cpp checks that). Other calls take less.
 constexpr std::size_t scratch_bytes(const Capacity& c) {
-    // Finding pairs: sort keys and the boxes as columns. Collide: which contacts changed, whom to wake. Plan: bodies and contacts in batch order, kept
-    // while the solve uses what is left for bodies and contact rows, planning before it for islands and edges, and finishing after it in place of the rows.
+    // Pairs: sort keys, and boxes as columns. Collide: which contacts changed, and which bodies wake. Plan: bodies and constraints in the order of batches,
+    // kept until the step ends. What the plan leaves free serves planning first (islands, lists of constraints), then the solve (bodies and rows), and then
+    // finishing, in place of the rows.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + sort_digits * 4 + 12 * 4 * layout_lanes + 20 * 64;
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;

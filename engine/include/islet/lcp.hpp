@@ -1,15 +1,15 @@
-// Linear complementarity problems with bounds, and the methods that solve them: projected Gauss-Seidel and its relatives, on plain matrices. A library
-// in its own right: it knows nothing of bodies, and islet.hpp does not include it. docs/lcp.md explains the methods on an example.
+// Linear complementarity problems with bounds, and methods that solve them: projected Gauss-Seidel and its relatives, on plain matrices. This is a library of
+// its own: it knows nothing of bodies, and islet.hpp does not include it. docs/lcp.md explains the methods on an example.
 //
 // Given a matrix M and a vector q, find x and w = M x + q such that for every row i
 //
 //     lo_i <= x_i <= hi_i,    x_i = lo_i where w_i > 0,    x_i = hi_i where w_i < 0.
 //
-// With lo = 0 and hi = infinity that is the LCP: x >= 0, w >= 0, x_i w_i = 0. For a contact x is the impulse and w the velocity of separation: either
-// it pushes or it parts. All memory is the caller's, every argument is checked, and "converged" is said only of what was measured.
+// With lo = 0 and hi = infinity this is the LCP: x >= 0, w >= 0, x_i w_i = 0. For a contact x is the impulse and w the velocity of separation: the contact
+// either pushes or parts. The caller provides all memory, every argument is checked, and a result is called converged only if its residual was measured.
 //
-// Everything is there for float and for double. The arithmetic is the engine's (no fused operations, no reordering), so one build's bits are another's;
-// unlike World, these functions compute in the floating-point mode they are called in.
+// All functions exist for float and for double. They compute as the engine does (no fused operations, no reordering), so all builds give the same bits. Unlike
+// World, they compute in the floating-point mode of the caller.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +18,13 @@
 
 namespace islet::lcp {
 
-/// No friction: what Problem::friction holds for rows whose bounds are their own. In Result::row: no row in particular.
+/// In Problem::friction: the row has bounds of its own. In Result::row: no row in particular.
 inline constexpr std::uint32_t no_row = 0xffffffffu;
 
-/// Most rows of a problem; bad_size beyond.
+/// The most rows of a problem; more are refused (bad_size).
 inline constexpr std::uint32_t max_rows = 1u << 24;
 
-/// Most rows of one block of Method::block_pgs.
+/// The most rows of one block of Method::block_pgs.
 inline constexpr std::uint32_t max_block_rows = 6;
 
 /// All entries, row after row: rows * rows of them.
@@ -90,17 +90,17 @@ enum class Status : std::uint8_t {
     too_little_memory,  ///< workspace_bytes says how much is needed
 };
 
-/// A sentence that says what it means and what to do about it.
+/// A sentence that says what the status means and what to do about it.
 const char* describe(Status);
 
 template <class T>
 struct Options {
     Method method = Method::pgs;
-    /// At most so many: sweeps; Newton steps; pivots.
+    /// The most sweeps, Newton steps or pivots.
     std::uint32_t max_iterations = 1000;
-    /// Of the natural residual, in the units of x and w. 0 stops early at an exact solution alone.
+    /// For the natural residual, in the units of x and w. With 0, only an exact solution ends the method early.
     T tolerance = T(1e-5);
-    /// Relaxation: below 1 damps, above 1 hurries.
+    /// Relaxation factor: below 1 damps, above 1 hurries.
     T omega = T(1);
     /// Added to a diagonal that is zero, negative or tiny (at most the rounding unit times the largest entry of its row), where the step is divided by it:
     /// shorter steps, to a solution of the same problem. 0 refuses such rows: bad_diagonal. In newton the least that a singular system is damped with.
@@ -115,10 +115,10 @@ struct Options {
     std::span<T> history = {};
 };
 
-/// How far x is from a solution, three ways; each is the largest over the rows.
+/// How far x is from a solution, in three measures; each is the largest of all rows.
 template <class T>
 struct Residuals {
-    /// How far x is outside its bounds; and where x is at or outside a bound, how far w has the wrong sign there.
+    /// How far x is outside its bounds, and how far w has the wrong sign where x is at or outside a bound.
     T infeasibility = T(0);
     /// |w| times how far x is from the bound at which w may have its sign: x - lo where w > 0, hi - x where w < 0. If that bound is infinite the distance to
     /// the other one counts, and 1 if both are.
@@ -130,9 +130,9 @@ struct Residuals {
 template <class T>
 struct Result {
     Status status = Status::converged;
-    std::uint32_t row = no_row;    ///< the row that `status` speaks of
-    std::uint32_t iterations = 0;  ///< that were made; 0 also if x was a solution already
-    /// Of x as it is left. Infinite if the problem was refused.
+    std::uint32_t row = no_row;    ///< the row that `status` is about
+    std::uint32_t iterations = 0;  ///< iterations made; 0 also if x was a solution already
+    /// The residual of the final x. Infinite if the problem was refused.
     Residuals<T> residuals = {};
 };
 

@@ -1,7 +1,7 @@
 // Vectors, rotations, transforms and boxes: plain data and the arithmetic on it.
 //
-// Every operator here is forced inline, so that the engine's copy is always compiled with the engine's flags: results never
-// depend on what a user's translation unit was built with. Functions that take more than a few operations are not inline.
+// Every operator is forced inline, so the engine's copy is compiled with the engine's flags: the flags of a user's file never change the engine's results.
+// Functions of more than a few operations are not inline.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Vec2 {
     friend bool operator==(const Vec2&, const Vec2&) = default;
 };
 
-/// A rotation as cosine and sine of its angle; the default turns by nothing. Invariant: c^2 + s^2 = 1 within rounding.
+/// A rotation as cosine and sine of its angle; by default the angle is 0. Invariant: c^2 + s^2 = 1 but for rounding.
 struct Rot {
     float c = 1;
     float s = 0;

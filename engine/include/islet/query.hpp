@@ -1,13 +1,13 @@
-// Questions about shapes: where a ray or a moving shape meets one, how far two are apart, whether they overlap. First about shapes by themselves, then
-// what the queries of a World (World::cast_ray and so on) take and give.
+// Queries: where a ray or a moving shape meets a shape, how far two shapes are apart, and whether they overlap. First come functions on shapes by themselves,
+// then the types that the queries of a World take and return (World::cast_ray and so on).
 //
-// A ShapeProxy stands for a shape of any type, so that one function serves all: separation(make_proxy(circle), make_proxy(box)).
+// A ShapeProxy stands for a shape of any type, so one function serves all types: separation(make_proxy(circle), make_proxy(box)).
 //
-// Errors. Everything is computed in single precision from the differences of the corners, so shapes close to each other lose nothing by being far from the
-// origin. Distances, depths and surface points are within 1e-6 times the largest such difference (of any two corners, one of each shape, and along the way of
-// a cast; or times a radius that is larger), however nearly parallel, collinear or alike the shapes are. Points in the world are rounded to floats besides,
-// so far from the origin they are less exact. Casts are exact for shapes displaced by that much; a hit that only grazes may therefore be a miss, and the other
-// way round. There is no iteration and no tolerance. No finite input gives a NaN.
+// Rounding. Everything is computed in single precision from the differences of corners, so shapes that are close to each other lose nothing far from the
+// origin. Distances, depths and surface points are exact to 1e-6 times the largest such difference (between a corner of one shape and a corner of the other,
+// along the way of a cast, or times a radius that is larger), however nearly parallel, collinear or alike the shapes are. Points in the world are then rounded
+// to floats, so they are less exact far from the origin. Casts are exact for shapes displaced by that much: a grazing hit may be a miss, and the other way
+// round. There is no iteration and no tolerance. No finite input gives a NaN.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ struct ShapeProxy {
     Vec2 points[max_polygon_vertices];
     std::uint32_t count = 0;
     float radius = 0;
-    bool one_sided = false;  ///< Of two points: met by rays and casts only from the right of points[0] -> points[1], as a ChainSegment.
+    bool one_sided = false;  ///< Of two points: rays and casts meet the shape only from the right of points[0] -> points[1], as a ChainSegment.
 };
 
-/// What stands for a shape; count 0 if it is not valid.
+/// The proxy of a shape; count 0 if the shape is not valid.
 ShapeProxy make_proxy(const Circle& circle);
 ShapeProxy make_proxy(const Capsule& capsule);
 ShapeProxy make_proxy(const Segment& segment);
@@ -41,7 +41,7 @@ ShapeProxy transform_proxy(const Transform& t, const ShapeProxy& p);
 /// 1 to 8 points within 4e7 m, 3 and more of them strictly convex and counter-clockwise; a radius of 0 to 1e7 m.
 bool is_valid(const ShapeProxy& p);
 
-/// Farthest that a ray or a cast may go along either axis, m.
+/// The farthest that a ray or a cast may go along either axis, m.
 inline constexpr float max_translation = 2.0f * max_position;
 
 /// Where a moving point or shape first meets another.
@@ -60,13 +60,13 @@ struct CastHit {
 /// share it meets at least one of them. A translation shorter than 1e-10 m finds only what it starts in.
 /// No hit if an argument is not valid: target, origin within 4e7 m, translation within max_translation.
 CastHit cast_ray(const ShapeProxy& target, Vec2 origin, Vec2 translation);
-/// The same for a moving shape: `moving` starts where it stands. Shapes that overlap at the start hit at fraction 0 (if they only touch, then if
-/// the way leads inwards). A one-sided target is met only on ways against its normal by shapes whose corners' mean is in front of it at the start.
+/// The same for a moving shape: `moving` starts where it stands. Shapes that overlap at the start hit at fraction 0; shapes that only touch do if the way leads
+/// inwards. A shape meets a one-sided target only if it moves against the target's normal and the mean of its corners starts in front of the target.
 CastHit cast_shape(const ShapeProxy& moving, Vec2 translation, const ShapeProxy& target);
 
 /// How two shapes stand to each other.
 struct Separation {
-    float distance = 0;  ///< m; below 0 when they overlap: then minus the length of the shortest way that parts them
+    float distance = 0;  ///< m; for shapes that overlap, minus the length of the shortest way that parts them
     Vec2 point_a = {};   ///< m, the closest points of the surfaces; of overlapping shapes the deepest
     Vec2 point_b = {};
     Vec2 normal = {};  ///< unit, from a to b. For coinciding points (0, -1), on a line across it.
@@ -81,29 +81,29 @@ bool contains(const ShapeProxy& shape, Vec2 point);
 
 // -- queries of a World ------------------------------------------------------------------------------------------------------------
 
-/// Which shapes a query finds: those whose filter's category is in `mask` and whose filter's mask holds `category`. The default finds every shape but
-/// sensors and those whose mask is 0. Shapes of disabled bodies are never found.
+/// Which shapes a query finds: those whose filter has a category in `mask` and a mask that contains `category`. The default finds all shapes but sensors and
+/// shapes whose mask is 0. Shapes of disabled bodies are never found.
 struct QueryFilter {
     std::uint32_t category = 0xffffffffu;
     std::uint32_t mask = 0xffffffffu;
     bool sensors = false;  ///< Find sensors too.
 };
 
-/// A shape that a ray or a cast meets; as CastHit. Null if there is none.
+/// A shape that a ray or a cast meets, with the fields of CastHit. Null if there is none.
 struct QueryHit {
     ShapeId shape = {};
     Vec2 point = {};   ///< m, world
     Vec2 normal = {};  ///< unit, world
     float fraction = 0;
-    float separation = 0;  ///< m, 0 or, if it overlapped at the start, minus the depth
+    float separation = 0;  ///< m, 0; for shapes that overlapped at the start, minus the depth
     explicit constexpr operator bool() const { return bool(shape); }
 };
 
 /// The shape closest to a point. Null if there is none.
 struct ClosestHit {
     ShapeId shape = {};
-    Vec2 point = {};     ///< m, the shape's closest point; the point asked for if that is inside
-    Vec2 normal = {};    ///< unit, towards the point asked for; the shortest way out if that is inside
+    Vec2 point = {};     ///< m, the shape's closest point; the given point if it is inside
+    Vec2 normal = {};    ///< unit, towards the given point; if that is inside, along the shortest way out
     float distance = 0;  ///< m, 0 inside
     explicit constexpr operator bool() const { return bool(shape); }
 };
@@ -111,19 +111,19 @@ struct ClosestHit {
 /// A surface near a shape: the plane that bounds it there.
 struct Surface {
     ShapeId shape = {};
-    Vec2 point = {};       ///< m, its closest point; of an overlapping shape the deepest
-    Vec2 normal = {};      ///< unit, towards the shape asked for; the shortest way out of an overlap
-    float separation = 0;  ///< m, below 0 when they overlap: then minus the depth
+    Vec2 point = {};       ///< m, the surface's closest point; of an overlapping shape the deepest
+    Vec2 normal = {};      ///< unit, towards the given shape; along the shortest way out of an overlap
+    float separation = 0;  ///< m; for shapes that overlap, minus the depth
 };
 
-/// Called for each hit, from the first on the way to the last, and in the order of their slots where fractions are equal. What it returns decides how to go
-/// on: 0 stops; a fraction above 0 cuts the way there, so that only hits up to it are still reported (1 cuts nothing, hit.fraction leaves what is as near);
-/// a negative number ignores the hit.
+/// Called for each hit, from the first on the way to the last; hits of equal fractions come in the order of their slots. The result decides how the cast goes
+/// on. 0 stops it. A fraction above 0 ends the way there: only hits up to that fraction follow (1 ends nothing; hit.fraction leaves only hits as near as this
+/// one). A negative number ignores the hit.
 ///
-/// A visitor may call any function of the world, and change it too if no other thread asks it anything meanwhile. Up to seven hits after a change may have been
-/// found before it: their ids may be stale (World::is_valid), their places old. Those after them are of the world as it is then.
+/// A visitor may call any function of the world. It may change the world, too, if no other thread uses the world meanwhile. Up to seven hits after a change may
+/// have been found before it: their ids may be stale (World::is_valid) and their places old. The hits after them are of the changed world.
 using CastVisitor = float (*)(const QueryHit& hit, void* context);
-/// Called for each shape found, in the order of their slots; false stops. It may change the world as a CastVisitor may.
+/// Called for each shape found, in the order of their slots; false stops the query. It may change the world as a CastVisitor may.
 using OverlapVisitor = bool (*)(ShapeId shape, void* context);
 
 }  // namespace islet

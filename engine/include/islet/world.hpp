@@ -20,7 +20,7 @@ class World;
 
 namespace detail {
 struct Core;
-/// StaticWorld::create: for a valid capacity, its layout, and a block of that size.
+/// Makes the world of a StaticWorld. The capacity is valid, and the block has the layout's size.
 World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& def);
 }  // namespace detail
 
@@ -29,16 +29,16 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
 /// Every function checks its arguments in every build. On bad input it changes nothing, returns a null or zero value, sets last_error() and
 /// calls the error hook, if there is one. Units: metres, kilograms, seconds, radians.
 ///
-/// Functions that a world calls (hooks, the error hook, the clock, the task system, drawing functions, a mover's filter) may read its
+/// Functions of yours that a world calls (hooks, the error hook, the clock, the task system, drawing functions, a mover's filter) may read its
 /// bodies and shapes. They may not change the world, nor step, save, hash, validate, export or draw it: such a call fails with in_step,
-/// changes nothing and is not recorded. Visitors of queries alone may (query.hpp).
+/// changes nothing and is not recorded. Only visitors of queries may do these things (query.hpp).
 ///
 /// Spans returned by a world are valid until the next call that changes it.
 class World {
 public:
-    /// Makes a world in `block`, which must be aligned to world_alignment and hold at least world_bytes(capacity) bytes, all of which the
-    /// world then owns. Returns null, and sets *error if given, when the block or the capacity or the definition will not do, or when the engine was
-    /// compiled in a way that changes the bits (inexact_build).
+    /// Makes a world in `block`, which must be aligned to world_alignment and hold at least world_bytes(capacity) bytes. The world then owns all of
+    /// it. Returns null, and sets *error if given, if the block, the capacity or the definition breaks a rule, or if the engine was compiled in a way
+    /// that changes the bits (inexact_build).
     static World* create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error = nullptr);
 
     World(const World&) = delete;
@@ -53,19 +53,19 @@ public:
     Vec2 gravity() const;
     void set_gravity(Vec2 gravity);
     SolverDef solver() const;
-    /// Out of range values are refused (out_of_range) and nothing changes.
+    /// Changes the solver's settings. A value out of range is refused (out_of_range), and nothing changes.
     void set_solver(const SolverDef& solver);
-    /// m/s: how far the impulses of the body's island were from solving its constraints when the last step ended: the most by which solving any one contact
-    /// or joint alone would still change the velocity of a body (its turning at its radius of gyration). 0 at a solution and nowhere else; and for what
-    /// rested or was not measured (SolverDef::measure_residual). Hinges solved exactly in trees are not looked at.
+    /// m/s: how far the impulses of the body's island were from a solution when the last step ended. This is the most by which solving any one contact or
+    /// joint alone would still change the velocity of a body; a turn counts by its speed at the radius of gyration. It is 0 only at a solution, for bodies
+    /// at rest, and where nothing was measured (SolverDef::measure_residual). Hinges that are solved exactly, in joint trees, are not measured.
     float residual(BodyId body) const;
     TaskSystem tasks() const;
-    /// Threads to step with from now on. workers of 0 or above max_workers is refused (out_of_range). Not part of the state: no hash and no snapshot
-    /// knows of it.
+    /// Sets the threads that step the world. TaskSystem::workers of 0 or above max_workers is refused (out_of_range). The task system is not part of the
+    /// state: hashes and snapshots do not contain it.
     void set_tasks(const TaskSystem& tasks);
-    /// What the stages of the last step took. Only in a program that calls this function is anything measured.
+    /// How long the stages of the last step took. Only programs that call this function measure it.
     const StepProfile& profile() const;
-    /// The clock to measure with from now on, null for none. Not part of the state: no hash and no snapshot knows of it.
+    /// Sets the clock that measures stages; null for none. The clock is not part of the state: hashes and snapshots do not contain it.
     void set_clock(Clock clock, void* context = nullptr);
     WorldCounters counters() const;
     /// Turning sleep off wakes everything.
@@ -75,28 +75,28 @@ public:
     void enable_continuous(bool enable);
 
     Hooks hooks() const;
-    /// Hooks from now on. The friction of two shapes in contact, and whether they bounce, stay as they were mixed until the shapes' materials change or the
-    /// shapes part; how much they bounce is asked anew in every step.
+    /// Sets the hooks. Two shapes in contact keep their mixed friction, and whether they bounce, until a material changes or the shapes part. How much they
+    /// bounce is mixed anew in every step.
     void set_hooks(const Hooks& hooks);
     float hit_threshold() const;
     void set_hit_threshold(float speed);
-    /// Pushes every dynamic body with a circle, capsule or polygon in reach away from a point, shape by shape: by impulse_per_length times the shape's width
-    /// across the direction from the explosion to the shape's nearest point, where the impulse acts (if the shape holds the explosion, from there to its
-    /// middle). Nothing shields anything. Sensors do not feel it. Wakes what it pushes.
+    /// Pushes the circles, capsules and polygons of dynamic bodies in reach away from a point. The impulse is impulse_per_length times the shape's width
+    /// across the direction from the explosion to the shape's nearest point, and acts at that point. (If the explosion is inside the shape, the direction is
+    /// that to the shape's middle.) Shapes do not shield each other. Sensors feel nothing. The bodies pushed wake up.
     void explode(const ExplosionDef& explosion);
 
     const Capacity& capacity() const;
-    /// What the last step did, and how full the pools are.
+    /// What the last step did, and how many objects the world holds.
     const StepReport& report() const;
     /// The last error since creation or clear_error().
     Error last_error() const;
     void clear_error();
-    /// Hash of all persistent state that affects the future, and nothing else: equal worlds have equal futures, and their next steps tell of equal events.
-    /// That includes what has ended since the last step. Returns 0 on an error: in_step.
+    /// Hash of all persistent state that affects the future, and of nothing else. Worlds with equal hashes have equal futures, and their next steps report
+    /// equal events, those of touches that ended since the last step included. Returns 0 on an error: in_step.
     std::uint64_t hash() const;
     /// Steps taken since creation.
     std::uint64_t step_count() const;
-    /// Checks every internal invariant (links, pools, trees, colours). Slow; for tests. Returns null or a sentence naming what is broken.
+    /// Checks every internal invariant (lists, pools, trees, colours). Slow; for tests. Returns null or a sentence that says what is broken.
     const char* validate() const;
 
     // -- snapshots (snapshot.hpp) ------------------------------------------------------------------------------------------------
@@ -105,28 +105,29 @@ public:
     std::size_t snapshot_bytes() const;
     /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
     std::size_t save(std::span<std::byte> out) const;
-    /// Goes back to an image that this program made. What the image uses must fit this world's capacity, which need not be that of the world it was
-    /// taken of. Only the image's head is checked; the rest is copied as fast as memory goes. Keeps what belongs to the host: lanes, the error hook,
-    /// the clock and the task system. Until the next step there are no events, and the report holds only how full the pools are. What had ended since
-    /// the last step (a touching shape was destroyed) is part of the image: the next step tells of it.
-    /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut where this build leaves out what the image
-    /// needs. (A program that neither makes joints nor calls load has none linked, so an image with joints needs what it leaves out.)
+    /// Takes the world back to an image that this program made. What the image uses must fit this world's capacity; the saved world may have had another
+    /// one. Only the image's header is checked; the rest is copied as fast as memory allows. The world keeps what belongs to the host: lanes, hooks, the
+    /// clock and the task system. There are no events until the next step, and the report holds only the numbers of objects. Touches that had ended since
+    /// the last step, because a shape was destroyed, are part of the image: the next step reports them.
+    /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut if this build or program lacks a part that the
+    /// image needs. (A program that neither makes joints nor calls load does not link joints, so it cannot restore an image with joints.)
     bool restore(std::span<const std::byte> image);
-    /// As restore, for an image from outside, which may be truncated, corrupt or hostile: nothing of it is used before all of it is found sound.
-    /// Further errors: image_misaligned (see snapshot_alignment); corrupt_image if the checksum is not the content's; unsound_image.
+    /// Like restore, for an image from outside, which may be truncated, corrupt or hostile. Nothing of it is used before all of it is found sound.
+    /// Further errors: image_misaligned (see snapshot_alignment); corrupt_image if the checksum does not fit the content; unsound_image.
     bool load(std::span<const std::byte> image);
 
     // -- recordings (recording.hpp) ----------------------------------------------------------------------------------------------
 
-    /// Writes every call that changes the world from now on to `buffer`, which must be aligned to recording_alignment and is the world's until the
-    /// recording stops; first of all a snapshot. With `bodies`, each step tells body from body, in four bytes for each that is awake. Returns false, and
-    /// records nothing, if there is no room for the snapshot (recording_full) or the buffer is misaligned (image_misaligned). Where later there is no
-    /// more room the recording stops by itself (recording_full), and holds all that was done before. A recording that is going on is dropped.
+    /// Writes a snapshot to `buffer`, and after it every call that changes the world. The buffer must be aligned to recording_alignment; it belongs to the
+    /// world until the recording stops. With `bodies`, each step also writes a hash of each awake body, four bytes long. Returns false, and records
+    /// nothing, if there is no room for the snapshot (recording_full) or the buffer is misaligned (image_misaligned). If there is no more room later, the
+    /// recording stops by itself (recording_full) and holds all calls before. A recording that is under way is dropped.
     bool start_recording(std::span<std::byte> buffer, bool bodies = true);
     bool is_recording() const;
     /// Bytes used so far; 0 if nothing is being recorded.
     std::size_t recorded_bytes() const;
-    /// Goes on in a larger buffer. False (and nothing changes) if it is smaller than recorded_bytes() or misaligned, or nothing is being recorded.
+    /// Continues the recording in a larger buffer. Returns false, and changes nothing, if the buffer is smaller than recorded_bytes() or misaligned, or if
+    /// nothing is being recorded.
     bool move_recording(std::span<std::byte> buffer);
     /// Ends the recording; returns its bytes, or 0 if nothing is being recorded (not_a_recording).
     std::size_t stop_recording();
@@ -134,11 +135,11 @@ public:
     // -- events of the last step -----------------------------------------------------------------------------------------------
 
     std::span<const TouchEvent> begin_touch_events() const;
-    /// Contacts that ended in the last step, and in calls made since. There is room for as many, overlaps of sensors included, as the world can have
-    /// contacts; where calls need more, those of the last step give way, so read them before you make calls.
+    /// Contacts that ended in the last step, and in calls made since. There is room for as many as the world can have contacts, overlaps of sensors
+    /// included. If calls need more room, the events of the last step give way, so read them before you make calls.
     std::span<const TouchEvent> end_touch_events() const;
-    /// Overlaps of sensors that began, and that ended, ordered as those of touches are, and told at the same time: a step tells of the poses it begins with,
-    /// and calls that end overlaps tell at once and again after the step.
+    /// Overlaps of sensors that began, and that ended, in the same order as touches. A step reports the overlaps at the poses with which it begins. An overlap
+    /// that a call ends is reported at once, and again after the next step.
     std::span<const SensorEvent> sensor_begin_events() const;
     std::span<const SensorEvent> sensor_end_events() const;
     /// Contacts of shapes with ShapeDef::hit_events whose surfaces came together faster than hit_threshold() and needed an impulse, ordered by slot.
@@ -153,7 +154,7 @@ public:
     // -- bodies ----------------------------------------------------------------------------------------------------------------
 
     BodyId create_body(const BodyDef& def);
-    /// Destroys the body with its shapes, contacts and joints; wakes what touched it or was joined to it.
+    /// Destroys the body with its shapes, contacts and joints. Wakes the bodies that touched it or were joined to it.
     void destroy_body(BodyId body);
     bool is_valid(BodyId body) const;
     /// Number of live bodies.
@@ -173,14 +174,14 @@ public:
     float angular_velocity(BodyId body) const;
     /// Velocity of the point of the body that is now at world position `point`.
     Vec2 velocity_at(BodyId body, Vec2 point) const;
-    /// Teleports. Contacts are found anew; velocity is kept. Wakes the body, what it touched and what is joined to it.
+    /// Teleports the body. Its contacts are found anew; it keeps its velocity. Wakes the body, and the bodies that touched it or are joined to it.
     void set_transform(BodyId body, Vec2 position, float angle);
     /// No effect on static bodies. Wakes the body if the velocity is not zero.
     void set_linear_velocity(BodyId body, Vec2 velocity);
-    /// As above; no effect on bodies of fixed rotation either.
+    /// The same; no effect on bodies of fixed rotation either.
     void set_angular_velocity(BodyId body, float velocity);
-    /// Gives a kinematic body the velocities that take it to a pose within a step of dt seconds (within rounding), at most max_speed and a quarter turn. After
-    /// that step they last, so call it before each. No effect on other bodies. target.q must be of unit length.
+    /// Gives a kinematic body the velocities that take it to a pose in a step of dt seconds, but for rounding: at most max_speed, and at most a quarter turn.
+    /// The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
     void set_target(BodyId body, const Transform& target, float dt);
 
     /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s)
@@ -193,16 +194,16 @@ public:
     void apply_angular_impulse(BodyId body, float impulse);
 
     BodyType type(BodyId body) const;
-    /// Changes the type; contacts are found anew, and the mass is that of the shapes again. Wakes what it touched and what is
-    /// joined to it. A body that becomes static loses its velocity.
+    /// Changes the type. Contacts are found anew, and the body gets the mass of its shapes again. Wakes the bodies that touched it or are joined to it. A body
+    /// that becomes static loses its velocity.
     void set_type(BodyId body, BodyType type);
     float mass(BodyId body) const;
     /// About the centre of mass.
     float rotational_inertia(BodyId body) const;
-    /// Replaces what the shapes gave, until a shape is added or removed, the type changes or reset_mass is called. mass 1e-12 to 1e30 kg, inertia
-    /// 0 (does not turn) or 1e-15 to 1e30 kg m^2, centre within max_position.
+    /// Replaces the mass, centre and inertia that follow from the shapes, until a shape is added or removed, the type changes or reset_mass is called. mass:
+    /// 1e-12 to 1e30 kg; inertia: 1e-15 to 1e30 kg m^2, or 0 for a body that does not turn; centre: within max_position.
     void set_mass(BodyId body, const MassData& mass);
-    /// Mass, centre and inertia from the shapes' densities again.
+    /// Takes mass, centre and inertia from the shapes' densities again.
     void reset_mass(BodyId body);
     float linear_damping(BodyId body) const;
     void set_linear_damping(BodyId body, float damping);
@@ -218,8 +219,8 @@ public:
     void lock_x(BodyId body, bool lock);
     void lock_y(BodyId body, bool lock);
     bool is_enabled(BodyId body) const;
-    /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold nobody, it does not
-    /// move, and nothing finds it. Wakes what touched it or is joined to it, both ways.
+    /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold no body, it does not
+    /// move, and no query finds it. Disabling and enabling wake the bodies that touched it or are joined to it.
     void set_enabled(BodyId body, bool enabled);
     /// BodyDef::bullet. No effect unless the body is dynamic.
     bool is_bullet(BodyId body) const;
@@ -261,8 +262,8 @@ public:
     const Segment* segment(ShapeId shape) const;
     const Polygon* polygon(ShapeId shape) const;
     const ChainSegment* chain_segment(ShapeId shape) const;
-    /// Another geometry for the shape, of any type. Its contacts and overlaps end, and those still due begin in the next step; mass follows. Wakes the body and
-    /// what touched it. Errors: bad_geometry; geometries_full.
+    /// Gives the shape another geometry, of any type. Its contacts and overlaps end; the next step finds those of the new geometry. The body's mass follows.
+    /// Wakes the body and the bodies that touched the shape. Errors: bad_geometry; geometries_full.
     void set_circle(ShapeId shape, const Circle& circle);
     void set_capsule(ShapeId shape, const Capsule& capsule);
     void set_segment(ShapeId shape, const Segment& segment);
@@ -272,7 +273,7 @@ public:
     void set_density(ShapeId shape, float density);
     /// The tight box around the shape, world coordinates.
     Aabb aabb(ShapeId shape) const;
-    /// Setting one of these wakes the body and what touches the shape.
+    /// Setting one of these wakes the body and the bodies that touch the shape.
     float friction(ShapeId shape) const;
     void set_friction(ShapeId shape, float friction);
     float restitution(ShapeId shape) const;
@@ -281,11 +282,11 @@ public:
     void set_rolling_resistance(ShapeId shape, float resistance);
     float tangent_speed(ShapeId shape) const;
     void set_tangent_speed(ShapeId shape, float speed);
-    /// All of these at once, and the user's id.
+    /// All of these at once, and the number of yours (SurfaceMaterial::id).
     SurfaceMaterial material(ShapeId shape) const;
     void set_material(ShapeId shape, const SurfaceMaterial& material);
     bool is_sensor(ShapeId shape) const;
-    /// Writes the shapes that overlap the sensor (not_a_sensor), the latest to come near first, as far as they fit; returns how many there are.
+    /// Writes the shapes that overlap the sensor, as far as they fit, the one that came near last first; returns how many there are. Error: not_a_sensor.
     std::uint32_t sensor_overlaps(ShapeId sensor, std::span<ShapeId> out) const;
     /// ShapeDef::sensor_events, hit_events and pre_solve.
     bool sensor_events_enabled(ShapeId shape) const;
@@ -294,13 +295,13 @@ public:
     void enable_hit_events(ShapeId shape, bool enable);
     bool pre_solve_enabled(ShapeId shape) const;
     void enable_pre_solve(ShapeId shape, bool enable);
-    /// ShapeDef::one_way; the direction returned is a unit vector, or zero. Setting it wakes the body and what touches the shape: that goes on standing if it
-    /// is above in the new direction too. Errors: those of the id; not_finite; feature_cut.
+    /// ShapeDef::one_way; the direction returned is a unit vector, or zero. Setting it wakes the body and the bodies that touch the shape. A body that stands
+    /// on the shape goes on standing if it is above in the new direction, too. Errors: those of the id; not_finite; feature_cut.
     Vec2 one_way(ShapeId shape) const;
     void set_one_way(ShapeId shape, Vec2 direction);
-    /// Adds the force of a wind on what of the shape's outline faces it, from the shape's own motion too; acts over the next step, as apply_force does:
-    /// rho u^2 / 2 times width times coefficient, u being the air's velocity past the shape's middle. Each face of a polygon is pushed at its middle; only
-    /// flat faces have lift. No effect on segments and on bodies that are not dynamic. Nothing shields anything.
+    /// Adds the force of a wind on the part of the shape's outline that faces it. Like apply_force, it acts over the next step. The force is rho u^2 / 2 times
+    /// width times coefficient, where u is the air's velocity past the shape's middle, the shape's own motion included. It pushes each face of a polygon at
+    /// the face's middle; only flat faces have lift. No effect on segments and on bodies that are not dynamic. Shapes do not shield each other.
     void apply_wind(ShapeId shape, const WindDef& wind);
     Filter filter(ShapeId shape) const;
     /// Contacts that the new filter forbids end; new ones are found in the next step.
@@ -395,63 +396,64 @@ public:
 
     // -- queries (query.hpp) -----------------------------------------------------------------------------------------------------
     //
-    // What is where now: poses as of the last step, and what was set since. Queries change nothing, need no memory and are the same whatever order shapes
-    // were made and moved in: hits come in the order of their fractions, then of their shapes' slots; overlaps in that of their slots. With good arguments
-    // any number of threads may ask at once, as long as none changes the world. Errors, which find nothing: feature_cut; bad_geometry for a proxy; not_finite
-    // and out_of_range for points and corners beyond max_position, translations beyond max_translation.
+    // Queries see the poses of the last step, and those set since. They change nothing and need no memory. The order in which shapes were made and moved does
+    // not matter: hits come in the order of their fractions, those of equal fractions in the order of their shapes' slots, and overlaps in the order of their
+    // slots. With good arguments, any number of threads may query at once, as long as none changes the world. On an error a query finds nothing: feature_cut;
+    // bad_geometry of a proxy; not_finite; out_of_range for points and corners beyond max_position, and translations beyond max_translation.
     //
-    // Chain segments are met by rays and casts from their outer side only, and are thin lines to overlap and distance queries.
+    // Rays and casts meet chain segments from their outer side only. To overlap and distance queries, chain segments are thin lines.
 
-    /// The first shape that a ray from `origin` to `origin + translation` meets. A ray that starts inside a shape meets it at fraction 0: see islet::cast_ray.
+    /// The first shape that a ray from `origin` to `origin + translation` meets. A ray that starts inside a shape meets it at fraction 0 (islet::cast_ray).
     QueryHit cast_ray(Vec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
-    /// Whether it meets any: faster, where many shapes are in the way.
+    /// Whether the ray meets any shape. Faster than the first shape where many are in the way.
     bool cast_ray_any(Vec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
-    /// All that it meets, as far as they fit: those hit first. Returns how many there are.
+    /// Writes the hits of the ray, as far as they fit, first ones first; returns how many there are.
     std::uint32_t cast_ray_all(Vec2 origin, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter = {}) const;
-    /// Calls `visit`, unless null, for each that it meets until told to stop: see CastVisitor.
+    /// Calls `visit`, unless null, for each hit until `visit` stops the cast (CastVisitor).
     void cast_ray_each(Vec2 origin, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const;
-    /// The same for a shape that stands where its proxy says, in the world, and moves by `translation` without turning: see islet::cast_shape.
+    /// The same for a shape that starts where its proxy stands in the world, and moves by `translation` without turning (islet::cast_shape).
     QueryHit cast_shape(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
     bool cast_shape_any(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
     std::uint32_t cast_shape_all(const ShapeProxy& shape, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter = {}) const;
     void cast_shape_each(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const;
 
-    /// Shapes whose tight box (aabb) overlaps `box`, as far as they fit. Returns how many there are. bad_geometry unless lower <= upper.
+    /// Writes the shapes whose tight box (aabb) overlaps `box`, as far as they fit; returns how many there are. bad_geometry unless lower <= upper.
     std::uint32_t overlap_box(const Aabb& box, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
-    /// Shapes that share a point with `shape`, which is in the world.
+    /// The same for shapes that share a point with `shape`, which stands in the world.
     std::uint32_t overlap_shape(const ShapeProxy& shape, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
-    /// Shapes that contain the point; segments contain none.
+    /// The same for shapes that contain the point; segments contain none.
     std::uint32_t overlap_point(Vec2 point, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
-    /// Call `visit`, unless null, for each of them until it returns false.
+    /// Call `visit`, unless null, for each such shape until it returns false.
     void overlap_box_each(const Aabb& box, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
     void overlap_shape_each(const ShapeProxy& shape, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
     void overlap_point_each(Vec2 point, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
 
-    /// The shape closest to `point` and no farther than max_distance, 0 to max_translation, m; of equally close ones that with the lowest slot.
+    /// The shape closest to `point`, no farther than max_distance (m, 0 to max_translation). Of equally close ones it is the one in the lowest slot.
     ClosestHit closest(Vec2 point, float max_distance, const QueryFilter& filter = {}) const;
-    /// The surfaces no farther than `within`, 0 to max_translation, m, from a shape in the world, as far as they fit: the closest ones, the deepest overlap
-    /// first; equally close ones in the order of their slots. Returns how many there are. Chain segments that the shape is behind (by the mean
-    /// of its corners, or by its side that is closest to an end) are left out; they push to their outer side only.
+    /// Writes the surfaces no farther than `within` (m, 0 to max_translation) from a shape in the world, as far as they fit, and returns how many there are.
+    /// The closest come first, beginning with the deepest overlap; equally close ones come in the order of their slots. Chain segments push to their outer side
+    /// only: those that the shape is behind, by the mean of its corners or by its side that is closest to an end, are left out.
     std::uint32_t surfaces_near(const ShapeProxy& shape, float within, std::span<Surface> out, const QueryFilter& filter = {}) const;
 
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------
 
-    /// Writes to `memory` the complementarity problem that a substep of `h` seconds, min_time_step / 64 <= h <= 1, would pose to the island of a dynamic body
-    /// as it stands now, and points `out` to it. (Contacts have the normals and arms that the last step found; a centre of mass moved since then is not seen
-    /// by them.) Returns the bytes needed, and writes neither to memory nor to out if there are fewer; memory needs no alignment. Motion locks are not in it.
-    /// It is the same problem whichever of the island's bodies is named, asleep or awake. It is no part of the state: no hash knows of it, and solving it
-    /// changes no body. But it uses the world's scratch memory, so no other call to the world may run at the same time. Bodies of absurd masses may give
-    /// numbers that overflow; lcp::solve then says not_finite. Returns 0 on an error: null_id, stale_id; no_dynamic_body; bad_time_step of h; in_step;
-    /// out_of_range if there are more than lcp::max_rows rows or 2^32 - 1 entries.
+    /// Writes to `memory` the complementarity problem of a dynamic body's island as it stands now, for a substep of h seconds, min_time_step / 64 <= h <= 1,
+    /// and points `out` to it. Returns the bytes needed; if `memory` has fewer, writes neither to it nor to `out`. `memory` needs no alignment.
+    ///
+    /// Every body of the island gives the same problem, asleep or awake. Contacts have the normals and arms that the last step found, even if a centre of mass
+    /// has moved since. Motion locks are left out. The problem is not part of the state: hashes do not contain it, and solving it changes no body. The function
+    /// uses the world's scratch memory, so no other call to the world may run at the same time. Extreme masses may give numbers that overflow; lcp::solve then
+    /// says not_finite. Returns 0 on an error: null_id; stale_id; no_dynamic_body; bad_time_step of h; in_step; out_of_range if there are more than
+    /// lcp::max_rows rows or 2^32 - 1 entries.
     std::size_t export_island(BodyId body, float h, std::span<std::byte> memory, IslandProblem& out) const;
 
     // -- drawing (debug_draw.hpp) ------------------------------------------------------------------------------------------------
 
-    /// Hands what `draw` asks for to its functions. Changes nothing and calls no function on an error: not_finite or out_of_range of its view, size or
-    /// scale, or in_step. No other drawing of the world may run at the same time. BodyColors::island uses the world's scratch memory: then no other call to
-    /// the world may run at the same time.
+    /// Draws the parts of the world that `draw` asks for with draw's functions. On an error it calls none of them: not_finite or out_of_range of draw's view,
+    /// size or scale; in_step. No other drawing of the world may run at the same time. BodyColors::island uses the world's scratch memory: with it, no other
+    /// call to the world may run at the same time.
     void draw(const DebugDraw& draw) const;
-    /// Draws a shape alone, as if its body were at `pose`, by draw's functions; nothing else of `draw` is looked at.
+    /// Draws one shape with draw's functions, as if its body were at `pose`. The other settings of `draw` have no effect.
     void draw_shape(const DebugDraw& draw, ShapeId shape, const Transform& pose, const DrawStyle& style) const;
 
 private:
@@ -473,8 +475,8 @@ class StaticWorld {
     static_assert(is_valid(C), "bodies, shapes and contacts must be above 0, and nothing above max_capacity");
 
 public:
-    /// Makes the world anew, dropping whatever it held. A definition that breaks its rules falls back to the default one with the error set:
-    /// see World::last_error. If the engine was compiled in a way that changes the bits (inexact_build), the world takes no step.
+    /// Makes the world anew; what it held is lost. If the definition breaks a rule, the world gets the default one, and World::last_error says what was
+    /// wrong. If the engine was compiled in a way that changes the bits (inexact_build), the world takes no step.
     World& create(const WorldDef& def = {}) { return detail::create_static(block_, C, layout, def); }
     static constexpr std::size_t bytes = world_bytes(C);
 

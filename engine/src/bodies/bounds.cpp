@@ -11,7 +11,7 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float box_margin_fraction = 0.125f;  // of the shape's size: small things get small margins
+inline constexpr float box_margin_fraction = 0.125f;  // of the shape's size: small shapes get small margins
 
 ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
     if (is_endless(g)) return {endless_reach, endless_reach};
@@ -47,10 +47,10 @@ Aabb shape_aabb(const Core& core, std::uint32_t shape) {
 
 namespace {
 
-// Contacts are made a little before surfaces meet; each of the two boxes makes room for half of that.
+// Contacts are made a little before surfaces meet; each of the two boxes has room for half of that distance.
 Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g, t), 0.5f * speculative_distance); }
 
-// How far the inner box may move before it leaves the outer one.
+// How far the inner box may move before it leaves the outer box.
 ISLET_SHARED float room_in(const Aabb& outer, const Aabb& inner) {
     return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
 }
@@ -76,7 +76,7 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
         Aabb& fat = core.boxes[s];
         const bool leaves = force || is_endless(g) || !contains(fat, tight);
         if (leaves) {
-            const bool is_new = force || fat.lower.x > fat.upper.x;  // else the margin is what it was
+            const bool is_new = force || fat.lower.x > fat.upper.x;  // otherwise the shape keeps its margin
             if (is_new) shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
             fat = expand(tight, shape.margin);
         }
@@ -87,7 +87,7 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
         }
         slack = min(slack, room_in(fat, tight));
     }
-    // Beyond max_position the next step puts the body back, and does not count that as a way it went.
+    // If the body is beyond max_position, the next step puts it back, which does not count as its way.
     const Vec2 center = core.poses[body].center;
     core.motions[body].slack = max(abs(center.x), abs(center.y)) > max_position ? -1.0f : slack;
 }
@@ -112,7 +112,7 @@ Extent body_extent(const Core& core, std::uint32_t body) {
 
 namespace {
 
-// Of a mass or an inertia.
+// The inverse of a mass or an inertia.
 ISLET_SHARED float inverse_of(float a, float least) { return 1.0f / clamp(a, least, max_mass); }
 
 }  // namespace
@@ -130,7 +130,7 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     pose.inv_inertia = turns ? inverse_of(mass.inertia, min_inertia) : 0;
 
     if (b.local_center != mass.center) {
-        // Manifolds keep lever arms from the centre of mass, so they must be made anew.
+        // Manifolds keep arms from the centre of mass, so they must be made anew.
         for_each_contact(core, body,
                          [&](std::uint32_t contact, std::uint32_t) { core.manifolds[contact].flags &= ~static_cast<std::uint32_t>(contact_posed); });
     }
@@ -159,8 +159,8 @@ void update_mass(Core& core, std::uint32_t body) {
     total.center *= 1.0f / total.mass;
     const float known = total.mass + 0.0f * (total.center.x + total.center.y);  // the mass; NaN if the centre is not finite
     if (!(known >= min_mass && known <= no_limit)) {
-        // A dynamic body without mass would not move: it weighs a kilogram. So does one whose shapes' masses overflow. One lighter than the lightest is a
-        // point of that mass.
+        // A dynamic body without mass would not move, so it gets a kilogram; so does a body whose shapes' masses overflow. A body lighter than min_mass becomes
+        // a point of that mass.
         apply_mass(core, body, {total.mass > 0 && total.mass < min_mass ? min_mass : 1.0f, {0, 0}, 0});
         return;
     }

@@ -7,7 +7,7 @@
 
 namespace islet::detail {
 
-// Lighter and heavier bodies are taken for this light and this heavy, so that no inverse overflows.
+// Masses and inertias outside these bounds count as the bound, so that no inverse overflows.
 inline constexpr float min_mass = 1.0e-12f;     // kg
 inline constexpr float min_inertia = 1.0e-15f;  // kg m^2
 inline constexpr float max_mass = 1.0e30f;      // kg; the largest inertia too, kg m^2
@@ -15,24 +15,24 @@ inline constexpr float max_mass = 1.0e30f;      // kg; the largest inertia too, 
 Transform body_transform(const Core& core, std::uint32_t body);
 /// Tight box of a shape in the world.
 Aabb shape_aabb(const Core& core, std::uint32_t shape);
-/// Sets the body's fat boxes anew, marks those that changed, and sets the slack. Unless forced, a fat box that still holds the shape is kept.
+/// Updates the body's fat boxes, marks those that changed, and sets the slack. Unless `force` is set, a shape keeps a fat box that still holds it.
 void update_boxes(Core& core, std::uint32_t body, bool force);
-/// The same, but if `changed` is given writes to it, by shape, whether its box changed, for mark_changed: marks are shared, so bodies that are moved side
-/// by side are marked afterwards.
+/// The same, but if `changed` is given, writes to it, by shape, whether the box changed, instead of marking it. Marks are shared, so if bodies are moved in
+/// parallel, mark_changed marks their boxes afterwards.
 void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed);
 void mark_changed(Core& core, std::uint32_t body, const bool* changed);
-/// Mass, centre and inertia from the shapes, unless overridden; keeps the velocity of the material. Updates the extents too.
+/// Takes mass, centre and inertia from the shapes. The material keeps its velocity. Updates the extents, too.
 void update_mass(Core& core, std::uint32_t body);
-/// Sets mass data as given and all that follows from it. Call update_boxes afterwards: a new centre changes how exactly the body's place is known.
+/// Sets the mass data and all that follows from it. Call update_boxes afterwards: a new centre changes how the body's position is rounded.
 void apply_mass(Core& core, std::uint32_t body, const MassData& mass);
-/// Farthest distance of any point from a centre, and the smallest half-thickness of what is solid, m.
+/// The farthest distance of any point from a centre, and the smallest half-thickness of any solid shape, m.
 struct Extent {
     float max = 0;
     float min = 0;
 };
-/// Of the body's shapes about its centre of mass.
+/// The extent of the body's shapes about its centre of mass.
 Extent body_extent(const Core& core, std::uint32_t body);
-/// How far the body may move now without one of its shapes leaving its fat box, m.
+/// How far the body may now move before one of its shapes could leave its fat box, m.
 float slack_of(const Core& core, std::uint32_t body);
 
 }  // namespace islet::detail

@@ -1,4 +1,4 @@
-// What may be pushed, and pushing it.
+// Which bodies can be pushed, and pushing them.
 #pragma once
 
 #include "../calls/checks.hpp"
@@ -9,13 +9,13 @@ namespace islet::detail {
 
 inline bool is_enabled(const Core& core, std::uint32_t body) { return (core.bodies[body].flags & body_disabled) == 0; }
 
-/// Forces and impulses act on these alone.
+/// Forces and impulses act only on these bodies.
 inline bool is_pushable(const Core& core, std::uint32_t body) { return core.is_dynamic(body) && is_enabled(core, body); }
 
-/// A velocity less what the body's locks forbid.
+/// A velocity without the components that the body's locks forbid.
 inline Vec2 unlocked(const Body& b, Vec2 v) { return {(b.flags & body_lock_x) != 0 ? 0 : v.x, (b.flags & body_lock_y) != 0 ? 0 : v.y}; }
 
-/// What adds up to more than a number can be stays at the largest, and what is none is zero: a world holds numbers only, or no image of it could be loaded.
+/// A sum that overflows stays at the largest number, and NaN becomes zero: a world may hold finite numbers only, or no image of it could be loaded.
 ISLET_SHARED float capped(float a) { return within(a, no_limit); }
 inline Vec2 capped(Vec2 a) { return {capped(a.x), capped(a.y)}; }
 

@@ -1,4 +1,4 @@
-// Destroying and breaking joints, and what a body's change of type does to them.
+// Destroying and breaking joints, and updating them after a body's change of type.
 #include "../exact.hpp"
 
 #include "../bodies/joint_changes.hpp"
@@ -22,7 +22,7 @@ void untie(Core& core, std::uint32_t i) {
     unlink_joint(core, i, 1, j.body_b);
     core.awake_joints.clear(i);
     if ((j.flags & joint_collide) == 0 && j.body_a != null_index) {
-        // Shapes that overlap already have not moved: without this nobody would look for their contacts.
+        // The bodies' shapes may overlap already. Without this mark their contacts would not be looked for, since the shapes have not moved.
         for (std::uint32_t s = core.bodies[j.body_b].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s);
     }
     const std::uint32_t generation = j.generation;
@@ -61,14 +61,14 @@ void remove_joint(Core& core, std::uint32_t i) {
 }
 
 void remove_joints(Core& core, std::uint32_t body) {
-    // Removing one may take a gear on the same body with it, so the list is read anew each time.
+    // Removing a joint may also remove a gear on the same body, so the list is read anew each time.
     while (core.bodies[body].joint_head != 0) remove_joint(core, edge_of_key(core.bodies[body].joint_head));
 }
 
 std::uint32_t moving_body(const Core& core, const Joint& j) { return core.bodies[j.body_b].type() >= core.bodies[j.body_a].type() ? j.body_b : j.body_a; }
 
-// So that islands join and bodies share their sleep, a gear hangs on a moving body of each of its joints; where one body moves for both, on the other
-// body of joint 2 too, which the gear's row may act on as well.
+// A gear hangs on a moving body of each of its joints, so that it joins their islands and they sleep together. If both joints have the same moving body, the
+// gear also hangs on the other body of joint 2, on which its row may act as well.
 void hang_gears(Core& core, std::uint32_t body) {
     bool geared = false;
     for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { geared = geared || core.joints[joint].gear_count != 0; });

@@ -28,7 +28,7 @@ void rest_shapes(Core& core, std::uint32_t body) {
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
         std::uint32_t& leaf = core.shapes[s].tree_node;
-        if (leaf != null_index && tree.nodes[leaf].box != core.boxes[s]) {  // far out, where rounding is larger than the margin
+        if (leaf != null_index && tree.nodes[leaf].box != core.boxes[s]) {  // happens far from the origin, where rounding exceeds the margin
             tree_remove(tree, leaf);
             leaf = null_index;
         }

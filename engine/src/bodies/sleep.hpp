@@ -1,5 +1,5 @@
-// Falling asleep and waking up. A body at rest leaves the awake set, its shapes move into the tree of resting shapes, and its contacts leave the
-// awake set too unless the other body is awake.
+// Falling asleep and waking up. A body that falls asleep leaves the set of awake bodies, and its shapes move into the tree of resting shapes. Its contacts
+// leave the set of awake contacts, unless the other body is awake.
 #pragma once
 
 #include "../data/core.hpp"
@@ -10,14 +10,14 @@ inline constexpr float time_to_sleep = 0.5f;  // s at rest before an island may 
 
 /// Wakes a body and, along touching contacts and joints, every dynamic body of its island. No effect on static bodies.
 void wake_island(Core& core, std::uint32_t body, Arena arena);
-/// Wakes what touches the body or is joined to it; the body itself stays as it is.
+/// Wakes the islands of bodies that touch the body or are joined to it; the body itself stays as it is.
 void wake_neighbors(Core& core, std::uint32_t body, Arena arena);
 /// The same, and destroys the body's contacts.
 void end_contacts(Core& core, std::uint32_t body);
 /// Puts one body to sleep with zero velocity.
 void put_to_sleep(Core& core, std::uint32_t body);
 
-/// Makes the body's fat boxes anew after its mass or its shapes changed, those in the tree too if it is not awake.
+/// Updates the body's fat boxes after its mass or its shapes changed; if it is not awake, those in the tree, too.
 void refit_boxes(Core& core, std::uint32_t body);
 
 /// Moves the body's shapes into the tree of resting shapes, or out of it.

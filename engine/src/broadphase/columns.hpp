@@ -1,4 +1,4 @@
-// Boxes as columns of numbers, sorted along an axis, so that many can be compared with one at once.
+// Boxes as columns of numbers, sorted along an axis, so that a box can be compared with many at once.
 #pragma once
 
 #include "../math/lanes.hpp"
@@ -6,10 +6,10 @@
 
 namespace islet::detail {
 
-/// Sorted by `lower`. Past the end stand as many boxes as there can be lanes, which begin beyond everything: so a full load is always possible, and every
-/// scan ends.
+/// Boxes sorted by `lower`. After the last one stand as many boxes as there can be lanes, which begin beyond all others: so whole lanes can always be loaded,
+/// and every scan ends.
 struct Columns {
-    float* lower = nullptr;  // along the sweep axis
+    float* lower = nullptr;  // along the sorted axis
     float* upper = nullptr;
     float* lower2 = nullptr;  // across it
     float* upper2 = nullptr;
@@ -18,8 +18,8 @@ struct Columns {
     std::uint32_t count = 0;
 };
 
-/// Writes to `out`, in order, which boxes of `c` from `first` on overlap box i of `from`, up to the first that begins beyond it; returns how many.
-/// L has several lanes.
+/// Writes to `out`, in order, which boxes of `c` from `first` on overlap box i of `from`, up to the first one that begins beyond it; returns how many there
+/// are. L has several lanes.
 template <class L>
 ISLET_LANE std::uint32_t scan_columns(const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i, std::uint32_t* out) {
     const auto upper = L::splat(from.upper[i]);
@@ -35,7 +35,7 @@ ISLET_LANE std::uint32_t scan_columns(const Columns& c, std::uint32_t first, con
     }
 }
 
-/// With eight lanes (columns_avx2.cpp): only where the processor has AVX2.
+/// The same with eight lanes (columns_avx2.cpp), for processors with AVX2 alone.
 std::uint32_t scan_columns_8(const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i, std::uint32_t* out);
 
 }  // namespace islet::detail

@@ -1,4 +1,4 @@
-// The scan of eight columns at once, compiled for AVX2 (math/avx2.hpp).
+// The scan with eight lanes, compiled for AVX2 (math/avx2.hpp).
 #include "../exact.hpp"
 
 #include "../math/avx2.hpp"

@@ -1,6 +1,6 @@
-// Shapes in motion are found by sorting their fat boxes along an axis and sweeping over the sorted columns (Baraff 1992; the sort is a radix
-// sort, so its cost is fixed), shapes at rest by a query of the tree. Chosen by measurement (tools/bench/pair_finder.cpp): for 8 100 boxes that all
-// moved, keeping a tree up and querying it takes 9 times as long, for 64 boxes 3 times.
+// Pairs of shapes in motion are found by sorting their fat boxes along an axis and scanning the sorted columns (sort and sweep, Baraff 1992; a radix sort, so
+// its cost is fixed). Pairs with shapes at rest are found by queries of the tree. Measurements decided (tools/bench/pair_finder.cpp): with 8 100 boxes that all
+// move, updating and querying a tree takes 9 times as long, with 64 boxes 3 times.
 #include "../exact.hpp"
 
 #include "../broadphase/pairs.hpp"
@@ -17,8 +17,8 @@ namespace islet::detail {
 
 namespace {
 
-// True once as many pairs were dropped as the capacity has contacts: the search ends. No contact is freed while pairs are found, so a pair found later would
-// be dropped too. Without this bodies that crowd together would cost the square of their number in every step.
+// True once as many pairs were dropped as the capacity has contacts; the search then ends. No contact is freed during the search, so any later pair would be
+// dropped as well. Without this end, bodies that crowd together would cost the square of their number in every step.
 bool is_over(const Core& core) { return core.report.dropped_contacts == core.capacity.contacts; }
 
 void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, [[maybe_unused]] float dt) {
@@ -32,8 +32,8 @@ void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, [[maybe_
     if (!create_contact(core, shape_1, shape_2)) ++core.report.dropped_contacts;
 }
 
-// Most pairs found have a contact already. Asking in small batches hides the time that the pair set takes to come from memory; where it does not
-// have to (a processor without vectors has no cache worth the name either), a batch is one pair.
+// Most pairs found already have a contact. Looking them up some at a time hides the time in which the set of pairs comes from memory. On processors without
+// vectors, which have hardly a cache either, pairs are looked up one by one.
 struct PairBuffer {
     static constexpr std::uint32_t size = max_lanes > 1 ? 64 : 1;
     Core& core;
@@ -57,7 +57,7 @@ struct PairBuffer {
     }
 };
 
-// Least significant digit radix sort; stable, so equal keys stay in slot order.
+// A least-significant-digit radix sort. It is stable, so equal keys stay in the order of their slots.
 std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint32_t* keys2, std::uint32_t* order2, std::uint32_t n, std::uint32_t* counts) {
     for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
     for (std::uint32_t shift = 0; shift < 32; shift += sort_digit_bits) {
@@ -108,20 +108,20 @@ void close_columns(Columns& c) {
     c.count = count;
 }
 
-// How far a body comes within dt as long as nothing touches it.
+// How far a body goes within dt if nothing touches it.
 Way way_of(const Core& core, std::uint32_t body, float dt) {
     const Motion& motion = core.motions[body];
     return {dt * motion.v + pull_share * dt * dt * pull_on(core, body), min(dt * abs(motion.w), 2.0f) * core.poses[body].max_extent};
 }
 
-// At least as far as any point of a body comes within dt, m.
+// m: at least the way of any point of a body within dt.
 float way_length(const Core& core, std::uint32_t body, float dt) {
     const Motion& motion = core.motions[body];
     const Vec2 pull = pull_on(core, body);
     return dt * (length_inline(motion.v) + abs(motion.w) * core.poses[body].max_extent + pull_share * dt * (abs(pull.x) + abs(pull.y)));
 }
 
-// A box grown by a way, or by `most` m of it along each axis.
+// A box grown by a way, of which at most `most` m count along each axis.
 Aabb grow(const Aabb& box, const Way& way, float most) {
     const Vec2 bound = {most, most}, part = max(min(way.move, bound), -bound);
     return expand(both(box, {box.lower + part, box.upper + part}), way.turn);
@@ -136,10 +136,10 @@ struct MovingShape {
     bool leaves;  // the way may lead out of the box
 };
 
-// The box of the way of a shape; but not farther than its surroundings: what is so fast for its size must be a bullet to stop at what moves.
+// The box of a shape's way, but no farther than its surroundings: a body that is faster for its size must be a bullet to stop at moving bodies.
 Aabb box_along_way(const Core& core, const MovingShape& m) { return m.leaves ? grow(m.box, m.way, surroundings(core.poses[m.body])) : m.box; }
 
-// Whether two shapes whose boxes are `a` and `b` may come together; `fall` (m) is what gravity adds to the way of one while the other is held.
+// Whether two shapes with the boxes `a` and `b` may come together; `fall` (m) is the way that gravity adds to one while the other is held.
 bool may_meet_on(const Aabb& a, const Way& way_a, const Aabb& b, const Way& way_b, float fall) {
     return meet(a, grow(b, {way_b.move - way_a.move, way_a.turn + way_b.turn + fall}, 3.0e38f));
 }
@@ -159,7 +159,7 @@ struct Moving {
         return along_x ? Aabb{lower, upper} : Aabb{{lower.y, lower.x}, {upper.y, upper.x}};
     }
 
-    // Boxes of two ways that overlap mean little for bodies that move together.
+    // For bodies that move together, an overlap of the boxes of their ways means little.
     bool may_meet(std::uint32_t place_1, std::uint32_t place_2) const {
         const MovingShape& a = shapes[order[place_1]];
         const MovingShape& b = shapes[order[place_2]];
@@ -184,7 +184,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
         }
     });
 
-    // Sweep along the longer side of the whole.
+    // The boxes are sorted along the longer side of the box around all of them.
     const bool along_x = bounds.upper.x - bounds.lower.x >= bounds.upper.y - bounds.lower.y;
     std::uint32_t* keys = arena.take<std::uint32_t>(n);
     std::uint32_t* keys2 = arena.take<std::uint32_t>(n);
@@ -213,7 +213,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
 
 struct Scan {
     std::uint32_t lanes = 1;         // of the world
-    std::uint32_t* found = nullptr;  // room for as many as there are boxes; a build for one lane needs none
+    std::uint32_t* found = nullptr;  // room for as many indices as there are boxes; a build for one lane needs none
 };
 
 // Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order.
@@ -230,8 +230,8 @@ template <class Visit>
 #endif
 }
 
-// A box that changed meets the boxes that begin after it; one that did not meets the changed ones that begin after it.
-void sweep(PairBuffer& out, const Scan& how, const Moving& m) {
+// Finds the pairs in which a box changed. A box that changed is compared with all boxes that begin after it, any other box with the changed boxes that do.
+void scan_all(PairBuffer& out, const Scan& how, const Moving& m) {
     const Columns& all = m.all;
     const Columns& moved = m.moved;
     for (std::uint32_t i = 0; i < moved.count && !is_over(out.core); ++i)
@@ -249,16 +249,17 @@ void sweep(PairBuffer& out, const Scan& how, const Moving& m) {
     }
 }
 
-inline constexpr std::uint32_t note_grain = 8;                                        // words of 64 bodies that are worth a task
-inline constexpr float leave_way = 0.5f * speculative_distance + 0.4f * linear_slop;  // m: so far ahead of the shapes the boxes' slack ends, and as fast_way
-inline constexpr float alone_fraction = 0.5f;  // of its smallest half-thickness: for who moves more in a step it pays to know whether it is alone
+inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are worth a task
+// m: a body whose way exceeds its boxes' slack by this may leave them; the slack ends half the speculative distance ahead of the shapes.
+inline constexpr float leave_way = 0.5f * speculative_distance + 0.4f * linear_slop;
+inline constexpr float alone_fraction = 0.5f;  // of its smallest half-thickness: if a body moves farther in a step, it pays to know whether it is alone
 
 Aabb surroundings_of(const Pose& pose) {
     const float reach = pose.max_extent + surroundings(pose);
     return expand({pose.center, pose.center}, reach);
 }
 
-// Notes whether the body is fast, and whether it is alone: that spares it up to three looks at the tree.
+// Notes whether the body is fast, and whether it is alone, which saves up to three queries of the tree.
 void note_fast(Core& core, std::uint32_t body, float dt) {
     Pose& pose = core.poses[body];
     pose.flags &= ~static_cast<std::uint32_t>(pose_fast | pose_leaves | pose_far | pose_deep);
@@ -276,7 +277,7 @@ void note_fast(Core& core, std::uint32_t body, float dt) {
 bool is_clear(const Pose& pose, const Aabb& box) { return has_shortcuts && (pose.flags & pose_alone) != 0 && contains(surroundings_of(pose), box); }
 
 // True if it is known that nothing at rest overlaps any box ahead of the body. (A fat box is at most two extents, two margins and the speculative distance
-// wide, and begins within one extent of the centre, as the shape in it does. The last term is for rounding far from the origin.)
+// wide, and begins within one extent of the centre, as its shape does. The last term allows for rounding far from the origin.)
 bool stays_alone(const Core& core, std::uint32_t body, float dt) {
     const Pose& pose = core.poses[body];
     const float way = way_length(core, body, dt);
@@ -285,13 +286,13 @@ bool stays_alone(const Core& core, std::uint32_t body, float dt) {
     return (pose.flags & pose_alone) != 0 && reach <= pose.max_extent + surroundings(pose);
 }
 
-// Every pair in which a fat box changed.
+// Finds every pair in which a fat box changed.
 void find_moved_pairs(Core& core, float dt) {
     Arena arena = core.arena();
     const Moving moving = sorted_columns(core, arena, dt);
     const Columns& moved = moving.moved;
     PairBuffer out{core, dt};
-    sweep(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count) : nullptr}, moving);
+    scan_all(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count) : nullptr}, moving);
 
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t i = 0; i < moved.count && !is_over(core); ++i) {
@@ -306,8 +307,7 @@ void find_moved_pairs(Core& core, float dt) {
         });
     }
 
-    // Shapes at rest whose boxes changed: just created, teleported, or fallen asleep as they moved. Each pair is looked at once, so that each one
-    // dropped counts once.
+    // Shapes at rest whose boxes changed were just created or teleported, or fell asleep as they moved. Each pair is tried once, so a dropped one counts once.
     core.moved_shapes.for_each([&](std::uint32_t shape) {
         if (core.is_awake(core.shapes[shape].body) || is_over(core)) return;
         for (std::uint32_t i = 0; i < moving.all.count; ++i) {
@@ -321,7 +321,7 @@ void find_moved_pairs(Core& core, float dt) {
     out.flush();
 }
 
-// Fast bodies must not pass through what never moves: they look as far ahead as they may come in this step.
+// Makes contacts of a fast body with the static shapes that it may reach in this step, so that it does not pass through them.
 void look_ahead(Core& core, std::uint32_t body, float dt) {
     const Tree tree{&core.state->tree, core.tree};
     const Way way = way_of(core, body, dt);
@@ -330,7 +330,7 @@ void look_ahead(Core& core, std::uint32_t body, float dt) {
         const Aabb ahead = grow(core.boxes[s], way, 3.0e38f);
         if (is_clear(core.poses[body], ahead)) continue;
         tree_query(tree, ahead, [&](std::uint32_t other) {
-            // Where the fat boxes overlap the contact is there already, or was dropped and counted.
+            // If the fat boxes overlap, the contact is there already, or was dropped and counted.
             const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
             if (is_static && !meet(core.boxes[s], core.boxes[other]) && may_meet_on(core.boxes[other], {}, core.boxes[s], way, fall))
                 add_pair(core, s, other, dt);
@@ -371,7 +371,7 @@ void find_pairs(Core& core, float dt) {
     for_ranges(core, core.awake_bodies.word_count, note_grain, [&](std::uint32_t first, std::uint32_t end) {
         core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { note_fast(core, body, dt); });
     });
-    bool any_far = false;  // beyond what the boxes of their ways hold
+    bool any_far = false;  // a body may go beyond its surroundings, where the boxes of ways end
     core.awake_bodies.for_each([&](std::uint32_t body) {
         if ((core.poses[body].flags & pose_leaves) == 0) return;
         any_far |= (core.poses[body].flags & pose_far) != 0;
@@ -385,7 +385,7 @@ void find_pairs(Core& core, float dt) {
         });
     }
     if (core.report.dropped_contacts != 0) {
-        core.fail(Error::contacts_full);  // what moved stays marked, so the same pairs are tried again in the next step
+        core.fail(Error::contacts_full);  // shapes that moved stay marked, so the next step tries the same pairs again
         return;
     }
     core.moved_shapes.clear_all();

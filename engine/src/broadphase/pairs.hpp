@@ -1,4 +1,4 @@
-// Finding pairs: every two shapes whose fat boxes began to overlap get a contact.
+// Finding pairs: two shapes whose fat boxes begin to overlap get a contact.
 #pragma once
 
 #include "../collide/manifold.hpp"
@@ -7,56 +7,57 @@
 
 namespace islet::detail {
 
-inline constexpr float max_box_margin = 0.05f;  // m, by which a fat box exceeds its shape: so far a body can move before its pairs are found anew
+inline constexpr float max_box_margin = 0.05f;  // m, by which a fat box exceeds its shape: how far a body can move before its pairs are found anew
 
-/// Creates contacts for the shapes whose fat boxes changed since the last call, and for fast bodies with the static shapes they may reach within dt.
-/// The cost follows what moved; nothing moved costs nothing. Pairs that find no room are counted in report.dropped_contacts and tried again in every
-/// later call. The search ends once as many were dropped as the capacity has contacts, so its cost does not grow with the number of pairs that find no room.
+/// Creates contacts for shapes whose fat boxes changed since the last call, and for fast bodies with the static shapes that they may reach within dt. Only
+/// boxes that changed cost time. Pairs that find no room are counted in report.dropped_contacts; each later call tries them again. The search ends once it has
+/// dropped as many pairs as the capacity has contacts, so its cost does not grow with the number of pairs without room.
 void find_pairs(Core& core, float dt);
 
-/// Of two bodies that move no more than this in a step, m, a contact is made early enough at speculative_distance: an old answer that they are apart
-/// may be a quarter of it off for either, and 2 mm each may be lacking in the end.
+/// m in a step. For two bodies that move no farther, a contact made at speculative_distance comes early enough: an old result that they are apart may be a
+/// quarter of that distance off for each body, and each may sink in by 2 mm in the end.
 inline constexpr float fast_way = 0.25f * speculative_distance + 0.4f * linear_slop;
 
-/// What gravity and forces do to a body while nothing holds it, m/s^2.
+/// The acceleration by gravity and forces of a body that nothing holds, m/s^2.
 inline Vec2 pull_on(const Core& core, std::uint32_t body) {
     const float inv_mass = core.poses[body].inv_mass;
     return inv_mass > 0 ? core.bodies[body].gravity_scale * core.state->gravity + inv_mass * core.motions[body].force : Vec2{0, 0};
 }
 
-/// How two bodies come together within a step, as far as nothing else touches them: the smaller one seen from the other.
+/// How two bodies approach each other within a step, if nothing else touches them: the way of the smaller one, seen from the other.
 struct Approach {
     Vec2 way;        // m, that B goes from A
-    float turn = 0;  // m, by which its points may depart from that, turning or being pulled
+    float turn = 0;  // m, by which turning and forces may add to the way of its points
 
-    float most() const { return abs(way.x) + abs(way.y) + turn; }  // m, at least as far as any of them goes
+    float most() const { return abs(way.x) + abs(way.y) + turn; }  // m, at least the way of any point
 };
 
-inline constexpr float pull_share = 0.625f;  // of what a pull would do in a whole step from its start: four substeps add up to so much
+/// Share of a pull's way in a step that bodies really go: velocities change in four substeps, each before the move, (1 + 2 + 3 + 4) / 16.
+inline constexpr float pull_share = 0.625f;
 
-/// `fall` (m): what gravity adds, 0 for bodies that hold each other.
+/// `fall` (m) is the way that gravity adds; 0 for bodies that hold each other.
 inline Approach approach_of(const Pose& a, const Pose& b, const Motion& ma, const Motion& mb, float dt, float fall) {
     const bool a_is_smaller = a.max_extent < b.max_extent;
     const Vec2 way = dt * (mb.v - ma.v - cross(a_is_smaller ? mb.w : ma.w, b.center - a.center));
     return {way, min(dt * abs(mb.w - ma.w), 2.0f) * min(a.max_extent, b.max_extent) + fall};
 }
 
-/// What gravity adds to a way within dt, m.
+/// The way that gravity adds within dt, m.
 inline float fall_in(const Core& core, float dt) { return pull_share * dt * dt * (abs(core.state->gravity.x) + abs(core.state->gravity.y)); }
 
 /// True if shape A has no end, and B's fat box, moved on by its way within dt, does not come near it: they need no contact, though their boxes meet.
 bool keeps_from_endless(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt);
 
-/// How far a body comes within a step as long as nothing touches it.
+/// How far a body goes within a step if nothing touches it.
 struct Way {
     Vec2 move;       // m, of its centre
-    float turn = 0;  // m, by which its points may depart from that, turning
+    float turn = 0;  // m, by which turning may add to the way of its points
 };
 
 /// True if two shapes whose boxes do not meet may come together within dt.
 bool may_meet(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt);
 
-/// A fast body is alone (pose_alone) if nothing at rest is so near to its shapes, m: while it goes no farther there is nothing it could pass through.
+/// m. A fast body is alone (pose_alone) if nothing at rest is so near to its shapes. While it goes no farther, it cannot pass through anything at rest.
 inline float surroundings(const Pose& pose) { return 4.0f * pose.max_extent; }
 
 /// Marks a shape's fat box as changed.

@@ -44,7 +44,7 @@ void replace_child(Tree t, std::uint32_t parent, std::uint32_t old_child, std::u
     t.nodes[new_child].parent = parent;
 }
 
-// Lifts the taller child of a node whose children differ in height by more than one. Returns the root of the subtree.
+// Rotates the taller child of a node above it if the children's heights differ by more than one. Returns the root of the subtree.
 //
 //        a              b
 //       / \            / \.
@@ -82,8 +82,8 @@ void refit_upwards(Tree t, std::uint32_t index) {
     }
 }
 
-// The leaf beside which a new one adds little perimeter to the tree, by descending where the box grows less. Always going down to a leaf
-// keeps the tree an AVL tree: no insertion unbalances a node by more than one rotation can mend.
+// The leaf beside which a new one adds little perimeter to the tree, found by descending where the box grows less. As the way always goes down to a leaf, the
+// tree stays an AVL tree: no insertion unbalances a node by more than one rotation can correct.
 std::uint32_t best_sibling(Tree t, const Aabb& box) {
     std::uint32_t index = t.state->root;
     while (!is_leaf(t.nodes[index])) {

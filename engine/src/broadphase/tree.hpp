@@ -1,8 +1,8 @@
 // Bounding-box tree of the shapes at rest: those of static and of sleeping bodies.
 //
-// A binary tree kept in balance (AVL) by rotations while leaves come and go; insertion follows the branch whose perimeter grows least (the
-// surface area heuristic; see Catto's GDC 2019 talk on dynamic bounding volume hierarchies). Shapes in motion are not in it: they
-// are found by sorting (pairs.hpp). So nothing in the tree changes while bodies sleep.
+// A binary tree that rotations keep in balance (AVL) while leaves come and go. An insertion follows the branch whose perimeter grows least (the surface area
+// heuristic; see Catto's GDC 2019 talk on dynamic bounding volume hierarchies). Shapes in motion are not in the tree: they are sorted (pairs.cpp). So the tree
+// does not change while bodies move or sleep.
 #pragma once
 
 #include "../data/records.hpp"
@@ -17,10 +17,10 @@ struct Tree {
     TreeNode* nodes;
 };
 
-/// Adds a leaf for `shape`; returns the node. The pool of nodes holds twice as many as there are shapes, so there is always room.
+/// Adds a leaf for `shape`; returns the node. There is always room, because the pool holds twice as many nodes as there are shapes.
 std::uint32_t tree_insert(Tree tree, const Aabb& box, std::uint32_t shape);
 void tree_remove(Tree tree, std::uint32_t leaf);
-/// Null, or a sentence naming what is broken.
+/// Null, or a sentence that says what is broken.
 const char* tree_validate(Tree tree);
 
 /// Room for a traversal: an AVL tree of 2^22 leaves is at most 1.44 * 22 = 32 levels high, and a traversal holds one node a level.
@@ -46,7 +46,7 @@ private:
 
     bool reaches(std::uint32_t node) const { return meet_at_once(nodes[node].box, box); }
 
-    // On the stack are nodes that are still to be asked.
+    // The stack holds nodes whose boxes are still to be tested.
     std::uint32_t next_of_all() {
         while (top > 0) {
             const TreeNode& node = nodes[stack[--top]];
@@ -58,7 +58,7 @@ private:
         return null_index;
     }
 
-    // On the stack are nodes whose boxes overlap: where a box is asked without a branch, asking both children at once is the faster way.
+    // The stack holds nodes whose boxes overlap. Where a box is tested without a branch, testing both children at once is faster.
     std::uint32_t next_of_reached() {
         while (top > 0) {
             const TreeNode* node = &nodes[stack[--top]];
@@ -74,8 +74,8 @@ private:
     }
 };
 
-/// Calls visit(shape) for every leaf that `reaches(box)` accepts, in an order that depends on the tree. What accepts a box must accept those that hold it;
-/// it may accept less as the walk goes on.
+/// Calls visit(shape) for every leaf whose box `reaches` accepts, in an order that depends on the tree. If `reaches` accepts a box, it must accept all boxes
+/// that contain it; it may accept fewer boxes as the walk goes on.
 template <class Reaches, class Visit>
 void tree_search(Tree tree, Reaches&& reaches, Visit&& visit) {
     std::uint32_t stack[tree_stack];

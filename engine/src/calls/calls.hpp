@@ -1,6 +1,6 @@
-// The calls that change a world, as a table: a name for each, the function, and the types of its arguments. What a recording writes and a replay reads.
+// The table of the calls that change a world, which recordings write and replays read: a name, the function, and the types of its arguments.
 //
-// A name's place in the table is its number in recordings: new ones go to the end, and a changed one needs a new recording_version.
+// A call's place in the table is its number in recordings. New calls go to the end; a changed one needs a new recording_version.
 #pragma once
 
 #include "../data/core.hpp"
@@ -92,7 +92,7 @@
 namespace islet::detail {
 
 enum class Call : std::uint32_t {
-    stepped,  // what came of a step
+    stepped,  // the result of a step
     ended,    // the end of a recording
     image,    // the world was taken back to a snapshot
 #define ISLET_NAME(name, function, ...) name,
@@ -100,15 +100,15 @@ enum class Call : std::uint32_t {
 #undef ISLET_NAME
 };
 
-/// A recording of which nothing more than its head is known. It is in the caller's memory; calls follow the snapshot, in words of 32 bits.
+/// The header of a recording, at the start of the caller's memory. A snapshot follows, and then the calls, in words of 32 bits.
 struct RecordingHead {
     std::uint32_t magic = 0;
     std::uint32_t version = 0;
     std::uint64_t image_bytes = 0;
-    std::uint64_t size = 0;    // of the memory; when it has ended, of what was used
+    std::uint64_t size = 0;    // bytes of the memory; of a recording that has ended, of the part used
     std::uint64_t used = 0;    // bytes
     std::uint64_t sum = 0;     // of all words since the snapshot
-    std::uint32_t bodies = 0;  // 1: a hash of each body that moved is kept for each step
+    std::uint32_t bodies = 0;  // 1: each step has a hash of each awake body
     std::uint32_t full = 0;    // 1: there was no more room
 };
 

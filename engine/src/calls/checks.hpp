@@ -1,4 +1,4 @@
-// Argument checks shared by the public functions: each records the error and says whether the call may go on.
+// Checks of arguments for the public functions. Each records the error, and returns whether the call may go on.
 #pragma once
 
 #include "../data/core.hpp"
@@ -19,16 +19,16 @@ inline bool check(const Core& core, bool good, Error error) {
 /// What this build leaves out (islet/config.hpp) is refused: for `there` pass a constant has_..., or that the call needs no such thing.
 inline bool check_there(const Core& core, bool there) { return check(core, there, Error::feature_cut); }
 
-/// False, with in_step recorded, if the world is calling a function of the user's (Inside, Closed). Every public function that changes the world or shows all
-/// of it checks this first; those that are given an id do so through the next three functions.
+/// False, with in_step recorded, while the world is calling a function of the user's (Inside, Closed). Every public function that changes the world, or reads
+/// all of it, checks this first. Functions with an id check it through the next three functions.
 ISLET_SHARED bool check_open(const Core& core) { return check(core, core.inside == 0, Error::in_step); }
 
-/// The slot of what is about to be changed. (Functions that only read have a const Core, and so call the three above.)
+/// The slot of an object to be changed. (Functions that only read have a const Core, so they call the three functions above.)
 ISLET_SHARED std::uint32_t find_body(Core& core, BodyId id) { return check_open(core) ? find_body(static_cast<const Core&>(core), id) : null_index; }
 ISLET_SHARED std::uint32_t find_shape(Core& core, ShapeId id) { return check_open(core) ? find_shape(static_cast<const Core&>(core), id) : null_index; }
 ISLET_SHARED std::uint32_t find_joint(Core& core, JointId id) { return check_open(core) ? find_joint(static_cast<const Core&>(core), id) : null_index; }
 
-/// Nothing times a number is 0, but for infinities and NaN.
+/// True if no number is infinite or NaN: zero times any other number is zero.
 template <class... Floats>
 ISLET_SHARED bool all_finite(Floats... a) {
     return ((0.0f * a) + ...) == 0.0f;

@@ -1,4 +1,4 @@
-// From ids to slots.
+// Finds the slot of an id.
 #include "../exact.hpp"
 
 #include "../calls/checks.hpp"

@@ -23,7 +23,7 @@ namespace {
 
 std::byte* bytes_of(RecordingHead* head) { return reinterpret_cast<std::byte*>(head); }
 
-/// Appends words to the recording. A call that finds no room is left out, with all that follow.
+/// Appends words to the recording. A call that finds no room is left out, and ends the recording.
 class CallWriter {
 public:
     CallWriter(Core& core, Call call);
@@ -102,7 +102,7 @@ CallWriter::~CallWriter() {
 }  // namespace
 
 void write_call(Core& core, Call call, const void* const* arguments) {
-    if (core.inside != 0) return;  // it will be refused (in_step), but a replay would make it outside of a step
+    if (core.inside != 0) return;  // the call will be refused (in_step), but a replay would make it outside of a step
     CallWriter writer(core, call);
     switch (call) {
 #define ISLET_WRITE(name, function, ...) \
@@ -176,7 +176,7 @@ std::size_t World::stop_recording() {
         writer.long_word(sum);
     }
     RecordingHead* head = c.recording;
-    if (head == nullptr) return 0;  // no room even for that: recording_full
+    if (head == nullptr) return 0;  // there was no room even for this (recording_full)
     c.recording = nullptr;
     head->size = head->used;
     return static_cast<std::size_t>(head->used);

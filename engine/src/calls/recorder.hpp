@@ -1,4 +1,4 @@
-// Writing calls down as they are made.
+// Records calls as they are made.
 #pragma once
 
 #include "../calls/calls.hpp"
@@ -13,15 +13,15 @@ inline constexpr std::uint32_t recording_version = 2;
 /// Where the calls begin.
 constexpr std::size_t calls_at(std::uint64_t image_bytes) { return sizeof(RecordingHead) + (static_cast<std::size_t>(image_bytes) + 7) / 8 * 8; }
 
-/// A hash of how a body stands and moves.
+/// A hash of a body's pose and velocity.
 std::uint32_t body_digest(const Core& core, std::uint32_t body);
 
-/// Writes down a call whose arguments are pointed to, as many and of such types as the table of calls says.
-/// Linked only by programs that record: World::start_recording refers to it, and core.recording is null in the others.
+/// Records a call. `arguments` points to its arguments, with the types that the table of calls gives.
+/// Only programs that record link this function: World::start_recording refers to it, and in other programs core.recording is null.
 ISLET_OPTIONAL void write_call(Core& core, Call call, const void* const* arguments);
-/// The same for the snapshot a world was taken back to.
+/// The same for the image that a world was taken back to.
 ISLET_OPTIONAL void write_image(Core& core, std::span<const std::byte> image);
-/// What came of a step.
+/// The same for the result of a step.
 ISLET_OPTIONAL void write_stepped(World& world);
 
 template <class... Args>
@@ -36,7 +36,7 @@ struct SignatureOf;
 ISLET_CALLS(ISLET_SIGNATURE)
 #undef ISLET_SIGNATURE
 
-/// For the beginning of each public function that changes a world: writes the call down if the world is being recorded.
+/// Records a call, if the world is being recorded. Each public function that changes a world begins with this.
 template <Call call, class... Args>
 [[gnu::always_inline]] inline void note_call(Core& core, const Args&... args) {
     static_assert(__is_same(typename SignatureOf<call>::Type, Signature<Args...>));

@@ -7,7 +7,7 @@
 // mass_scale and impulse_scale make the contact soft: a spring and damper integrated implicitly (Catto, "Soft Constraints", GDC 2011; the
 // substeps with a relaxing sweep follow Catto, "Solver2D", 2024, and Macklin and others, "Small Steps in Physics Simulation", 2019).
 //
-// Velocities of the two bodies are projected onto the contact's frame once and updated there row by row; the bodies get the summed impulse.
+// The relative velocity of the two bodies is projected onto the contact's frame once, and each row updates it there. The bodies get the summed impulse.
 #pragma once
 
 #include <cstddef>
@@ -39,8 +39,8 @@ struct SweepLanes {
           biased(n.bias_rate > 0) {}
 };
 
-/// A block of contacts while it is solved. Impulses along n leave the centres' velocities along t alone, and the other way round; so both are
-/// summed, and the centres get them at the end.
+/// A block of contacts while it is solved. An impulse along n does not change the centres' velocities along t, nor the other way round. So the impulses are
+/// summed along each, and the centres get the sums at the end.
 template <class L>
 struct ContactBlock : BodyPair<L> {
     using F = typename L::F;
@@ -77,7 +77,7 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
     const F zero = L::splat(0.0f);
     const F mass = s.ma + s.mb;
     F vn = dot(s.n, s.vb - s.va);
-    // How far the two surfaces moved apart along n: the row's Jacobian times the bodies' motion. The part that does not depend on the point first.
+    // How far the two surfaces moved apart along n is the row's Jacobian times the bodies' motion. `moved` is the part that is the same for both points.
     const F turned = s.dqb - s.dqa;
     const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
     F total = zero;
@@ -91,7 +91,7 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
         const F speed = vn + (s.wb * rnb - s.wa * rna);
         F delta;
         if (sweep.biased) {
-            // Apart: may close the gap within the substep, no faster. Overlapping: pushed apart softly.
+            // Shapes that are apart may close the gap within the substep, but no faster. Shapes that overlap are pushed apart softly.
             const auto apart = separation > zero;
             const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
             const F mass_scale = select(apart, L::splat(1.0f), sweep.mass_scale);
@@ -142,7 +142,7 @@ ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, type
     const F zero = L::splat(0.0f);
     const F old = L::load(r.rolling_impulse);
     const F resistance = L::load(r.rolling_resistance);
-    const F bound = select(resistance > zero, resistance * normal_impulses, zero);  // even if the normal impulse has overflowed
+    const F bound = select(resistance > zero, resistance * normal_impulses, zero);  // 0 * inf would be NaN if a normal impulse has overflowed
     const F lambda = max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound);
     const F delta = lambda - old;
     L::store(r.rolling_impulse, lambda);
@@ -151,16 +151,11 @@ ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, type
 }
 
 template <std::uint32_t W>
-void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
-    prepare_contacts<LaneOf<W>>(in, rows, count);
-}
-
-template <std::uint32_t W>
 void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
     using L = LaneOf<W>;
     using F = typename L::F;
     const SweepLanes<L> sweep(numbers);
-    std::uint32_t more = 0;  // passes over this block
+    std::uint32_t more = 0;  // passes left over this block, for one lane
     for (std::uint32_t block = 0; block < count;) {
         Rows& r = rows[block];
         ContactBlock<L> s(bodies, r);
@@ -170,14 +165,14 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
         s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
         s.scatter(bodies, r.body_a, r.body_b);
 
-        // What lands is solved again at once, alone: its lane as a row of its own.
-        std::uint64_t ahead = 0;
-        std::memcpy(&ahead, r.ahead, W);
-        if (ahead != 0) {
-            float changed[W];  // a pass that changed nothing needs no other
+        // Contacts that land are solved again at once, each alone: a lane becomes a block of one.
+        std::uint64_t landing = 0;  // not 0 if any lane lands
+        std::memcpy(&landing, r.extra_passes, W);
+        if (landing != 0) {
+            float changed[W];  // 0 where this pass changed nothing: no further pass would
             L::store(changed, select(s.sum_n * s.sum_n + s.sum_t * s.sum_t > L::splat(0.0f), L::splat(1.0f), L::splat(0.0f)));
             if constexpr (W == 1) {
-                more = changed[0] == 0 ? 0 : more != 0 ? more - 1 : r.ahead[0];
+                more = changed[0] == 0 ? 0 : more != 0 ? more - 1 : r.extra_passes[0];
             } else {
                 land(bodies, r, changed, numbers);
             }
@@ -188,11 +183,11 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
 
 template <std::uint32_t W>
 void ContactKernel<W>::land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers) {
-    if constexpr (W == 1) return;  // its own sweep does it
-    // Rows are words of W lanes each up to the flags.
+    if constexpr (W == 1) return;  // solve() itself repeats its one lane
+    // Up to the flags, a block is words of W lanes each.
     constexpr std::uint32_t words = offsetof(Rows, two_points) / (4 * W);
     for (std::uint32_t i = 0; i < W; ++i) {
-        if (rows.ahead[i] == 0 || changed[i] == 0) continue;
+        if (rows.extra_passes[i] == 0 || changed[i] == 0) continue;
         ContactRows<1> row;
         std::byte* const lane = reinterpret_cast<std::byte*>(&rows) + 4 * i;
         std::byte* const copy = reinterpret_cast<std::byte*>(&row);
@@ -200,21 +195,22 @@ void ContactKernel<W>::land(SolverBody* bodies, Rows& rows, const float* changed
         row.two_points = rows.two_points;
         row.special = rows.special;
         row.bouncy = rows.bouncy;
-        row.ahead[0] = static_cast<std::uint8_t>(rows.ahead[i] - 1);
+        row.extra_passes[0] = static_cast<std::uint8_t>(rows.extra_passes[i] - 1);
         ContactKernel<1>::solve(bodies, &row, 1, numbers);
         for (std::uint32_t w = 0; w < words; ++w) std::memcpy(lane + 4 * W * w, copy + 4 * w, 4);
     }
 }
 
-/// The normal rows once more, towards the rebound speed -e approach: only where the surfaces met (an impulse was needed) faster than the threshold, and the
-/// material bounces. The two points of a manifold share the blow: a few passes over them solve their 2 x 2 problem, so that a box that lands flat bounces flat.
+/// Solves the normal rows once more, for the rebound speed -e approach. Only points bounce where the surfaces met (an impulse was needed) faster than the
+/// threshold, and whose material bounces. The two points of a manifold share the blow: a few passes over both solve their 2 x 2 problem, so a box that lands
+/// flat bounces flat.
 template <class L>
 ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F threshold) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F e = L::load(r.restitution);
     F vn = dot(s.n, s.vb - s.va);
-    const F second = r.two_points ? L::load(r.points[1].normal_mass) : zero;  // zero where a lane has one point: that one is solved once
+    const F second = r.two_points ? L::load(r.points[1].normal_mass) : zero;  // 0 in lanes with one point, which is solved once
     const std::uint32_t rows_to_solve = r.two_points ? 2 * restitution_passes : 1;
     for (std::uint32_t k = 0; k < rows_to_solve; ++k) {
         const std::uint32_t i = k & 1u;
@@ -249,7 +245,7 @@ void ContactKernel<W>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t c
     }
 }
 
-/// Magnitude of the sum of a contact's impulses. It is not finite if any of them is not.
+/// The absolute value of the sum of a contact's impulses. It is not finite if any of them is not.
 template <class L>
 ISLET_PART typename L::F size_of(const ContactRows<L::width>& r) {
     using F = typename L::F;

@@ -1,4 +1,4 @@
-// The rows of contacts are filled here, from manifolds and from where the bodies are.
+// Preparing the rows of contacts from their manifolds and from where the bodies are now.
 //
 // With m and i the inverse masses and inertias of the bodies, and rn = r x n and rt = t x r (contact_rows.hpp), the rows of a contact point have
 //     k_normal  = ma + mb + ia rna^2 + ib rnb^2
@@ -17,9 +17,12 @@ namespace islet::detail {
 inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
 inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
 inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
-inline constexpr std::uint8_t landing_passes = 5;  // more than one, over what lands: a blow leaves no time to make good what one row does to the others
 
-/// Of W contacts: whose they are, and how many points they have. A padded lane reads the first lane's contact and acts on slot 0 with no impulse.
+/// In each sweep a contact whose shapes come together fast is solved so many more times: the blow takes one step, so the rows of a contact have no later steps
+/// in which to correct what they do to each other.
+inline constexpr std::uint8_t landing_passes = 5;
+
+/// The contacts of a block, their bodies and which points they have. A lane of the padding reads the first lane's contact; it acts on slot 0 with no impulse.
 template <std::uint32_t W>
 struct ContactLanes {
     std::uint32_t contact[W], body_a[W], body_b[W];
@@ -37,7 +40,7 @@ ISLET_PART void prefetch_manifolds(const PrepareInput& in, const ContactRows<W>&
     }
 }
 
-/// Fills in the whole words of a block: its bodies, and what it has in any lane.
+/// Fills in the block's bodies, and the flags that say what any of its lanes has.
 template <std::uint32_t W>
 ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLanes<W>& lanes) {
     r.two_points = r.special = r.bouncy = false;
@@ -54,9 +57,10 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         r.two_points |= lanes.has_point[1][i] != 0;
         r.special |= is_live && (m.flags & contact_special) != 0;
         r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
-        r.ahead[i] = is_live && (m.flags & contact_ahead) != 0 && (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0)
-                         ? landing_passes
-                         : 0;
+        r.extra_passes[i] =
+            is_live && (m.flags & contact_ahead) != 0 && (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0)
+                ? landing_passes
+                : 0;
     }
 }
 
@@ -110,13 +114,13 @@ struct MotionSince {
     ISLET_LANE F by_turning(F rna, F rta, F rnb, F rtb) const { return (cb * rtb + sb * rnb) - (ca * rta + sa * rna); }
 };
 
-/// The arms of a contact point.
+/// The arms of a contact point from both bodies (contact_rows.hpp).
 template <class F>
 struct PointArms {
     F rta, rna, rtb, rnb;
 };
 
-/// Fills a point's arms and effective masses. `usable`: the relaxation factor, 0 in lanes without this point.
+/// Fills a point's arms and effective masses. `usable` is the relaxation factor, and 0 in lanes without this point.
 template <class L>
 ISLET_PART void prepare_point(typename ContactRows<L::width>::Point& p, const BodyPair<L>& s, const PointArms<typename L::F>& r, typename L::F usable) {
     using F = typename L::F;
@@ -130,22 +134,22 @@ ISLET_PART void prepare_point(typename ContactRows<L::width>::Point& p, const Bo
     L::store(p.tangent_mass, select(k_tangent > zero, usable / k_tangent, zero));
 }
 
-/// m/s: the normal velocity of a point at the moment the surfaces will meet, gravity and forces included until then. `speed` is what it is now, `gain` what
-/// it gains in a second, `behind` how far the point is behind the contact's first to meet.
+/// m/s: the normal velocity that a point will have when the surfaces meet, gravity and forces included. `speed` (m/s) is its normal velocity now, `gain`
+/// (m/s^2) its rate of change, and `behind` (m) by how much the point's separation exceeds that of the contact's nearer point.
 template <class L>
 ISLET_PART typename L::F approach_of(const StepNumbers& n, typename L::F speed, typename L::F separation, typename L::F gain, typename L::F behind) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
-    const F fastest = L::splat(-2.0f * n.max_speed);  // that two bodies can meet at, whatever pulls at them
+    const F fastest = L::splat(-2.0f * n.max_speed);  // two bodies cannot meet faster, whatever pulls at them
     const F gap = max(separation, zero);
     const F time = select(speed < zero, min(gap / max(zero - speed, L::splat(1.0e-9f)), L::splat(n.dt)), zero);
-    // A point that comes down behind the first does so at another speed: it does not bounce.
+    // A point that meets later than the nearer one does so at another speed, so it does not bounce.
     const F meeting = select(behind > L::splat(2.0f * linear_slop), zero, speed + time * gain);
     return select(meeting < fastest, fastest, meeting);
 }
 
-/// Fills the rolling row; returns its impulse to start from. A contact without rolling resistance has none, though a neighbour in its block may have one, or
-/// it had one a step ago.
+/// Fills the rolling row and returns the impulse that it starts from. A contact without rolling resistance starts from none, even if another contact of its
+/// block has resistance, or this one had some in the last step.
 template <class L>
 ISLET_PART typename L::F prepare_rolling(ContactRows<L::width>& r, const BodyPair<L>& s, const StepNumbers& n, typename L::F old) {
     using F = typename L::F;
@@ -158,18 +162,73 @@ ISLET_PART typename L::F prepare_rolling(ContactRows<L::width>& r, const BodyPai
     return impulse;
 }
 
-/// Fills the rows of blocks whose `contact` entries are given, and adds the warm start velocity to the bodies' dp and dq. The material of special
-/// and bouncy contacts is filled in by the caller beforehand.
+/// m/s^2: what gravity and forces add to the normal velocity of a block's bodies.
 template <class L>
-ISLET_PART void prepare_contacts(const PrepareInput& in, ContactRows<L::width>* rows, std::uint32_t count) {
+ISLET_PART typename L::F normal_gain(const PrepareInput& in, const ContactRows<L::width>& r, LaneVec<typename L::F> n) {
     using F = typename L::F;
-    constexpr std::uint32_t W = L::width;
+    F a[8], b[8];
+    L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_a, a);
+    L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_b, b);
+    return dot(n, LaneVec<F>{b[4], b[5]} - LaneVec<F>{a[4], a[5]}) * L::splat(in.numbers.inv_h);
+}
+
+/// What a block's impulses of the last step come to: on B along n and t, and on the spin of each body.
+template <class F>
+struct WarmStartSum {
+    F along_n, along_t, turning_a, turning_b;
+};
+
+/// Fills the frame and the points of a block. Returns the impulses that the points start from.
+template <class L>
+ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes,
+                                                      const LaneManifolds<L>& m, const MotionSince<L>& since, const BodyPair<L>& s) {
+    using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F omega = L::splat(in.numbers.omega);
     const F warm = L::splat(in.numbers.warm);
+    const LaneVec<F> n = m.normal();
+    const F rt_ab = zero - dot(n, m.offset()), rn_ab = zero - cross(m.offset(), n);
+    L::store(r.nx, n.x);
+    L::store(r.ny, n.y);
+    L::store(r.friction, m.friction());
+    L::store(r.rt_ab, rt_ab);
+    L::store(r.rn_ab, rn_ab);
 
+    const F vn = dot(n, s.vb - s.va);
+    const F gain = r.is_bouncy() ? normal_gain<L>(in, r, n) : zero;
+    WarmStartSum<F> sum{zero, zero, zero, zero};
+    const std::uint32_t points = r.two_points ? 2 : 1;
+    for (std::uint32_t i = 0; i < points; ++i) {
+        typename ContactRows<L::width>::Point& p = r.points[i];
+        const F has_point = L::load(lanes.has_point[i]);
+        const F rta = dot(n, m.anchor(i)), rna = cross(m.anchor(i), n);
+        const F rtb = rta + rt_ab, rnb = rna + rn_ab;
+        prepare_point<L>(p, s, {rta, rna, rtb, rnb}, has_point * omega);
+
+        const F separation = m.separation(i) + since.along + since.by_turning(rna, rta, rnb, rtb);
+        L::store(p.separation, separation);
+        const F normal_impulse = has_point * warm * m.normal_impulse(i), tangent_impulse = has_point * warm * m.tangent_impulse(i);
+        L::store(p.normal_impulse, normal_impulse);
+        L::store(p.tangent_impulse, tangent_impulse);
+        sum.along_n = sum.along_n + normal_impulse;
+        sum.along_t = sum.along_t + tangent_impulse;
+        sum.turning_a = sum.turning_a + (rna * normal_impulse - rta * tangent_impulse);
+        sum.turning_b = sum.turning_b + (rnb * normal_impulse - rtb * tangent_impulse);
+        if (r.is_bouncy()) {
+            const F first = select(L::load(lanes.has_point[1]) > zero, min(m.separation(0), m.separation(1)), m.separation(0));
+            L::store(r.approach[i], approach_of<L>(in.numbers, vn + s.wb * rnb - s.wa * rna, separation, gain, m.separation(i) - first));
+            L::store(r.peak[i], zero);
+        }
+    }
+    return sum;
+}
+
+template <std::uint32_t W>
+void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
+    using L = LaneOf<W>;
+    using F = typename L::F;
     for (std::uint32_t block = 0; block < count; ++block) {
-        ContactRows<W>& r = rows[block];
+        Rows& r = rows[block];
         ContactLanes<W> lanes;
         if (W > 1 && block + 1 < count) prefetch_manifolds(in, rows[block + 1]);
         name_bodies(in, r, lanes);
@@ -177,61 +236,13 @@ ISLET_PART void prepare_contacts(const PrepareInput& in, ContactRows<L::width>* 
         const MotionSince<L> since(m, in.poses, lanes.body_a, lanes.body_b);
         BodyPair<L> s;
         s.gather(in.bodies, r.body_a, r.body_b);
-
-        const LaneVec<F> n = m.normal();
-        const F rt_ab = zero - dot(n, m.offset()), rn_ab = zero - cross(m.offset(), n);
-        L::store(r.nx, n.x);
-        L::store(r.ny, n.y);
-        L::store(r.friction, m.friction());
-        L::store(r.rt_ab, rt_ab);
-        L::store(r.rn_ab, rn_ab);
-
-        const F vn = dot(n, s.vb - s.va);
-        F gain = zero;  // m/s^2, of the normal velocity
-        if (r.is_bouncy()) {
-            F a[8], b[8];
-            L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_a, a);
-            L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_b, b);
-            gain = dot(n, LaneVec<F>{b[4], b[5]} - LaneVec<F>{a[4], a[5]}) * L::splat(in.numbers.inv_h);
-        }
-
-        F impulse_n = zero, impulse_t = zero, turning_a = zero, turning_b = zero;  // to start from: on B along n and t, and on each body's spin
-        const std::uint32_t points = r.two_points ? 2 : 1;
-        for (std::uint32_t i = 0; i < points; ++i) {
-            typename ContactRows<W>::Point& p = r.points[i];
-            const F has_point = L::load(lanes.has_point[i]);
-            const F rta = dot(n, m.anchor(i)), rna = cross(m.anchor(i), n);
-            const F rtb = rta + rt_ab, rnb = rna + rn_ab;
-            prepare_point<L>(p, s, {rta, rna, rtb, rnb}, has_point * omega);
-
-            const F separation = m.separation(i) + since.along + since.by_turning(rna, rta, rnb, rtb);
-            L::store(p.separation, separation);
-            const F normal_impulse = has_point * warm * m.normal_impulse(i), tangent_impulse = has_point * warm * m.tangent_impulse(i);
-            L::store(p.normal_impulse, normal_impulse);
-            L::store(p.tangent_impulse, tangent_impulse);
-            impulse_n = impulse_n + normal_impulse;
-            impulse_t = impulse_t + tangent_impulse;
-            turning_a = turning_a + (rna * normal_impulse - rta * tangent_impulse);
-            turning_b = turning_b + (rnb * normal_impulse - rtb * tangent_impulse);
-            if (r.is_bouncy()) {
-                const F first = select(L::load(lanes.has_point[1]) > zero, min(m.separation(0), m.separation(1)), m.separation(0));
-                L::store(r.approach[i], approach_of<L>(in.numbers, vn + s.wb * rnb - s.wa * rna, separation, gain, m.separation(i) - first));
-                L::store(r.peak[i], zero);
-            }
-        }
+        WarmStartSum<F> start = prepare_points<L>(in, r, lanes, m, since, s);
         if (r.is_special()) {
             const F rolling = prepare_rolling<L>(r, s, in.numbers, m.rolling_impulse());
-            turning_a = turning_a + rolling;
-            turning_b = turning_b + rolling;
+            start.turning_a = start.turning_a + rolling;
+            start.turning_b = start.turning_b + rolling;
         }
-
-        // Warm start, kept apart from the velocities until the first substep has integrated them.
-        const LaneVec<F> impulse = in_world(n, impulse_n, impulse_t);
-        s.dpa = s.dpa - s.ma * impulse;
-        s.dpb = s.dpb + s.mb * impulse;
-        s.dqa = s.dqa - s.ia * turning_a;
-        s.dqb = s.dqb + s.ib * turning_b;
-        s.scatter_motion(in.bodies, r.body_a, r.body_b);
+        s.add_warm_start(in.bodies, r.body_a, r.body_b, in_world(m.normal(), start.along_n, start.along_t), start.turning_a, start.turning_b);
     }
 }
 

@@ -1,4 +1,4 @@
-// The rows of contacts, in blocks of as many as there are lanes.
+// The rows of contacts, in blocks of lanes.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace islet::detail {
 
-/// The rows of W contacts of one colour: for each of up to two points one row along the normal n and one along the tangent t = right_perp(n).
+/// The rows of W contacts of one colour. Each of up to two points has a row along the normal n and a row along the tangent t = right_perp(n).
 ///
-/// With r the arm from a body's centre to the contact point, rn = r x n and rt = t x r: a body's spin w moves its point by w rn along n and by -w rt along
-/// t. The point is the same for both bodies, so B's rn and rt are A's plus those of the vector from B's centre to A's, for both points alike.
+/// Let r be the arm from a body's centre to the contact point, rn = r x n and rt = t x r. A body's spin w then moves its point with the speed w rn along n and
+/// -w rt along t. Both bodies share the point, so B's rn and rt are A's plus rn_ab and rt_ab, those of the vector from B's centre to A's.
 template <std::uint32_t W>
 struct alignas(W * 4) ContactRows {
     struct Point {
@@ -29,9 +29,9 @@ struct alignas(W * 4) ContactRows {
     float rt_ab[W], rn_ab[W];  // m: rtb - rta, rnb - rna
     Point points[2];
     float rolling_mass[W], rolling_impulse[W], rolling_resistance[W], tangent_speed[W];  // if special
-    float restitution[W], approach[2][W], peak[2][W];  // if bouncy (or to tell of hits): normal velocity as the surfaces meet, largest impulse
-    bool two_points, special, bouncy;                  // ask the last two by is_special and is_bouncy
-    std::uint8_t ahead[W * 4 - 3];                     // of W lanes: 1 if the shapes come together fast
+    float restitution[W], approach[2][W], peak[2][W];  // if bouncy or reporting hits: m/s, normal velocity as the surfaces meet; N s, largest impulse
+    bool two_points, special, bouncy;                  // of any lane; is_special() and is_bouncy() read the last two
+    std::uint8_t extra_passes[W * 4 - 3];              // of W lanes: landing_passes if the shapes come together fast, else 0
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }
     ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy; }
@@ -39,8 +39,8 @@ struct alignas(W * 4) ContactRows {
 
 static_assert(sizeof(ContactRows<1>) == row_bytes && sizeof(ContactRows<4>) == 4 * row_bytes && sizeof(ContactRows<8>) == 8 * row_bytes);
 
-/// How one sweep treats penetration: velocity bias = max(bias_rate (s + slop), -push_speed), where s < 0 is the separation; for soft
-/// contacts bias_rate already includes mass_scale.
+/// How one sweep treats penetration: the velocity bias is max(bias_rate (s + slop), -push_speed), where s < 0 is the separation. For soft contacts,
+/// bias_rate includes mass_scale.
 struct SweepNumbers {
     float inv_h = 0;
     float bias_rate = 0;  // 1/s; 0 in a relax sweep

@@ -72,8 +72,8 @@ inline WarmStart prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const Jo
     for (std::uint32_t i = 0; i < 4; ++i) {
         SolverBody& b = in.bodies[r.slots[i]];
         if (!(b.inv_mass > 0)) continue;  // only read: see scatter_pushed
-        b.dp += (b.inv_mass * r.impulse) * Vec2{r.ux[i], r.uy[i]};
-        b.dq += b.inv_inertia * r.impulse * r.s[i];
+        b.warm_v += (b.inv_mass * r.impulse) * Vec2{r.ux[i], r.uy[i]};
+        b.warm_w += b.inv_inertia * r.impulse * r.s[i];
     }
     return {};
 }

@@ -173,12 +173,12 @@ void set_ends(JointEnds<W>& r, std::uint32_t lane, const Joint& j, const JointIn
     r.dy[lane] = p.d.y;
 }
 
-/// What an impulse adds to a body's velocity waits in its dp and dq for the first substep. Bodies that cannot be pushed are only read (see
+/// What an impulse adds to a body's velocity waits in its warm_v and warm_w for the first substep. Bodies that cannot be pushed are only read (see
 /// scatter_pushed).
 inline void add_warm_start(SolverBody& b, Vec2 impulse, float angular) {
     if (!(b.inv_mass > 0)) return;
-    b.dp += b.inv_mass * impulse;
-    b.dq += b.inv_inertia * angular;
+    b.warm_v += b.inv_mass * impulse;
+    b.warm_w += b.inv_inertia * angular;
 }
 
 /// What a joint starts from: an impulse at B's anchor, and an angular impulse besides. Pulleys and gears see to theirs and return none.
@@ -187,7 +187,7 @@ struct WarmStart {
     float turning;  // N m s
 };
 
-/// Starts from impulse p and the two angular impulses: remembered as applied, and added to the bodies' dp and dq, where they wait for the first substep.
+/// Starts from impulse p and the two angular impulses: remembered as applied, and added to the bodies' warm_v and warm_w for the first substep.
 template <std::uint32_t W>
 void warm_start(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, const JointInput& in, Vec2 p, float ta, float tb) {
     applied.px[lane] = p.x;

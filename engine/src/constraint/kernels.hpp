@@ -1,11 +1,11 @@
-// The kernels: what is compiled once for each width of lanes, with the instructions that the width needs.
+// The kernels: the functions that are compiled once for each width of lanes, with the instructions that this width needs.
 //
 //   width  lanes   compiled in
-//   1      Lane1   solver/kernel_scalar.cpp, joints in solver/joint_solve.cpp (a program without joints does not link it)
+//   1      Lane1   solver/kernel_scalar.cpp; joints in solver/joint_solve.cpp, which a program without joints does not link
 //   4      Lane4   solver/kernel_scalar.cpp, where the processor's baseline has vectors
 //   8      Lane8   solver/kernel_avx2.cpp
 //
-// A world's width is chosen when it is made (Core::lanes); with_lanes turns it into a constant.
+// World::create chooses a world's width (Core::lanes). with_lanes turns it into a constant.
 #pragma once
 
 #include "../constraint/contact_rows.hpp"
@@ -30,16 +30,16 @@ struct ContactKernel {
     static constexpr std::uint32_t W = lanes;
     using Rows = ContactRows<W>;
 
-    /// Fills the rows of blocks whose `contact` entries are given, and adds the warm start velocity to the bodies' dp and dq. The material of special
-    /// and bouncy contacts is filled in by the caller beforehand.
+    /// Fills the rows of blocks, and adds the warm start to the bodies' warm_v and warm_w. The caller has filled in the `contact` entries, and the material
+    /// of special and bouncy contacts.
     static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
     /// One sweep.
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
-    /// Solves those lanes of a block again that land, one by one.
+    /// Solves those lanes of a block again, one by one, that land and that the last pass changed.
     static void land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers);
     /// Gives bouncing contacts their rebound speed.
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
-    /// Writes the impulses back for the next step.
+    /// Writes the impulses back to the manifolds, for the next step.
     static void store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count);
 };
 extern template struct ContactKernel<1>;
@@ -52,13 +52,13 @@ void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::
 extern template void solve_joints<4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 extern template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 
-/// A width that can be told from others when compiled.
+/// A width of lanes as a type, so that it is known when the code is compiled.
 template <std::uint32_t lanes>
 struct Width {
     constexpr operator std::uint32_t() const { return lanes; }
 };
 
-/// Calls visit with a Width, one of those that this build has.
+/// Calls visit(Width) for a number of lanes that this build has.
 template <class Visit>
 ISLET_LANE auto with_lanes(std::uint32_t lanes, Visit&& visit) {
     if constexpr (max_lanes >= 8)

@@ -131,10 +131,13 @@ struct BodyPair {
         const F out_b[4] = {vb.x, vb.y, wb, mb};
         scatter_pushed<L>(reinterpret_cast<float*>(bodies), body_a, body_b, ma, mb, out_a, out_b);
     }
-    /// Writes dp and dq back.
-    ISLET_PART void scatter_motion(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
-        const F out_a[4] = {dpa.x, dpa.y, dqa, ia};
-        const F out_b[4] = {dpb.x, dpb.y, dqb, ib};
+    /// Adds what warm starting does to the velocities: an impulse on B and its opposite on A, and an angular impulse on each, A turned against its own. (Before
+    /// the first substep the words of dp and dq hold warm_v and warm_w.)
+    ISLET_PART void add_warm_start(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b, LaneVec<F> impulse, F turning_a,
+                                   F turning_b) const {
+        const LaneVec<F> warm_va = dpa - ma * impulse, warm_vb = dpb + mb * impulse;
+        const F out_a[4] = {warm_va.x, warm_va.y, dqa - ia * turning_a, ia};
+        const F out_b[4] = {warm_vb.x, warm_vb.y, dqb + ib * turning_b, ib};
         scatter_pushed<L>(reinterpret_cast<float*>(bodies) + 4, body_a, body_b, ma, mb, out_a, out_b);
     }
 };

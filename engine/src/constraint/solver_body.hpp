@@ -8,29 +8,39 @@
 namespace islet::detail {
 
 /// A body during a solve: eight words, loaded in lanes. Slot 0 stands for all static bodies.
+///
+/// Until the first substep has integrated the velocities, dp and dq are zero, and their memory collects what warm starting adds to the velocities.
 struct SolverBody {
     Vec2 v;       // m/s
     float w = 0;  // rad/s
     float inv_mass = 0;
-    Vec2 dp;       // m moved since the step began. Before the first substep: the velocity that warm starting adds
-    float dq = 0;  // rad turned since the step began
+    union {
+        Vec2 dp;      // m moved since the step began
+        Vec2 warm_v;  // m/s
+    };
+    union {
+        float dq;      // rad turned since the step began
+        float warm_w;  // rad/s
+    };
     float inv_inertia = 0;
+
+    [[gnu::always_inline]] constexpr SolverBody() : dp{0, 0}, dq(0) {}
 };
 
-/// What a substep's integration needs besides.
+/// What the integration over a substep needs besides.
 struct SolverMotion {
     Vec2 v_free;               // m/s, velocity after the last integration, before warm start and sweeps
     float w_free = 0;          // rad/s
-    float angular_factor = 1;  // damping over a substep: v <- factor (v + a)
+    float angular_factor = 1;  // damping over a substep: w <- factor (w + alpha)
     Vec2 a;                    // m/s gained in a substep from gravity and forces
     float alpha = 0;           // rad/s gained in a substep from torque
-    float linear_factor = 1;
+    float linear_factor = 1;   // v <- factor (v + a)
 };
 
 static_assert(sizeof(SolverBody) == solver_body_bytes && sizeof(SolverMotion) == solver_motion_bytes);
 
-/// N s, N m s: a contact or joint whose impulses are this large forgets them and starts anew in the next step; no real load comes near it. Extreme numbers
-/// together (the largest float here, a speck of dust there) can overflow in a solve. The bodies are held within their limits besides (solver.cpp).
+/// N s, N m s: a contact or joint with impulses this large forgets them and starts anew in the next step. No real load comes near it, but extreme numbers
+/// together (the largest float here, a speck of dust there) can overflow in a solve. Bodies have limits of their own (solver.cpp).
 inline constexpr float unsound_impulse = 1.0e28f;
 
 /// Constants of one solve.
@@ -42,7 +52,7 @@ struct StepNumbers {
     float warm = 1;   // share of the last step's impulses to start from; 0: none
     float restitution_threshold = 0;
     float max_speed = 0, max_turn = 0;
-    bool lightens = false;  // bodies are taken for lighter (shock): a harder blow to one would make energy
+    bool lightens = false;  // shock propagation takes bodies for lighter than they are: a harder blow to one would add energy
 };
 
 }  // namespace islet::detail

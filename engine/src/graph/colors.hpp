@@ -1,8 +1,8 @@
 // Constraint colours: no two constraints of one colour share a dynamic body, so all of a colour can be solved at once.
 //
-// A body keeps a bit mask of the colours its constraints use, so giving a colour is O(1): the lowest bit that is free in both masks. A
-// constraint against a static or kinematic body takes colours from the other end; they are solved last, so the ground has the last word. What
-// finds no colour overflows and is solved on its own. (Graph colouring for Gauss-Seidel; the split between the two ends follows Box2D 3.)
+// A body keeps a bit mask of the colours of its constraints, so finding a colour takes O(1): the lowest bit that is free in both masks. Constraints with a
+// static or kinematic body take colours from the other end. These colours are solved last, so the ground has the last word. A constraint that finds no colour
+// is solved on its own. (Graph colouring for Gauss-Seidel; the split between the two ends follows Box2D 3.)
 #pragma once
 
 #include "../data/core.hpp"
@@ -10,7 +10,7 @@
 
 namespace islet::detail {
 
-inline constexpr std::uint32_t dynamic_color_limit = 24;  // colours that two dynamic bodies may share
+inline constexpr std::uint32_t dynamic_color_limit = 24;  // constraints between two dynamic bodies have colours below this
 
 /// Takes a colour that neither body has yet, or no_color. null_index stands for a body that cannot move.
 inline std::uint32_t take_color(Core& core, std::uint32_t body_a, std::uint32_t body_b) {

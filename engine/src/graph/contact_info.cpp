@@ -1,4 +1,4 @@
-// Contacts as the user sees them.
+// Contacts as the user reads them.
 #include "../exact.hpp"
 
 #include "../graph/contact_info.hpp"

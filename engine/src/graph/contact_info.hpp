@@ -4,7 +4,7 @@
 
 namespace islet::detail {
 
-/// A contact that touches, as the user sees it now.
+/// Fills in a touching contact as the user reads it, at the bodies' present poses.
 void read_contact(const Core& core, std::uint32_t contact, ContactInfo& out);
 
 }  // namespace islet::detail

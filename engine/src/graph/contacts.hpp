@@ -1,5 +1,5 @@
-// The graph of contacts: one node a body, one edge a pair of shapes with overlapping fat boxes.
-// The pair set answers whether two shapes already have a contact.
+// The graph of contacts: each body is a node, and each pair of shapes with overlapping fat boxes is a contact between two nodes. The set of pairs says whether
+// two shapes already have a contact.
 #pragma once
 
 #include "../data/core.hpp"
@@ -14,16 +14,16 @@ void for_each_contact(const Core& core, std::uint32_t body, Visit&& visit) {
     for_each_edge(core.contacts, core.bodies[body].contact_head, visit);
 }
 
-/// The body at the other end of an edge.
+/// The body at the other end of a contact.
 inline std::uint32_t other_body(const Core& core, std::uint32_t contact, std::uint32_t side) {
     return side == 0 ? core.manifolds[contact].body_b : core.manifolds[contact].body_a;
 }
 
-/// True if the two shapes may have a contact: other bodies, both enabled, one dynamic, geometry that collides, filters that agree, no joint that forbids
-/// it. Of a sensor: one that is not static, a visitor that consents and is no sensor, filters that agree.
+/// True if the two shapes may have a contact: their bodies differ, both are enabled and at least one is dynamic, their geometries collide, their filters agree,
+/// and no joint forbids it. For a sensor: one of the bodies is not static, the other shape is no sensor and has sensor_events, and the filters agree.
 bool may_collide(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 
-/// What the filter hook says, if there is one.
+/// True unless there is a filter hook that says no.
 inline bool is_allowed(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     return !has_hooks || core.hooks.filter == nullptr || is_allowed_by_hook(core, shape_1, shape_2);
 }
@@ -37,36 +37,36 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 /// Removes a contact and its colour. If it touched, an end event is recorded.
 void destroy_contact(Core& core, std::uint32_t contact);
 
-/// Friction, and whether restitution, rolling resistance or a tangent speed act, from the two shapes; what the pre_solve hook made of them is over.
+/// Mixes the two shapes' materials: friction, and whether restitution, rolling resistance or a tangent speed act. Changes of the pre_solve hook are lost.
 void mix_materials(Core& core, std::uint32_t contact);
 
-/// Forgets the end events that the last step told; those of calls made since stay.
+/// Drops the end events that the last step reported; those of calls made since stay.
 void drop_told_ends(Core& core);
 
 void record_end_event(Core& core, std::uint32_t contact);
 /// False, with the error recorded and counted, if the array of end events is full.
 bool has_room_for_end(Core& core);
 
-/// How two bodies stand to each other. Places are the difference of their centres: exact far from the origin too.
+/// How two bodies stand to each other. The difference of their centres is exact far from the origin, too.
 struct Stand {
     Vec2 offset;  // m, from A's centre to B's
     Rot a, b;
 };
 
-/// Where B's body is in the frame of A's when they stand so.
+/// The pose of B's body frame in A's, for bodies that stand so.
 inline Transform pose_between(const Core& core, std::uint32_t body_a, std::uint32_t body_b, const Stand& stand) {
     const Rot turn = inv_mul(stand.a, stand.b);
     return {inv_rotate(stand.a, stand.offset) + core.bodies[body_a].local_center - rotate(turn, core.bodies[body_b].local_center), turn};
 }
 
-/// How they stand now.
+/// How two bodies stand now.
 inline Stand stand_now(const Core& core, std::uint32_t body_a, std::uint32_t body_b) {
     const Pose& a = core.poses[body_a];
     const Pose& b = core.poses[body_b];
     return {b.center - a.center, a.q, b.q};
 }
 
-/// How far B's material has moved from A's at a contact point since the manifold was made, m. Their velocity apart is its rate of change.
+/// The slip at a contact point: how far B's material has moved relative to A's since the manifold was made, m. Its rate of change is their relative velocity.
 inline Vec2 slip_of(const ContactManifold& m, std::uint32_t point, const Pose& a, const Pose& b) {
     const Vec2 ra = m.anchors[point];
     const Vec2 rb = ra - m.offset;

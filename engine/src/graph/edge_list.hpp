@@ -1,7 +1,7 @@
-// Lists of edges: contacts and joints both tie two bodies, and each body heads a doubly linked list of its contacts and one of its joints.
+// Lists of constraints: each body heads a doubly linked list of its contacts, and one of its joints.
 //
-// A list goes by keys, edge * 2 + side + 1 (0 ends it), so that an edge, which stands in a list at each of its two sides, leaves both in O(1).
-// Edge needs `next[2]` and `prev[2]`.
+// A list holds keys, constraint * 2 + side + 1; 0 ends it. A constraint is in the list of the body at each of its two sides, and leaves both lists in O(1).
+// Constraint needs `next[2]` and `prev[2]`.
 #pragma once
 
 #include <cstdint>

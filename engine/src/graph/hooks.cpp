@@ -48,7 +48,7 @@ void ask_pre_solve(Core& core, std::uint32_t index) {
     core.hooks.pre_solve(asked, core.hooks.context);
 
     if (!asked.enabled) {
-        m.forget_points();  // so that the hook can be asked again
+        m.forget_points();  // so that the hook is called again in the next step
         if ((m.flags & contact_one_way) != 0) m.flags |= contact_passes | contact_dropped;
         return m.forget_impulses();
     }

@@ -1,4 +1,4 @@
-// The graph of joints: one node a body, one edge a joint.
+// The graph of joints: each body is a node, and each joint ties two of them.
 #pragma once
 
 #include "../data/core.hpp"
@@ -30,7 +30,7 @@ inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t 
     return false;
 }
 
-/// True if a body that the joint acts on is disabled: then it acts on none.
+/// True if a body that the joint acts on is disabled; the joint then acts on no body.
 bool has_disabled_body(const Core& core, const Joint& j);
 inline bool is_joint_idle(const Core& core, const Joint& j) { return has_disabling && has_disabled_body(core, j); }
 
@@ -39,8 +39,8 @@ inline bool is_joint_awake(const Core& core, const Joint& j) {
     return ((j.body_a != null_index && core.is_awake(j.body_a)) || core.is_awake(j.body_b)) && !is_joint_idle(core, j);
 }
 
-/// After a body was enabled or disabled: decides of each joint whether it is awake. (A gear may use joints of bodies that it does not hang on, so all joints
-/// are looked at.) Links has_disabled_body.
+/// Decides for each joint whether it is awake, after a body was enabled or disabled. (All joints are checked, because a gear may use joints of bodies on which
+/// it does not hang.) Links has_disabled_body.
 void refresh_awake_joints(Core& core);
 
 /// A mouse joint's side A is in no list.

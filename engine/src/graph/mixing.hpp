@@ -1,4 +1,4 @@
-// What two materials make together: Coulomb's coefficients by the geometric mean, bouncing by the larger, unless the user mixes them otherwise.
+// Mixing of two materials: the geometric mean of the friction coefficients and the larger restitution, unless the user's hooks mix them.
 #pragma once
 
 #include "../data/core.hpp"

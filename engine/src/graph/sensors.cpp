@@ -10,8 +10,8 @@ namespace islet::detail {
 
 namespace {
 
-// What touches told grows from the start of an array of events; what sensors told lies in one piece in the room that leaves. The piece goes to the middle
-// of the free room whenever it comes up against an end, so an array is filled with a few moves.
+// Touches and overlaps share an array of events. Touches grow from its start; the overlaps lie in one piece in the remaining room. Whenever the piece comes up
+// against an end of that room, it moves to the middle of the free part, so an array is filled with few moves.
 SensorEvent* room_of(TouchEvent* array, std::uint32_t touches) { return reinterpret_cast<SensorEvent*>(array + touches); }
 
 std::uint32_t free_room(const Core& core, std::uint32_t touches, const SensorEvents& list) { return core.capacity.contacts - touches - list.count; }
@@ -59,7 +59,7 @@ bool overlaps_sensor(const Core& core, std::uint32_t contact) {
 
 void begin_overlap(Core& core, std::uint32_t contact) {
     core.manifolds[contact].flags |= contact_overlap;
-    push(core, core.begin_events, core.begin_count, core.sensor_begins, contact);  // at most one a contact, so there is room
+    push(core, core.begin_events, core.begin_count, core.sensor_begins, contact);  // there is room, because each contact has at most one
 }
 
 void end_overlap(Core& core, std::uint32_t contact) {

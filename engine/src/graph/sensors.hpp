@@ -8,16 +8,16 @@
 
 namespace islet::detail {
 
-/// True if of two shapes, one of them a sensor, that one may see the other, whatever their filters say. (Geometry of every kind can be overlapped, and
-/// joints do not matter.)
+/// True if one of two shapes is a sensor that may see the other one, whatever their filters say. (Sensors see every kind of geometry, and joints do not
+/// matter.)
 bool may_sense(const Core& core, const Shape& s1, const Shape& s2);
 /// True if the two shapes of a sensor's contact overlap now.
 bool overlaps_sensor(const Core& core, std::uint32_t contact);
-/// Notes that they began to, or ceased to, and records the event.
+/// Note that the two shapes began, or ceased, to overlap, and record the event.
 void begin_overlap(Core& core, std::uint32_t contact);
 void end_overlap(Core& core, std::uint32_t contact);
 
-/// Moves what sensors told out of the way of one more touch in the same array.
+/// Moves the events of sensors out of the way of one more touch in the same array.
 void make_room(const Core& core, TouchEvent* array, std::uint32_t touches, SensorEvents& list);
 
 /// True of a sensor.

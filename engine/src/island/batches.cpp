@@ -12,8 +12,8 @@ namespace islet::detail {
 
 namespace {
 
-/// Sets of linked bodies, by body. What links nothing has the parent null_index: static and kinematic bodies, and those at rest.
-struct LinkedBodies : UnionFind {
+/// Sets of connected bodies, by body. Bodies that connect nothing have the parent null_index: static and kinematic ones, and those at rest.
+struct ConnectedBodies : UnionFind {
     BitSet guided;  // bodies that touch a kinematic one or are joined to one
 
     std::uint32_t parent_of(std::uint32_t i) const { return i != null_index ? parent[i] : null_index; }
@@ -22,9 +22,9 @@ struct LinkedBodies : UnionFind {
         if (by != null_index && core.is_awake(by)) guided.set(body);
     }
 
-    void link(const Core& core, std::uint32_t a, std::uint32_t b) const {
+    void connect(const Core& core, std::uint32_t a, std::uint32_t b) const {
         const std::uint32_t over_a = parent_of(a), over_b = parent_of(b);
-        if (over_a == over_b) return;  // as most are: their island was joined by other links. Or neither links anything.
+        if (over_a == over_b) return;  // connected already, as most are; or neither connects anything
         if (over_a == null_index) return guide(core, b, a);
         if (over_b == null_index) return guide(core, a, b);
         join(root_of(over_a), root_of(over_b));
@@ -33,13 +33,20 @@ struct LinkedBodies : UnionFind {
 
 inline constexpr std::uint32_t word_grain = 16;  // words of 64 bodies that are worth a task
 
-// The touching contacts, cut into parts that are planned side by side: each lists its edges in its own piece of the array, counts them by place, and puts
-// them where the counts of all say. What is listed and put is the same however it is cut.
-struct EdgeList {
-    Edge* edges = nullptr;
+/// In a counting sort: turns the number of a place's items into the index of its first, `start`, and returns where the items end.
+ISLET_PART std::uint32_t lay_out(std::uint32_t& place, std::uint32_t start) {
+    const std::uint32_t items = place;
+    place = start;
+    return start + items;
+}
+
+// The touching contacts, cut into parts that are planned side by side: workers list each part in its own piece of the array, count its contacts by place, and
+// put them where the counts of all parts say. The plan is the same however the contacts are cut.
+struct ContactList {
+    PlannedConstraint* contacts = nullptr;
     std::uint32_t parts_with_threads = 1;
     std::uint32_t words = 0;                   // of the set of awake contacts, in a part
-    std::uint32_t first[max_plan_parts] = {};  // edge of each part
+    std::uint32_t first[max_plan_parts] = {};  // contact of each part
     std::uint32_t end[max_plan_parts] = {};
 
     std::uint32_t parts() const { return has_threads ? parts_with_threads : 1; }
@@ -47,15 +54,15 @@ struct EdgeList {
     template <class Visit>
     [[gnu::always_inline]] void for_each(Visit&& visit) const {
         for (std::uint32_t p = 0; p < parts(); ++p)
-            for (std::uint32_t k = first[p]; k < end[p]; ++k) visit(edges[k]);
+            for (std::uint32_t k = first[p]; k < end[p]; ++k) visit(contacts[k]);
     }
 };
 
 // Lists the touching contacts, in the order in which they are to be solved.
-EdgeList list_contacts(const Core& core, Plan& plan, Arena& temporary) {
+ContactList list_contacts(const Core& core, Plan& plan, Arena& temporary) {
     const BitSet awake = core.awake_contacts;
-    EdgeList list;
-    Edge* const edges = list.edges = temporary.take<Edge>(core.state->contact_pool.count);
+    ContactList list;
+    PlannedConstraint* const contacts = list.contacts = temporary.take<PlannedConstraint>(core.state->contact_pool.count);
     list.words = awake.word_count;
     if (has_workers(core) && !is_ordered(core.state->solver) && !has_shock(core.state->solver)) {
         list.words = range_count(awake.word_count, plan_parts(core.capacity));
@@ -68,51 +75,47 @@ EdgeList list_contacts(const Core& core, Plan& plan, Arena& temporary) {
         awake.for_each_in(first, end, [&](std::uint32_t i) {
             const ContactManifold& m = core.manifolds[i];
             if ((m.flags & contact_touching) == 0) return;
-            edges[at++] = {i, m.body_a, m.body_b, m.color()};
+            contacts[at++] = {i, m.body_a, m.body_b, {m.color()}};
         });
         list.end[part] = at;
     });
     for (std::uint32_t p = 0; p < list.parts(); ++p) plan.touching_count += list.end[p] - list.first[p];
-    if (has_shock(core.state->solver)) lighten_by_height(core, edges, list.end[0], plan.lightness);
-    if (is_ordered(core.state->solver)) put_in_order(core, edges, list.end[0]);
+    if (has_shock(core.state->solver)) lighten_by_height(core, contacts, list.end[0], plan.lightness);
+    if (is_ordered(core.state->solver)) put_in_order(core, contacts, list.end[0]);
     return list;
 }
 
-// Contacts into (batch, colour) order: count, lay out whole blocks, place. batch_of(edge) says which batch.
+// Puts the contacts in the order of batches and colours: counts them, lays out whole blocks, and places them. batch_of(contact) says which batch.
 template <class BatchOf>
-void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&& batch_of, Arena temporary) {
-    constexpr std::uint32_t places = color_count + 1;  // per batch, the last for what has no colour
+void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchOf&& batch_of, Arena temporary) {
+    constexpr std::uint32_t places = color_count + 1;  // per batch, the last for contacts without a colour
     const std::uint32_t lanes = core.lanes;
     const std::size_t part_size = std::size_t{plan.batch_count} * places;
-    std::uint32_t* next = temporary.take<std::uint32_t>(part_size * list.parts());
+    std::uint32_t* next =
+        temporary.take<std::uint32_t>(part_size * list.parts());  // by part and place: how many there are; once laid out, the next one's index
     for_ranges(core, list.parts(), 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t p = first; p < end; ++p) {
             std::uint32_t* count = next + p * part_size;
             std::memset(count, 0, part_size * 4);
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
-                Edge& e = list.edges[k];
-                e.place = batch_of(e) * places + (e.place == no_color ? color_count : e.place);
-                ++count[e.place];
+                PlannedConstraint& c = list.contacts[k];
+                c.place = batch_of(c) * places + (c.color == no_color ? color_count : c.color);
+                ++count[c.place];
             }
         }
     });
 
     std::uint32_t block = 0;
     std::uint32_t overflow = 0;
-    const auto place = [&](std::size_t entry, std::uint32_t start) {
-        for (std::uint32_t p = 0; p < list.parts(); ++p) {
-            std::uint32_t& count = next[p * part_size + entry];
-            const std::uint32_t here = count;
-            count = start;
-            start += here;
-        }
+    const auto lay_out_parts = [&](std::size_t place, std::uint32_t start) {
+        for (std::uint32_t p = 0; p < list.parts(); ++p) start = lay_out(next[p * part_size + place], start);
         return start;
     };
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         Batch& batch = plan.batches[b];
         for (std::uint32_t c = 0; c < color_count; ++c) {
             batch.first_block[c] = block;
-            const std::uint32_t end = place(std::size_t{b} * places + c, block * lanes);
+            const std::uint32_t end = lay_out_parts(std::size_t{b} * places + c, block * lanes);
             if (end == block * lanes) continue;
             plan.colors |= 1u << c;
             block = (end + lanes - 1) / lanes;
@@ -120,7 +123,7 @@ void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&&
         }
         batch.first_block[color_count] = block;
         batch.first_overflow = overflow;
-        batch.end_overflow = overflow = place(std::size_t{b} * places + color_count, overflow);
+        batch.end_overflow = overflow = lay_out_parts(std::size_t{b} * places + color_count, overflow);
     }
     plan.block_count = block;
     plan.overflow_count = overflow;
@@ -130,27 +133,27 @@ void plan_contacts(const Core& core, Plan& plan, const EdgeList& list, BatchOf&&
         for (std::uint32_t p = first; p < end; ++p) {
             std::uint32_t* at = next + p * part_size;
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
-                const Edge& e = list.edges[k];
-                (e.place % places == color_count ? overflows : plan.contacts)[at[e.place]++] = e.constraint;
+                const PlannedConstraint& c = list.contacts[k];
+                (c.place % places == color_count ? overflows : plan.contacts)[at[c.place]++] = c.index;
             }
         }
     });
 }
 
-// Joints into (batch, colour, kernel) order: count, lay out runs of whole blocks, place. Joints without a colour come first in their batch, in
-// blocks of one.
+// Puts the joints in the order of batches, colours and kernels: counts them, lays out runs of whole blocks, and places them. Joints without a colour come
+// first in their batch, in blocks of one.
 template <class BatchOf>
-void plan_joints(const Core& core, Plan& plan, Edge* edges, BatchOf&& batch_of, Arena temporary) {
-    constexpr std::uint32_t places = (color_count + 1) * joint_kernel_count;  // per batch
-    std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * places);
+void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchOf&& batch_of, Arena temporary) {
+    constexpr std::uint32_t places = (color_count + 1) * joint_kernel_count;                      // per batch
+    std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * places);  // by place, as in plan_contacts
     if (!has_joints || plan.joint_count == 0) return;
     std::memset(next, 0, std::size_t{plan.batch_count} * places * 4);
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) {
-        Edge& e = edges[k];
-        const std::uint32_t color = e.place;
-        const auto kernel = static_cast<std::uint32_t>(kernel_of(core.joints[e.constraint]));
-        e.place = batch_of(e) * places + (color == no_color ? 0u : color + 1) * joint_kernel_count + kernel;
-        ++next[e.place];
+        PlannedConstraint& j = joints[k];
+        const std::uint32_t color = j.color;
+        const auto kernel = static_cast<std::uint32_t>(kernel_of(core.joints[j.index]));
+        j.place = batch_of(j) * places + (color == no_color ? 0u : color + 1) * joint_kernel_count + kernel;
+        ++next[j.place];
         if (color == no_color) {
             ++plan.overflow_joints;
         } else {
@@ -161,24 +164,24 @@ void plan_joints(const Core& core, Plan& plan, Edge* edges, BatchOf&& batch_of, 
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         plan.batches[b].first_run = plan.run_count;
         for (std::uint32_t place = 0; place < places; ++place) {
-            std::uint32_t& entry = next[b * places + place];
-            const std::uint32_t count = entry;
-            entry = at;
+            const std::uint32_t count = lay_out(next[b * places + place], at) - at;
             if (count == 0) continue;
             const bool overflow = place < joint_kernel_count;
             const std::uint32_t lanes = overflow ? 1 : core.lanes;
             const std::uint32_t blocks = (count + lanes - 1) / lanes;
-            plan.runs[plan.run_count++] = {static_cast<JointKernel>(place % joint_kernel_count), overflow ? no_color : place / joint_kernel_count - 1, at,
-                                           blocks, 0};
+            plan.runs[plan.run_count++] = {.kernel = static_cast<JointKernel>(place % joint_kernel_count),
+                                           .color = overflow ? no_color : place / joint_kernel_count - 1,
+                                           .first = at,
+                                           .blocks = blocks};
             for (std::uint32_t i = count; i < blocks * lanes; ++i) plan.joints[at + i] = null_index;
             at += blocks * lanes;
         }
         plan.batches[b].end_run = plan.run_count;
     }
-    for (std::uint32_t k = 0; k < plan.joint_count; ++k) plan.joints[next[edges[k].place]++] = edges[k].constraint;
+    for (std::uint32_t k = 0; k < plan.joint_count; ++k) plan.joints[next[joints[k].place]++] = joints[k].index;
 }
 
-// The plan's arrays, not filled yet.
+// Takes the plan's arrays; they are filled later.
 Plan take_plan(const Core& core, Arena& arena) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
     Plan plan;
@@ -189,63 +192,63 @@ Plan take_plan(const Core& core, Arena& arena) {
     plan.contacts = arena.take<std::uint32_t>(row_capacity(core.capacity));
     plan.joints = arena.take<std::uint32_t>(joint_row_capacity(core.capacity));
     plan.runs = arena.take<JointRun>(joint_run_capacity(core.capacity));
-    plan.tree_bodies = arena.take<TreeBody>(tree_capacity(core.capacity));
-    plan.tree_parents = arena.take<std::uint32_t>(tree_capacity(core.capacity));
+    plan.links = arena.take<Link>(tree_capacity(core.capacity));
+    plan.parent_links = arena.take<std::uint32_t>(tree_capacity(core.capacity));
     if (has_shock(core.state->solver)) plan.lightness = arena.take<float>(bodies);
     return plan;
 }
 
 // Every body by itself: in slot 0, and in a set of its own if it is awake and can be pushed.
-LinkedBodies unlinked_bodies(const Core& core, Plan& plan, Arena& temporary) {
+ConnectedBodies separate_bodies(const Core& core, Plan& plan, Arena& temporary) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
     const auto words = static_cast<std::uint32_t>(words_for(bodies));
-    const LinkedBodies links{{temporary.take<std::uint32_t>(bodies)}, {temporary.take<std::uint64_t>(words), words}};
+    const ConnectedBodies sets{{temporary.take<std::uint32_t>(bodies)}, {temporary.take<std::uint64_t>(words), words}};
     for_ranges(core, words, word_grain, [&](std::uint32_t first, std::uint32_t end) {
         const std::uint32_t begin = 64 * first;
         const std::size_t count = (64 * end < bodies ? 64 * end : bodies) - begin;
         std::memset(plan.slot_of + begin, 0, count * 4);
-        std::memset(links.parent + begin, 0xff, count * 4);
-        std::memset(links.guided.words + first, 0, std::size_t{end - first} * 8);
+        std::memset(sets.parent + begin, 0xff, count * 4);
+        std::memset(sets.guided.words + first, 0, std::size_t{end - first} * 8);
         core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) {
-            if (core.poses[body].inv_mass > 0) links.parent[body] = body;
+            if (core.poses[body].inv_mass > 0) sets.parent[body] = body;
         });
     });
-    return links;
+    return sets;
 }
 
-// Links the bodies of awake joints, and lists those joints that are swept; the others are solved exactly, in trees.
-Edge* list_joints(const Core& core, Plan& plan, const LinkedBodies& links, Arena& temporary) {
-    Edge* edges = temporary.take<Edge>(core.state->joint_pool.count);
+// Connects the bodies of awake joints, and lists the joints to be swept. The others are solved exactly, in joint trees.
+PlannedConstraint* list_joints(const Core& core, Plan& plan, const ConnectedBodies& sets, Arena& temporary) {
+    PlannedConstraint* joints = temporary.take<PlannedConstraint>(core.state->joint_pool.count);
     const BitSet awake_joints = has_joints ? core.awake_joints : BitSet{};
     awake_joints.for_each([&](std::uint32_t i) {
         const Joint& j = core.joints[i];
-        if (links.parent_of(j.body_a) == null_index && links.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
+        if (sets.parent_of(j.body_a) == null_index && sets.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
         ++plan.awake_joints;
         plan.has_trees = plan.has_trees || (j.flags & joint_exact) != 0;
-        if ((j.flags & joint_exact) == 0) edges[plan.joint_count++] = {i, j.body_a, j.body_b, j.color()};
-        links.link(core, j.body_a, j.body_b);
+        if ((j.flags & joint_exact) == 0) joints[plan.joint_count++] = {i, j.body_a, j.body_b, {j.color()}};
+        sets.connect(core, j.body_a, j.body_b);
         if (j.joint_type() != JointType::gear) return;
-        // A gear's row reads the four bodies of its two joints, and not all of them are its own.
-        const std::uint32_t moving = links.parent_of(j.body_a) != null_index ? j.body_a : j.body_b;
+        // A gear's row reads the four bodies of its two joints. Only two of them are the gear's own.
+        const std::uint32_t moving = sets.parent_of(j.body_a) != null_index ? j.body_a : j.body_b;
         for (const std::uint32_t joint : {j.joint1, j.joint2}) {
-            links.link(core, moving, core.joints[joint].body_a);
-            links.link(core, moving, core.joints[joint].body_b);
+            sets.connect(core, moving, core.joints[joint].body_a);
+            sets.connect(core, moving, core.joints[joint].body_b);
         }
     });
-    return edges;
+    return joints;
 }
 
-// Numbers the islands by their roots and counts their bodies. A root is the smallest of its island, so one pass in order is enough.
-Islands number_islands(const Core& core, Plan& plan, const LinkedBodies& links, Arena& temporary) {
+// Numbers the islands by their roots and counts their bodies. A root is the smallest body of its island, so one pass in order is enough.
+Islands number_islands(const Core& core, Plan& plan, const ConnectedBodies& sets, Arena& temporary) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
     Islands found{temporary.take<Island>(bodies), temporary.take<std::uint32_t>(bodies), 0};
     core.awake_bodies.for_each([&](std::uint32_t body) {
-        if (links.parent[body] == null_index) {
+        if (sets.parent[body] == null_index) {
             found.island_of[body] = null_index;
             ++found.kinematic_count;
             return;
         }
-        const std::uint32_t root = links.root_of(body);
+        const std::uint32_t root = sets.root_of(body);
         if (root == body) {
             found.islands[plan.island_count] = Island{};
             found.island_of[body] = plan.island_count++;
@@ -253,12 +256,12 @@ Islands number_islands(const Core& core, Plan& plan, const LinkedBodies& links, 
         const std::uint32_t number = found.island_of[body] = found.island_of[root];
         Island& island = found.islands[number];
         ++island.bodies;
-        if (links.guided.test(body)) island.batch = kinematic_batch;
+        if (sets.guided.test(body)) island.batch = kinematic_batch;
     });
     return found;
 }
 
-// Puts the islands into batches, in order, and says which slots each batch has. No two batches ever share a moving body: see kinematic_batch.
+// Puts the islands into batches, in order, and decides which slots each batch has. No two batches share a moving body (kinematic_batch says how).
 void fill_batches(Plan& plan, const Islands& found) {
     plan.batches[kinematic_batch] = plan.batches[1] = Batch{};
     plan.batches[kinematic_batch].body_count = found.kinematic_count;
@@ -277,7 +280,7 @@ void fill_batches(Plan& plan, const Islands& found) {
     }
 }
 
-// Gives the bodies of each batch its slots, in their own order.
+// Gives the batches' slots to their bodies, in the order of the bodies.
 void give_slots(const Core& core, Plan& plan, const Islands& found, Arena temporary) {
     std::uint32_t* next = temporary.take<std::uint32_t>(plan.batch_count);  // slot, by batch
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) next[b] = plan.batches[b].first_slot;
@@ -295,22 +298,22 @@ void give_slots(const Core& core, Plan& plan, const Islands& found, Arena tempor
 
 Plan make_plan(const Core& core, Arena& arena) {
     Plan plan = take_plan(core, arena);
-    Arena temporary = arena;  // what follows is used only here, so the solve may take the same scratch
+    Arena temporary = arena;  // what is taken from it serves this function alone: the solve takes the same scratch again
 
-    const LinkedBodies links = unlinked_bodies(core, plan, temporary);
-    const EdgeList contacts = list_contacts(core, plan, temporary);
-    contacts.for_each([&](const Edge& e) { links.link(core, e.a, e.b); });
-    Edge* const joints = list_joints(core, plan, links, temporary);
+    const ConnectedBodies sets = separate_bodies(core, plan, temporary);
+    const ContactList contacts = list_contacts(core, plan, temporary);
+    contacts.for_each([&](const PlannedConstraint& c) { sets.connect(core, c.body_a, c.body_b); });
+    PlannedConstraint* const joints = list_joints(core, plan, sets, temporary);
 
-    const Islands islands = number_islands(core, plan, links, temporary);
+    const Islands islands = number_islands(core, plan, sets, temporary);
     fill_batches(plan, islands);
     give_slots(core, plan, islands, temporary);
 
-    // One of an edge's bodies can be pushed, and says which batch.
-    const auto batch_of = [&](const Edge& e) { return islands.batch_of(links.parent_of(e.a) != null_index ? e.a : e.b); };
+    // At least one body of a constraint can be pushed; its batch is the constraint's.
+    const auto batch_of = [&](const PlannedConstraint& c) { return islands.batch_of(sets.parent_of(c.body_a) != null_index ? c.body_a : c.body_b); };
     plan_contacts(core, plan, contacts, batch_of, temporary);
     plan_joints(core, plan, joints, batch_of, temporary);
-    if (plan.has_trees) plan_trees(core, plan, islands, temporary);
+    if (plan.has_trees) plan_links(core, plan, islands, temporary);
     return plan;
 }
 

@@ -1,13 +1,13 @@
-// Islands and batches: who is solved with whom.
+// Islands and batches: which bodies and constraints are solved together.
 //
-// An island is a set of dynamic bodies linked by touching contacts and joints; static and kinematic bodies link nothing. Islands are found anew in every
-// step by union-find, so they link as soon as a contact touches and split as soon as one goes. Several islands make a batch, sized so that a batch's
-// bodies and rows fit a core's cache; within a batch, contacts are grouped by colour, and joints by colour and kernel.
+// An island is a set of dynamic bodies that touching contacts and joints connect. Static and kinematic bodies connect nothing. Each step finds the islands
+// anew, by union-find: they join as soon as a contact touches, and split as soon as one ends. Several islands make a batch, sized so that its bodies and rows
+// fit a core's cache. Within a batch, contacts are grouped by colour, and joints by colour and kernel.
 //
 //   slots:   | 0: static | batch 0's bodies | batch 1's bodies | ...
-//   rows:    | batch 0: colour 0 (padded to whole blocks), colour 1, ... | batch 1: ... |        + one row a block for the overflow
+//   rows:    | batch 0: colour 0 (padded to whole blocks), colour 1, ... | batch 1: ... |        + the overflow, in blocks of one
 //
-// Which island, batch or slot a body gets never changes a result: rows of one colour are independent, and so are islands.
+// A body's island, batch and slot never change a result: rows of one colour are independent, and so are islands.
 #pragma once
 
 #include "../constraint/joint_rows.hpp"
@@ -21,20 +21,20 @@ struct Batch {
     std::uint32_t first_slot = 0, body_count = 0;  // slots of its bodies
     std::uint32_t first_block[color_count + 1] = {};
     std::uint32_t first_overflow = 0, end_overflow = 0;
-    std::uint32_t first_run = 0, end_run = 0;    // of joints
-    std::uint32_t first_tree = 0, end_tree = 0;  // bodies of trees
-    std::uint32_t sweeps = 0;                    // that the solve made of it
+    std::uint32_t first_run = 0, end_run = 0;      // of joints
+    std::uint32_t first_link = 0, link_count = 0;  // of joint trees
+    std::uint32_t sweeps = 0;                      // that the solve has made of it
 
     std::uint32_t end_slot() const { return first_slot + body_count; }
 };
 
-/// Joints of one kernel and one colour, in whole blocks of `lanes` joints; those without a colour come first and are solved one by one.
+/// Joints of one kernel and one colour, in whole blocks of `lanes` joints. Runs without a colour come first and are solved one by one.
 struct JointRun {
     JointKernel kernel = JointKernel::point;
     std::uint32_t color = no_color;
     std::uint32_t first = 0;  // in Plan::joints
     std::uint32_t blocks = 0;
-    std::uint64_t offset = 0;  // bytes: of its rows, given by the solve
+    std::uint64_t offset = 0;  // bytes, of its rows in those of all joints; the solve fills it in
 };
 
 static_assert(sizeof(Batch) == batch_bytes && sizeof(JointRun) == joint_run_bytes);
@@ -54,15 +54,15 @@ struct Plan {
     std::uint32_t* joints = nullptr;  // run by run; null_index in the padding
     JointRun* runs = nullptr;
     std::uint32_t run_count = 0;
-    std::uint32_t joint_count = 0;   // in runs
-    std::uint32_t awake_joints = 0;  // in runs or trees
-    bool has_trees = false;
-    std::uint32_t overflow_joints = 0;
-    TreeBody* tree_bodies = nullptr;        // of each batch leaves first
-    std::uint32_t* tree_parents = nullptr;  // where in the batch's trees the parent stands; null_index if it cannot be pushed, or there is none
-    std::uint32_t tree_count = 0;
-    float* lightness = nullptr;  // by body: how many times less it weighs, for the solve, than it does; null: all as they are (shock)
-    std::uint32_t colors = 0;    // in use
+    std::uint32_t joint_count = 0;          // in runs
+    std::uint32_t awake_joints = 0;         // in runs or joint trees
+    bool has_trees = false;                 // joint trees
+    std::uint32_t overflow_joints = 0;      // without a colour
+    Link* links = nullptr;                  // of joint trees: batch by batch, in each leaves first
+    std::uint32_t* parent_links = nullptr;  // by link: its parent's place among the batch's links; null_index if the parent cannot be pushed, or there is none
+    std::uint32_t link_count = 0;
+    float* lightness = nullptr;  // by body: the solve takes its mass for so many times smaller (shock propagation); null: all masses as they are
+    std::uint32_t colors = 0;    // bits of the colours in use
     std::uint32_t touching_count = 0;
 };
 
@@ -72,21 +72,22 @@ inline constexpr std::uint32_t kinematic_batch = 0;
 /// An island while the plan is made.
 struct Island {
     std::uint32_t bodies = 0;
-    std::uint32_t batch = null_index;  // kinematic_batch from the start where it belongs there; others get theirs in order
+    std::uint32_t batch = null_index;  // kinematic_batch as soon as a body of the island is known to be guided; other islands get theirs in order
 };
 
 /// The islands of a plan, and where each body belongs.
 struct Islands {
     Island* islands;
     std::uint32_t* island_of;       // by awake body; null_index for kinematic ones
-    std::uint32_t kinematic_count;  // that are awake
+    std::uint32_t kinematic_count;  // of awake bodies
 
     std::uint32_t batch_of(std::uint32_t dynamic_body) const { return islands[island_of[dynamic_body]].batch; }
 };
 
-/// The bodies of trees by batch, in each leaves first.
-ISLET_OPTIONAL void plan_trees(const Core& core, Plan& plan, const Islands& islands, Arena temporary);
+/// Lists the links of awake joint trees by batch, in each leaves first.
+ISLET_OPTIONAL void plan_links(const Core& core, Plan& plan, const Islands& islands, Arena temporary);
 
+/// Makes the plan of all awake bodies. Its arrays are taken from `arena`.
 Plan make_plan(const Core& core, Arena& arena);
 
 }  // namespace islet::detail

@@ -1,14 +1,14 @@
-// Sorting in place, in a bounded time, without memory of its own.
+// Sorting in place, in bounded time.
 #pragma once
 
 #include <cstdint>
 
 namespace islet::detail {
 
-/// Sorts so that nothing comes before what is less than it; equal ones end in any, but always the same, order. (Williams, "Algorithm 232: Heapsort", 1964.)
+/// Sorts in ascending order. Equal items end in some order, always the same one. (Williams, "Algorithm 232: Heapsort", 1964.)
 template <class T, class Less>
 void heap_sort(T* items, std::uint32_t count, Less&& less) {
-    // Lets the item at `top` sink until both below it are no greater.
+    // Moves the item at `top` down until neither item below it is greater.
     const auto sink = [&](std::uint32_t top, std::uint32_t end) {
         const T item = items[top];
         for (std::uint32_t below = 2 * top + 1; below < end; below = 2 * top + 1) {

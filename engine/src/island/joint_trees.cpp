@@ -31,13 +31,13 @@ void choose_trees(Core& core, Arena temporary) {
         if ((j.generation & 1u) != 0 && j.joint_type() == JointType::revolute && forest.add(core, j)) j.flags |= joint_exact;
     }
 
-    // What a hinge bears: the mass of all that hangs on it, beside the lighter of its two bodies.
+    // A hinge's load is the mass of all bodies that hang on it. It is compared with the lighter of the hinge's two bodies.
     float* load = temporary.take<float>(bodies);
     for (std::uint32_t i = 0; i < bodies; ++i) load[i] = core.bodies[i].mass;
-    TreeBody* order = temporary.take<TreeBody>(tree_capacity(core.capacity));
-    const std::uint32_t count = order_trees(core, false, order, temporary);
+    Link* order = temporary.take<Link>(tree_capacity(core.capacity));
+    const std::uint32_t count = order_links(core, false, order, temporary);
     for (std::uint32_t k = 0; k < count; ++k) {
-        const TreeBody b = order[k];
+        const Link b = order[k];
         if (b.joint == null_index) continue;
         const std::uint32_t parent = other_end(core.joints[b.joint], b.body);
         const float own = core.bodies[b.body].mass;
@@ -59,8 +59,8 @@ void choose_trees(Core& core, Arena temporary) {
     }
 }
 
-// Of each body are kept the number of its hinges and the XOR of their indices, which is the last one's index once the others are gone.
-std::uint32_t order_trees(const Core& core, bool awake, TreeBody* out, Arena temporary) {
+// For each body the function keeps the number of its hinges and the XOR of their indices: once one hinge is left, the XOR is its index.
+std::uint32_t order_links(const Core& core, bool awake, Link* out, Arena temporary) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
     struct Ends {
         std::uint32_t count, joints;
@@ -80,7 +80,7 @@ std::uint32_t order_trees(const Core& core, bool awake, TreeBody* out, Arena tem
     std::uint32_t count = 0;
     constexpr std::uint32_t queued = 1u << 31;
     const auto look_at = [&](std::uint32_t body) {
-        if (ends[body].count != 1 || !Forest::moves(core, body)) return;  // of those in the queue the count is larger than any
+        if (ends[body].count != 1 || !Forest::moves(core, body)) return;  // a queued body's count is larger than any other
         ends[body].count |= queued;
         out[count++].body = body;
     };
@@ -91,7 +91,7 @@ std::uint32_t order_trees(const Core& core, bool awake, TreeBody* out, Arena tem
     for (std::uint32_t at = 0; at < count; ++at) {
         const std::uint32_t body = out[at].body;
         out[at].joint = null_index;
-        if (ends[body].count == queued) continue;  // all its hinges are gone: a root
+        if (ends[body].count == queued) continue;  // a root: all its hinges lead to bodies before it
         const std::uint32_t joint = out[at].joint = ends[body].joints;
         const std::uint32_t parent = other_end(core.joints[joint], body);
         --ends[parent].count;
@@ -101,26 +101,25 @@ std::uint32_t order_trees(const Core& core, bool awake, TreeBody* out, Arena tem
     return count;
 }
 
-ISLET_APART void plan_trees(const Core& core, Plan& plan, const Islands& islands, Arena temporary) {
-    TreeBody* ordered = temporary.take<TreeBody>(tree_capacity(core.capacity));
-    std::uint32_t* place_of = temporary.take<std::uint32_t>(core.state->body_pool.high_water);  // of a body, among its batch's
-    const std::uint32_t count = order_trees(core, true, ordered, temporary);
-    for (std::uint32_t i = 0; i < count; ++i) ++plan.batches[islands.batch_of(ordered[i].body)].end_tree;
+ISLET_APART void plan_links(const Core& core, Plan& plan, const Islands& islands, Arena temporary) {
+    Link* ordered = temporary.take<Link>(tree_capacity(core.capacity));
+    std::uint32_t* place_of = temporary.take<std::uint32_t>(core.state->body_pool.high_water);  // of a body, among its batch's links
+    std::uint32_t* next = temporary.take<std::uint32_t>(plan.batch_count);                      // link, by batch
+    const std::uint32_t count = order_links(core, true, ordered, temporary);
+    for (std::uint32_t i = 0; i < count; ++i) ++plan.batches[islands.batch_of(ordered[i].body)].link_count;
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
-        Batch& batch = plan.batches[b];
-        batch.first_tree = plan.tree_count;
-        plan.tree_count += batch.end_tree;
-        batch.end_tree = batch.first_tree;
+        next[b] = plan.batches[b].first_link = plan.link_count;
+        plan.link_count += plan.batches[b].link_count;
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        Batch& batch = plan.batches[islands.batch_of(ordered[i].body)];
-        place_of[ordered[i].body] = batch.end_tree - batch.first_tree;
-        plan.tree_bodies[batch.end_tree++] = ordered[i];
+        const std::uint32_t batch = islands.batch_of(ordered[i].body);
+        place_of[ordered[i].body] = next[batch] - plan.batches[batch].first_link;
+        plan.links[next[batch]++] = ordered[i];
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        const TreeBody& b = plan.tree_bodies[i];
-        const std::uint32_t parent = b.joint != null_index ? other_end(core.joints[b.joint], b.body) : null_index;
-        plan.tree_parents[i] = parent != null_index && Forest::moves(core, parent) ? place_of[parent] : null_index;
+        const Link& link = plan.links[i];
+        const std::uint32_t parent = link.joint != null_index ? other_end(core.joints[link.joint], link.body) : null_index;
+        plan.parent_links[i] = parent != null_index && Forest::moves(core, parent) ? place_of[parent] : null_index;
     }
 }
 

@@ -1,15 +1,15 @@
-// Trees of hinges: which hinges are solved exactly, all of a tree at once, and in what order.
+// Joint trees: which hinges are solved exactly, all of a tree together, and in what order.
 //
-// A sweep that knows two bodies at a time needs as many passes as a chain has links to carry a load along it, and each loses the more the heavier the
-// load is beside a link. Where hinges form trees they need not be swept: eliminating bodies from the leaves to the root solves them exactly in one
-// pass up and one down (solver/tree_solve.hpp).
+// A sweep looks at two bodies at a time. It needs as many passes as a chain has links to carry a load along the chain, and each pass loses the more the
+// heavier the load is beside a link. Where hinges form a tree, eliminating its bodies from the leaves to the root solves them exactly, in one pass up and
+// one pass down (solver/tree_solve.hpp).
 //
 //   static --- link --- link --- ball        leaves first: ball, link, link
 //
-// Static and kinematic bodies hold a tree but are no part of it, so one that is held twice is a loop. A hinge that closes a loop is swept as ever, and so
-// is one on which a spring, a limit, a motor or friction acts.
+// Static and kinematic bodies can hold a tree but are no part of it, so a tree that is held twice is a loop. Hinges that close a loop are swept, and so are
+// hinges with a spring, a limit, a motor or friction.
 //
-// Which hinges are marked follows from the joints, the masses and the setting alone, and is worked out anew when one of these has changed.
+// The joints, the masses and the setting alone decide which hinges are marked. The marks are made anew when one of these has changed.
 #pragma once
 
 #include "../data/core.hpp"
@@ -19,16 +19,15 @@
 
 namespace islet::detail {
 
-/// Trees of hinges as they grow.
+/// Joint trees as they grow.
 struct Forest {
-    /// Of a tree, at its root.
     struct Tree {
         bool held;    // by a static or kinematic body
-        bool swept;   // sweeps do better: a hinge of it closes a loop, or something acts on one
-        bool loaded;  // a hinge bears so much that sweeping would not do
+        bool swept;   // sweeps do better: one of its hinges closes a loop, or has a spring, a limit, a motor or friction
+        bool loaded;  // a hinge has a load so heavy that sweeps would not carry it
     };
     UnionFind sets;  // of bodies
-    Tree* trees;
+    Tree* trees;     // by root
 
     Forest(std::uint32_t bodies, Arena& arena) : sets{arena.take<std::uint32_t>(bodies)}, trees(arena.take<Tree>(bodies)) {
         for (std::uint32_t i = 0; i < bodies; ++i) {
@@ -39,16 +38,16 @@ struct Forest {
 
     ISLET_SHARED static bool moves(const Core& core, std::uint32_t body) { return core.poses[body].inv_mass > 0; }
 
-    /// Nothing acts on the hinge's angle, and no lock on its bodies, so that a tree can take it.
+    /// True if a tree can take the hinge: nothing acts on its angle, and its bodies have no locks.
     static bool is_plain(const Core& core, const Joint& j) {
         const auto locked = [&](std::uint32_t body) { return (core.bodies[body].flags & (body_lock_x | body_lock_y)) != 0; };
         return (j.flags & (joint_spring | joint_limit | joint_motor)) == 0 && j.friction == 0 && !locked(j.body_a) && !locked(j.body_b);
     }
 
-    /// The tree of a hinge that has a body which moves.
+    /// The tree of a hinge, of which at least one body moves.
     ISLET_SHARED Tree& tree_of(const Core& core, const Joint& j) const { return trees[sets.root_of(moves(core, j.body_a) ? j.body_a : j.body_b)]; }
 
-    /// Grows by a hinge, or returns false: a tree cannot take it, or it would close a loop, or has no body that moves.
+    /// Adds a hinge; returns false if a tree cannot take it, if it would close a loop, or if neither of its bodies moves.
     bool add(const Core& core, const Joint& j) const {
         const bool moves_a = moves(core, j.body_a), moves_b = moves(core, j.body_b);
         if ((!moves_a && !moves_b) || is_joint_idle(core, j)) return false;
@@ -64,19 +63,20 @@ struct Forest {
     }
 };
 
-/// A body and the hinge that ties it to its parent.
-struct TreeBody {
+/// A body of a joint tree and the hinge that ties it to its parent.
+struct Link {
     std::uint32_t body;
     std::uint32_t joint;  // null_index: the root of a tree that nothing holds
 };
 
-/// Marks the hinges of trees that the setting wants solved exactly, if anything has changed since they were marked.
+/// Marks the hinges that are to be solved exactly (joint_exact), if anything they follow from has changed since they were marked.
 ISLET_OPTIONAL void choose_trees(Core& core, Arena temporary);
 
-/// The bodies of all trees, or of those awake, leaves first. `out` has room for every body, or for two a joint. Returns how many.
-ISLET_OPTIONAL std::uint32_t order_trees(const Core& core, bool awake, TreeBody* out, Arena temporary);
+/// Writes the links of all joint trees, or of awake ones alone, leaves first, and returns how many there are. `out` has room for all bodies, or for two a
+/// joint.
+ISLET_OPTIONAL std::uint32_t order_links(const Core& core, bool awake, Link* out, Arena temporary);
 
-/// Does nothing, but whoever refers to it links the functions above, and plan_trees (batches.hpp).
+/// Does nothing. A program that refers to it links the functions above, and plan_links (batches.hpp).
 void link_joint_trees();
 
 }  // namespace islet::detail

@@ -1,4 +1,4 @@
-// Sets of bodies that are joined one pair at a time.
+// Sets of bodies, joined pair by pair.
 #pragma once
 
 #include <cstdint>

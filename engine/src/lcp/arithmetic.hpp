@@ -1,4 +1,4 @@
-// The little arithmetic that the methods share, for float and double.
+// Arithmetic that the methods share, for float and double.
 #pragma once
 
 namespace islet::lcp {
@@ -48,7 +48,7 @@ constexpr bool is_finite(T a) {
     return a - a == T(0);
 }
 
-/// The larger of two magnitudes found so far, where a NaN is worse than everything: it must not get lost in a comparison.
+/// The larger of two magnitudes. A NaN counts as the largest, so that no comparison loses it.
 template <class T>
 constexpr T worse(T most, T a) {
     if (a != a) return Numbers<T>::infinity;

@@ -1,7 +1,6 @@
-// Every row of a block is at its lower bound, at its upper one, or free with w = 0; three to the power of the rows such choices. Given the right one the
-// solution is that of linear equations. It is sought by exchanging the rows that are wrong, first all of them at once, then only the
-// first of them, which ends at the solution if M is a P-matrix (Murty 1974; with both kinds of step: Judice and Pires 1994). If that
-// fails all choices are tried.
+// Every row of a block is at its lower bound, at its upper bound, or free with w = 0. Of n rows there are 3^n such choices; the right one makes the solution
+// that of linear equations. The search changes the rows that are wrong, first all of them at once, then only the first of them. This ends at the solution if M
+// is a P-matrix (Murty 1974; with both kinds of step: Judice and Pires 1994). If it fails, all choices are tried.
 #include "../exact.hpp"
 
 #include "../lcp/block.hpp"
@@ -20,10 +19,10 @@ Bounds<T> block_bounds(const Block<T>& block, std::uint32_t i, const T* y) {
     return {-limit, limit};
 }
 
-/// The y that belongs to a choice of places; false if there is no unique one.
+/// Finds the y of a choice of places; returns false if there is no unique one.
 template <class T>
 bool solve_places(const Block<T>& block, const Place* places, T* y) {
-    // A row at a bound is a constant, or for friction a multiple of its normal row, which is free or a constant itself.
+    // A row at a bound is a constant; a friction row is a multiple of its normal row, which is free or itself a constant.
     T slope[max_block_rows];
     std::uint32_t index[max_block_rows], rows[max_block_rows], count = 0;
     for (std::uint32_t i = 0; i < block.size; ++i) {
@@ -63,11 +62,11 @@ bool solve_places(const Block<T>& block, const Place* places, T* y) {
     return true;
 }
 
-/// Corrects the place of the first row that is wrong, or of all of them; false if none was.
+/// Corrects the place of the first row that is wrong, or of all wrong rows; returns false if none is wrong.
 template <class T>
 bool exchange_places(const Block<T>& block, const T* y, bool all, Place* places) {
     bool changed = false;
-    T size = T(0);  // of y: what rounding is measured by
+    T size = T(0);  // of y; rounding is measured by it
     for (std::uint32_t i = 0; i < block.size; ++i) size = larger(size, magnitude(y[i]));
     for (std::uint32_t i = 0; i < block.size; ++i) {
         T w = block.b[i], terms = magnitude(block.b[i]);

@@ -5,8 +5,8 @@
 
 namespace islet::lcp {
 
-/// A problem cut down to the rows of one block, everything outside it held. `friction` counts within the block; a friction row whose normal row is outside
-/// has ordinary bounds here.
+/// The problem of one block's rows, with all other rows held. `friction` names rows within the block; a friction row whose normal row is outside has ordinary
+/// bounds here.
 template <class T>
 struct Block {
     std::uint32_t size;
@@ -17,7 +17,7 @@ struct Block {
     std::uint32_t friction[max_block_rows];
 };
 
-/// Puts the solution into y, which is the start. False if none is found: there is none, or the equations of its free rows have no unique solution.
+/// Starts from y and leaves the solution in it. Returns false if it finds none: there is none, or the equations of the free rows have no unique solution.
 template <class T>
 bool solve_block(const Block<T>& block, T* y);
 

@@ -1,7 +1,7 @@
-// Block PGS: the rows of a block see each other's final values instead of taking turns. Worth it where a few rows are tightly coupled, as the two
-// points of a contact or the normal and friction of one, and blocks are coupled loosely.
+// Block PGS: the rows of a block are solved together instead of one after another. This pays where a few rows are coupled tightly, like the two points of a
+// contact, or the normal and friction of one point, and blocks are coupled loosely.
 //
-// A block that has no unique solution (two rows that say the same) is swept row by row.
+// A block without a unique solution (two equal rows) is swept row by row.
 #include "../exact.hpp"
 
 #include "../lcp/block.hpp"
@@ -22,7 +22,7 @@ Range block_range(const Task<T>& task, std::uint32_t block) {
     return {starts[block], block + 1 < starts.size() ? starts[block + 1] : task.rows};
 }
 
-/// What the rows of the block are to each other while all others keep their values.
+/// Sets up the block's own problem while all other rows keep their values.
 template <class T>
 void cut_out(const Task<T>& task, const T* divisors, Range range, Block<T>& block) {
     block.size = range.end - range.first;
@@ -52,7 +52,7 @@ void cut_out(const Task<T>& task, const T* divisors, Range range, Block<T>& bloc
     }
 }
 
-/// Cuts y to its bounds. Rows of friction come last: their bounds follow from values of y that are cut already.
+/// Cuts y to its bounds. Friction rows come last: their bounds follow from values of y that are already cut.
 template <class T>
 void keep_bounds(const Block<T>& block, T* y) {
     for (const bool has_friction : {false, true}) {

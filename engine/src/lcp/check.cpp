@@ -28,7 +28,7 @@ Verdict check_sparsity(const SparseMatrix<T>& m, std::uint32_t n) {
     if (m.row_starts[0] != 0 || m.row_starts[n] != m.values.size()) return {Status::bad_matrix, m.row_starts[0] != 0 ? 0 : n - 1};
     for (std::uint32_t i = 0; i < n; ++i)
         if (m.row_starts[i] > m.row_starts[i + 1]) return {Status::bad_matrix, i};
-    // The starts ascend to the number of values: from here on everything they name is there.
+    // The starts ascend to the number of values, so from here on every entry that they name exists.
     for (std::uint32_t i = 0; i < n; ++i) {
         for (std::uint32_t k = m.row_starts[i]; k < m.row_starts[i + 1]; ++k) {
             if (m.columns[k] >= n) return {Status::bad_matrix, i};

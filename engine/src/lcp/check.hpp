@@ -1,4 +1,4 @@
-// Whether the arguments are what they should be. Nothing else in this folder checks them again.
+// Checks the arguments. Nothing else in this folder checks them again.
 #pragma once
 
 #include "islet/lcp.hpp"

@@ -1,6 +1,6 @@
 // The tableau of complementary pivoting: n variables, the basic ones, written in terms of the n + 1 others.
 //
-// The variables are x_i (number i), w_i (number n + i) and z (number 2 n), the parameter that covers up what is still wrong.
+// The variables are x_i (number i), w_i (number n + i) and z (number 2 n), the parameter that makes up for w of the wrong sign.
 #pragma once
 
 #include "../lcp/task.hpp"
@@ -23,7 +23,7 @@ struct Dictionary {
     std::uint32_t column_of(std::uint32_t variable) const { return place[variable] - n; }
 };
 
-/// Moves the variable of a column by so much, and all basic ones with it.
+/// Moves the variable of a column by so much, and all basic variables with it.
 template <class T>
 void move(const Dictionary<T>& d, std::uint32_t column, T by);
 
@@ -31,9 +31,9 @@ void move(const Dictionary<T>& d, std::uint32_t column, T by);
 template <class T>
 void exchange(const Dictionary<T>& d, std::uint32_t row, std::uint32_t column, T entering);
 
-/// Decides between two rows whose variables reach their bounds at the same time, so that no set of basic variables comes twice: the one that would be first
-/// if every q_k were raised by e^(k+1), e small beyond measure. (The lexicographic rule of Dantzig, Orden, Wolfe 1955. What a basic variable
-/// owes to e^(k+1) need not be stored: it is minus its coefficient of w_k.) `rate_a` and `rate_b` are how fast the rows' variables move.
+/// Decides between two rows whose variables reach their bounds at the same time, so that no set of basic variables comes twice. It chooses the row that would
+/// be first if every q_k were raised by e^(k+1), for an e as small as you like. (The lexicographic rule of Dantzig, Orden, Wolfe 1955. A basic variable's part
+/// of e^(k+1) need not be stored: it is minus its coefficient of w_k.) `rate_a` and `rate_b` are how fast the rows' variables move.
 template <class T>
 bool comes_first(const Dictionary<T>& d, std::uint32_t a, T rate_a, std::uint32_t b, T rate_b);
 

@@ -1,8 +1,8 @@
-// Projected Jacobi: every row from the values of the iteration before, so the rows could be solved in any order or all at once. What that costs is
-// convergence: rows that push against each other overshoot together, and omega must be small enough for the most coupled of them.
+// Projected Jacobi: every row is solved from the values of the last iteration, so the rows could be solved in any order or all at once. The price is slower
+// convergence: rows that push against each other overshoot together, so omega must be small enough for the most coupled rows.
 //
-// With a row's sum of magnitudes for its divisor no omega need be found: the largest eigenvalue of D^-1 M is then at most 1. (The l1 smoother of Baker,
-// Falgout, Kolev, Yang: Multigrid smoothers for ultraparallel computing, 2011.)
+// If each row is divided by its sum of magnitudes instead, any omega up to 1 will do, because the largest eigenvalue of D^-1 M is at most 1. (The l1 smoother
+// of Baker, Falgout, Kolev, Yang: Multigrid smoothers for ultraparallel computing, 2011.)
 #include "../exact.hpp"
 
 #include "../lcp/sweep.hpp"

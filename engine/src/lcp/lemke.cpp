@@ -1,14 +1,14 @@
 // Lemke's method for rows with two bounds.
 //
-// Every x starts at a bound. What w is wrong there is covered by a variable z: w_i + z for rows at their lower bound, w_i - z for rows at their upper one,
-// with z as small as all being right allows. Then z is brought down to 0 along the only path there is: a variable comes in; the first variable that
-// reaches a bound by that stops it and goes out; and what comes in next is the partner of what went out, since of x_i inside its bounds and
-// w_i off 0 there may be only one. An x that crosses to its other bound stops itself. If nothing stops the variable that came in, the path
-// is a ray, and if M is positive semi-definite there is no solution.
+// Every x starts at a bound. A variable z makes up for wrong signs of w: rows at their lower bound have w_i + z, rows at their upper bound w_i - z, and z is
+// the smallest number that makes all signs right. Then z is brought to 0 along the only path there is. A variable comes in and moves; the first variable that
+// thereby reaches a bound stops it and goes out. The next variable to come in is the partner of the one that went out, because either x_i is inside its bounds
+// or w_i is not 0, never both. An x that reaches its other bound stops itself. If nothing stops the variable that came in, the path is a ray; if M is positive
+// semi-definite, there is then no solution.
 //
 // Sources: Lemke 1965; Cottle, Pang, Stone: The Linear Complementarity Problem (1992), chapter 4; upper bounds
-// as in the simplex method with bounded variables. Rows without any bound are made basic first. At the end the free rows are solved once
-// more from the numbers given, which takes away what rounding the pivots piled up.
+// as in the simplex method with bounded variables. Rows without bounds are made basic first. At the end the free rows are solved once more from the given
+// numbers, which removes the rounding that the pivots have accumulated.
 #include "../exact.hpp"
 
 #include "../lcp/dictionary.hpp"
@@ -21,7 +21,7 @@ enum class Kind : std::uint32_t { at_lo, at_hi, fixed, unbounded };  // a row wh
 
 constexpr std::uint32_t most_friction_rounds = 200;
 
-/// Below this, in relation to the largest of its column, a coefficient is rounding and stops nothing.
+/// A coefficient that is smaller than this, relative to the largest of its column, is rounding and stops nothing.
 template <class T>
 constexpr T negligible = sizeof(T) == sizeof(float) ? T(2e-6) : T(1e-12);
 
@@ -37,7 +37,7 @@ struct Lemke {
     void set(std::uint32_t i, Kind k) const { kind[i] = static_cast<std::uint32_t>(k); }
 };
 
-/// x at its bounds, w and z = 0 in terms of that.
+/// Starts the dictionary: x at its bounds, z = 0, and w in terms of these.
 template <class T>
 void fill(const Task<T>& task, const Lemke<T>& s) {
     const Dictionary<T>& d = s.d;
@@ -71,7 +71,7 @@ std::uint32_t settle_unbounded(const Task<T>& task, Lemke<T>& s) {
     for (std::uint32_t i = 0; i < d.n; ++i)
         for (std::uint32_t c = 0; c < d.n; ++c) largest = larger(largest, magnitude(d.row(i)[c]));
     for (std::uint32_t step = 0; step < d.n; ++step) {
-        // Any w of such a row may make place for any x of one: the largest pivot.
+        // Any w of such rows may leave for any x of such rows, so the largest pivot is taken.
         std::uint32_t row = no_row, column = no_row, left = no_row;
         T most = negligible<T> * largest;
         for (std::uint32_t r = 0; r < d.n; ++r) {
@@ -95,7 +95,7 @@ std::uint32_t settle_unbounded(const Task<T>& task, Lemke<T>& s) {
     return no_row;
 }
 
-/// The row that needs the largest z; no_row if none needs any. Of equals the one that would if every q_k were raised by e^(k+1).
+/// The row that needs the largest z; no_row if none needs any. Of equal rows, the one that would need it if every q_k were raised by e^(k+1).
 template <class T>
 std::uint32_t worst_row(const Lemke<T>& s, T& needed) {
     std::uint32_t worst = no_row;
@@ -133,11 +133,11 @@ T room(const Lemke<T>& s, std::uint32_t r, T rate) {
     return larger(left, T(0));
 }
 
-/// What stops the variable of a column on its way.
+/// What stops the variable of a column.
 template <class T>
 struct Stop {
-    T after = Numbers<T>::infinity;  // so much of its movement
-    std::uint32_t row = no_row;      // the row whose variable does; none: its own other bound, or nothing at all
+    T after = Numbers<T>::infinity;  // how far the variable moves until then
+    std::uint32_t row = no_row;      // the row whose variable stops it; no_row: its own other bound, or nothing
 };
 
 template <class T>
@@ -155,7 +155,8 @@ Stop<T> find_stop(const Lemke<T>& s, std::uint32_t column, T direction, T own_ro
         const T rounding = T(64) * Numbers<T>::epsilon * after;
         bool first = after < stop.after - rounding;
         if (!first && after <= stop.after + rounding) {
-            // At the same time: z ends the search, so it goes first; then rows by the rule that forbids cycles; a variable's own bound last.
+            // If several stop it at the same time, z comes first, because it ends the search; then rows, by the rule that prevents cycles; its own bound is
+            // last.
             const bool z_waits = stop.row != no_row && d.basic[stop.row] == d.z();
             first = d.basic[r] == d.z() || stop.row == no_row || (!z_waits && comes_first(d, r, rate, stop.row, d.row(stop.row)[column] * direction));
         }
@@ -164,7 +165,7 @@ Stop<T> find_stop(const Lemke<T>& s, std::uint32_t column, T direction, T own_ro
     return stop;
 }
 
-/// After rounding: what is as good as at its bound is at it, so that ties are seen as such.
+/// Puts variables that rounding has moved off their bounds back to them, so that ties are recognised.
 template <class T>
 void snap(const Lemke<T>& s) {
     const Dictionary<T>& d = s.d;
@@ -192,7 +193,7 @@ Status follow(const Task<T>& task, Lemke<T>& s) {
     exchange(d, first, d.n, needed);
     for (++s.pivots; s.pivots < task.options.max_iterations; ++s.pivots) {
         snap(s);
-        // A variable comes in from its bound: x_i inwards, w_i to the side that is right where x_i went.
+        // A variable comes in from its bound: x_i inwards, w_i to the side that is right at the bound that x_i has reached.
         const std::uint32_t i = entering < d.n ? entering : entering - d.n;
         const std::uint32_t column = d.column_of(entering);
         const T direction = s.kind_of(i) == Kind::at_lo ? T(1) : T(-1);
@@ -224,7 +225,7 @@ Status follow(const Task<T>& task, Lemke<T>& s) {
     return Status::iteration_limit;
 }
 
-/// Puts what the dictionary says into x.
+/// Writes the dictionary's values to x.
 template <class T>
 void read_off(const Task<T>& task, const Lemke<T>& s) {
     for (std::uint32_t i = 0; i < task.rows; ++i) {
@@ -233,7 +234,7 @@ void read_off(const Task<T>& task, const Lemke<T>& s) {
     }
 }
 
-/// Solves the free rows again from the problem's own numbers, and takes that if it is better. Overwrites the dictionary.
+/// Solves the free rows again from the problem's own numbers, and keeps the result if it is better. Overwrites the dictionary.
 template <class T>
 void refine(const Task<T>& task, const Lemke<T>& s) {
     std::uint32_t* const rows = s.d.nonbasic;
@@ -250,7 +251,7 @@ void refine(const Task<T>& task, const Lemke<T>& s) {
         const Row<T> row = row_of(task.problem, rows[k]);
         for (std::uint32_t e = 0; e < row.count; ++e)
             if (index[row.column(e)] != no_row) a[k * m + index[row.column(e)]] = row.values[e];
-        // For a correction of x, which is right but for rounding: no digits are lost to large values.
+        // Solves for a correction of x, which is right but for rounding, so that large values cost no digits.
         rhs[k] = -row_value(task.problem, rows[k], task.x);
     }
     T* const kept = s.d.at;
@@ -281,7 +282,7 @@ Result<T> run_lemke(Task<T> task) {
     s.d.place = task.memory.template take<std::uint32_t>(2 * n + 1);
     s.kind = task.memory.template take<std::uint32_t>(n);
 
-    // With friction: its bounds as they are, solve, and again until they stay.
+    // With friction, the bounds are frozen and the problem solved, again and again until the bounds no longer change.
     const std::uint32_t rounds = task.problem.friction.empty() ? 1 : most_friction_rounds;
     Status status = Status::stalled;
     for (std::uint32_t round = 0; round < rounds; ++round) {

@@ -1,11 +1,11 @@
 // Semismooth Newton on the natural map F(x) = median(w, x - hi, x - lo), whose zeros are the solutions. Where the median is w the row is free and its
-// derivative is M's; elsewhere the row is at a bound and its derivative is 1 (for friction with a part in the normal row). Only the free rows
-// need solving, the others follow.
+// derivative is M's; elsewhere the row is at a bound and its derivative is 1 (for friction with a part in the normal row). Only the free rows need solving; the
+// others follow.
 //
-// A step is halved until |F|^2 falls (Armijo). Where the equations have no unique solution, as with rows that say the same, or no length of step will do,
-// which happens on the kinks of F, a step with a damped matrix is tried (Levenberg), and if that will not do either, one sweep of PGS moves x
-// elsewhere; the best x so far is kept. Sources: Qi and Sun 1993 (the method), Erleben: Numerical methods for linear complementarity problems in
-// physics-based animation, SIGGRAPH 2013 (the minimum map and the falling back).
+// A step is halved until |F|^2 falls (Armijo). If the equations have no unique solution, as with equal rows, or no length of step will do, as at the kinks of
+// F, the method tries a step with a damped matrix (Levenberg). If that fails, too, one sweep of PGS moves x elsewhere; the best x so far is kept. Sources: Qi
+// and Sun 1993 (the method), Erleben: Numerical methods for linear complementarity problems in physics-based animation, SIGGRAPH 2013 (the minimum map and the
+// falling back).
 #include "../exact.hpp"
 
 #include "../lcp/lu.hpp"
@@ -16,10 +16,10 @@ namespace islet::lcp {
 namespace {
 
 constexpr std::uint32_t most_halvings = 12;
-constexpr std::uint32_t most_without_gain = 30;  // iterations since the best x, after which it is given up
+constexpr std::uint32_t most_without_gain = 30;  // iterations since the best x, after which the method gives up
 constexpr double least_descent = 1e-4;           // Armijo's share of what the slope promises
 
-/// Damping in relation to the largest entry: the root of the rounding unit, so that half of the digits say where to go.
+/// Damping relative to the largest entry: the root of the rounding unit, so that half of the digits decide the direction.
 template <class T>
 constexpr T damping = sizeof(T) == sizeof(float) ? T(3e-4) : T(1e-8);
 
@@ -50,7 +50,7 @@ T squared_map(const Task<T>& task, const T* x, T* f) {
     return is_finite(sum) ? sum : Numbers<T>::infinity;
 }
 
-/// Which rows are free at x, and what the others follow.
+/// Finds which rows are free at x, and what the other rows follow.
 template <class T>
 void classify(const Task<T>& task, Newton<T>& s) {
     s.free_count = 0;
@@ -68,7 +68,7 @@ void classify(const Task<T>& task, Newton<T>& s) {
     }
 }
 
-/// What a unit of the normal row's step is for friction row i at its bound.
+/// How far friction row i, at its bound, moves for a unit of its normal row's step.
 template <class T>
 T friction_slope(const Task<T>& task, const Newton<T>& s, std::uint32_t i) {
     return s.upper[i] != 0 ? task.problem.hi[i] : -task.problem.hi[i];
@@ -123,13 +123,13 @@ bool all_finite(const Task<T>& task, const T* x) {
     return true;
 }
 
-/// Goes along the step as far as |F|^2 falls enough; false, with x and f as they were, if it does nowhere.
+/// Goes along the step as far as |F|^2 falls enough. Returns false, with x and f as they were, if it falls nowhere.
 template <class T>
 bool search_along(const Task<T>& task, Newton<T>& s, T square) {
     T length = T(1);
     for (std::uint32_t halving = 0; halving <= most_halvings; ++halving, length *= T(0.5)) {
         for (std::uint32_t i = 0; i < task.rows; ++i) s.trial[i] = task.x[i] + length * s.step[i];
-        if (!all_finite(task, s.trial)) continue;  // the map of an overflow says nothing
+        if (!all_finite(task, s.trial)) continue;  // after an overflow the map means nothing
         const T trial_square = squared_map(task, s.trial, s.rhs);
         if (!is_finite(trial_square) || trial_square > (T(1) - T(2 * least_descent) * length) * square) continue;
         for (std::uint32_t i = 0; i < task.rows; ++i) task.x[i] = s.trial[i];
@@ -148,7 +148,7 @@ Result<T> run_newton(Task<T> task) {
     for (T** array : {&s.divisors, &s.f, &s.step, &s.rhs, &s.trial, &s.best}) *array = task.memory.template take<T>(n);
     for (std::uint32_t** array : {&s.free_rows, &s.index, &s.normal, &s.upper}) *array = task.memory.template take<std::uint32_t>(n);
 
-    // Only the falling back divides by the diagonal: without a good one there is none.
+    // Only the fallback, a sweep of PGS, divides by the diagonal: without a good diagonal there is no fallback.
     const bool can_sweep = find_divisors(task.problem, task.options.regularisation, false, s.divisors).good();
     if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
     for (std::size_t i = 0; i < n; ++i) s.best[i] = task.x[i];

@@ -1,11 +1,11 @@
-// Nonsmooth nonlinear conjugate gradients: what PGS changes is taken for a step down a gradient, g = x - pgs(x), and successive ones are combined as
-// Fletcher and Reeves do; when the gradient grows the memory is dropped. Source: Silcowitz-Hansen, Niebe, Erleben: A nonsmooth nonlinear
-// conjugate gradient method for interactive contact force problems, The Visual Computer 26 (2010).
+// Nonsmooth nonlinear conjugate gradients. The change that PGS makes serves as a gradient, g = x - pgs(x), and successive gradients are combined as by Fletcher
+// and Reeves; when the gradient grows, the method starts anew. Source: Silcowitz-Hansen, Niebe, Erleben: A nonsmooth nonlinear conjugate gradient method for
+// interactive contact force problems, The Visual Computer 26 (2010).
 //
-// Unlike there, PGS goes forward and back: conjugate directions want a symmetric preconditioner, which a sweep in one direction is not. On an elastic
-// string of 200 rows over an obstacle that is 308 sweeps instead of 2105 (PGS alone: 3014).
+// Unlike in the source, PGS sweeps forward and back: conjugate directions need a symmetric preconditioner, which a sweep in one direction is not. An elastic
+// string of 200 rows over an obstacle then takes 308 sweeps instead of 2105 (PGS alone: 3014).
 //
-// The x that is measured and left is the one right after the sweeps, before the step along the direction is added: that one keeps the bounds.
+// The method measures and returns the x right after the sweeps, before it adds the step along the direction, because that x keeps the bounds.
 #include "../exact.hpp"
 
 #include "../lcp/sweep.hpp"
@@ -15,7 +15,7 @@ namespace islet::lcp {
 
 namespace {
 
-/// Puts all rows that are swept back within their bounds, friction last. A sweep that failed leaves rows where the step along the direction had put them.
+/// Puts all swept rows back within their bounds, friction last. A sweep that failed leaves rows where the step along the direction has put them.
 template <class T>
 void undo_step(const Task<T>& task) {
     const std::span<const std::uint32_t> order = task.options.order;

@@ -1,7 +1,7 @@
 // Projected Gauss-Seidel in its orders: as given, forward and back, red and black.
 //
-// For symmetric positive semi-definite M each row's step is the exact minimum of x.M x / 2 + q.x along that row's axis, so the sweeps descend; the
-// theory is Cottle, Pang, Stone: The Linear Complementarity Problem (1992), chapter 5.
+// For symmetric positive semi-definite M, each row's step is the exact minimum of x.M x / 2 + q.x along that row's axis, so the sweeps descend. For the theory
+// see Cottle, Pang, Stone: The Linear Complementarity Problem (1992), chapter 5.
 #include "../exact.hpp"
 
 #include "../lcp/sweep.hpp"

@@ -11,7 +11,7 @@ std::uint32_t row_count(const Problem<T>& problem) {
     return static_cast<std::uint32_t>(problem.q.size());
 }
 
-/// The entries of a row in ascending columns. `columns` is null if they are all there.
+/// The entries of a row in ascending columns. `columns` is null if the row has an entry in every column.
 template <class T>
 struct Row {
     const T* values;
@@ -28,12 +28,12 @@ Row<T> row_of(const Problem<T>& problem, std::uint32_t i) {
     return {problem.sparse.values.data() + first, problem.sparse.columns.data() + first, problem.sparse.row_starts[i + 1] - first};
 }
 
-/// The sum of row_value where a part of the sum overflowed: computed on a smaller scale and enlarged at the end. It is infinite only if w_i is, and never NaN.
+/// The sum of row_value if a part of it overflowed: computed on a smaller scale and enlarged at the end. It is infinite only if w_i is, and never NaN.
 template <class T>
 T overflowing_row_value(const Problem<T>& problem, std::uint32_t i, const T* x);
 
-/// w_i = q_i + sum of M_ij x_j. The sum is never -0 (q_i + 0 is not, nor is any sum that begins so), so adding the zeros that a dense matrix has and a
-/// sparse one leaves out changes no bit. If x is finite, the sum is not NaN.
+/// w_i = q_i + sum of M_ij x_j. The sum is never -0 (q_i + 0 is not, nor is any sum that begins with it). So the zeros that a dense matrix adds and a sparse
+/// one leaves out change no bit. If x is finite, the sum is not NaN.
 template <class T>
 T row_value(const Problem<T>& problem, std::uint32_t i, const T* x) {
     const Row<T> row = row_of(problem, i);

@@ -14,7 +14,7 @@ Verdict find_divisors(const Problem<T>& problem, T regularisation, bool l1, T* d
             most = larger(most, magnitude(row.values[k]));
             sum += magnitude(row.values[k]);
         }
-        // Below this, rounding in the rest of the row decides what the step would be.
+        // Below this, rounding in the rest of the row would decide the step.
         const T tiny = larger(Numbers<T>::epsilon * most, Numbers<T>::smallest);
         if (!(diagonal > tiny)) {
             diagonal += regularisation;

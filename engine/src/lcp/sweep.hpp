@@ -1,4 +1,4 @@
-// A sweep of projected Gauss-Seidel, and what its steps are divided by.
+// A sweep of projected Gauss-Seidel, and the diagonal by which its steps are divided.
 #pragma once
 
 #include "../lcp/check.hpp"
@@ -6,12 +6,12 @@
 
 namespace islet::lcp {
 
-/// What the residual of each row is divided by: its diagonal, regularised where it is tiny. Refuses the first row where nothing helps. With `l1`
-/// the sum of the row's magnitudes instead.
+/// Finds the divisor of each row's residual: its diagonal, regularised where it is tiny, or with `l1` the sum of the row's magnitudes. Refuses the first row
+/// that regularisation does not help.
 template <class T>
 Verdict find_divisors(const Problem<T>& problem, T regularisation, bool l1, T* divisors);
 
-/// One row, with the newest values of all others: the step that would bring its w to 0, cut where the bounds are. False, and nothing changed, if the
+/// Solves one row with the newest values of all others: takes the step that brings its w to 0, cut at the bounds. Returns false, and changes nothing, if the
 /// result is not finite.
 template <class T>
 bool solve_row(const Problem<T>& problem, std::uint32_t i, T omega, T divisor, T* x) {
@@ -23,7 +23,7 @@ bool solve_row(const Problem<T>& problem, std::uint32_t i, T omega, T divisor, T
     return true;
 }
 
-/// The rows of `order`, or 0, 1, 2, ... if it is empty; forward or back. Returns the row that failed, or no_row.
+/// Sweeps the rows of `order`, or 0, 1, 2, ... if it is empty, forward or back. Returns the row that failed, or no_row.
 template <class T>
 std::uint32_t sweep(const Problem<T>& problem, std::span<const std::uint32_t> order, bool back, T omega, const T* divisors, T* x);
 

@@ -1,4 +1,4 @@
-// One call of solve: what it was given, and how a method reports.
+// One call of solve: its arguments, and how a method reports.
 #pragma once
 
 #include "../lcp/check.hpp"
@@ -6,7 +6,7 @@
 
 namespace islet::lcp {
 
-/// Hands out the caller's memory piece by piece, numbers first; workspace_bytes has counted them.
+/// Hands out the caller's memory piece by piece, numbers first. workspace_bytes counts the pieces.
 class Workspace {
 public:
     Workspace() = default;
@@ -36,7 +36,7 @@ struct Task {
     std::size_t size() const { return rows; }
 };
 
-/// Whether x is good enough after so many iterations (0: before the first); measured where the options want it.
+/// Whether x is good enough after so many iterations (0: before the first). Measures x where the options ask for it.
 template <class T>
 bool reached(const Task<T>& task, std::uint32_t iterations) {
     const Options<T>& o = task.options;
@@ -47,7 +47,7 @@ bool reached(const Task<T>& task, std::uint32_t iterations) {
     return natural <= o.tolerance;
 }
 
-/// The report. Whether it converged is decided here and nowhere else: by what x is now, whatever the method believes.
+/// The report. Only this function decides whether the method converged: by the residual of the final x.
 template <class T>
 Result<T> finish(const Task<T>& task, Status status, std::uint32_t row, std::uint32_t iterations) {
     Result<T> result = {status, row, iterations, all_residuals(task.problem, task.x)};
@@ -60,7 +60,7 @@ Result<T> finish(const Task<T>& task, Status status, std::uint32_t row, std::uin
     return result;
 }
 
-/// Checks the arguments; a task is made of them only if all is well.
+/// Checks the arguments; makes a task of them only if all are right.
 template <class T>
 Verdict check_all(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace) {
     if (const Verdict v = check(problem, std::span<const T>(x)); !v.good()) return v;

@@ -1,10 +1,10 @@
-// In a file that includes this, the compiler may use AVX2 from here on to the file's end (never FMA, which would change the bits). It is for files whose
-// functions are called only where the processor has AVX2. They include it before every header that holds functions, and end with ISLET_AVX2_END.
+// Lets the compiler use AVX2 from here to the end of the file that includes this header (never FMA, which would change the bits). Only files whose functions
+// run only on processors with AVX2 may include it. They include it before every header that holds functions, and end with ISLET_AVX2_END.
 #pragma once
 
 #if defined(__x86_64__)
 
-// Included before the compiler is told: the functions in it say by themselves which instructions they need.
+// Included before AVX2 is switched on, since its functions themselves name the instructions that they need.
 #include <immintrin.h>
 
 #define ISLET_AVX2

@@ -1,4 +1,4 @@
-// What is asked of boxes in many places: a build for size keeps one copy of each.
+// Functions on boxes that many places call: a build for size keeps one copy of each.
 #pragma once
 
 #include "../math/inlining.hpp"

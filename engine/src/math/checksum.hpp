@@ -1,6 +1,6 @@
-// A checksum that keeps up with memcpy: Fletcher's (IEEE Trans. Comm. 30, 1982) on sixteen lanes of 32-bit words, additions only.
+// A checksum as fast as memcpy: Fletcher's (IEEE Trans. Comm. 30, 1982) on sixteen lanes of 32-bit words, with additions only.
 //
-// It finds accidents: any one changed word is found for certain, anything else but for one case in about 2^64. It is no defence against a forger.
+// It finds accidents: one changed word for certain, any other change but for one case in about 2^64. It does not stop forgers.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace islet::detail {
 
-/// One round of a multiply and xor-shift mix: `word` stirred into `sum`.
+/// Mixes `word` into `sum`: one round of multiply and xor-shift.
 inline std::uint64_t mixed(std::uint64_t sum, std::uint32_t word) {
     sum = (sum ^ word) * 0xd6e8feb86659fd93ull;
     return sum ^ sum >> 32;
@@ -36,7 +36,7 @@ public:
         std::memcpy(sum_of_sums_, b, sizeof b);
     }
 
-    /// Adds the last `size` bytes, fewer than a block, and returns the sum of all. `length` is how many there were in all.
+    /// Adds the last `size` bytes, fewer than a block, and returns the checksum. `length` is the number of all bytes.
     std::uint64_t finish(const std::byte* bytes, std::size_t size, std::uint64_t length) {
         std::byte last[block] = {};
         std::memcpy(last, bytes, size);

@@ -1,4 +1,4 @@
-// What the processor can do, asked of the processor itself: the compiler's helper would need its runtime library.
+// Asks the processor what it can do. (The compiler's own function for this would need its runtime library.)
 #pragma once
 
 #if defined(__x86_64__)

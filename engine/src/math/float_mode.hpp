@@ -1,5 +1,5 @@
-// The processor's floating-point mode. A host may have switched on flush-to-zero (audio code does, and linking with -ffast-math does it for the
-// whole program) or another rounding; results would then differ. The engine computes in the IEEE default mode and gives the host's back.
+// The processor's floating-point mode. A host may have switched on flush-to-zero (audio code does, and linking with -ffast-math does so for the whole program)
+// or another rounding, which would change results. The engine computes in the IEEE default mode and then restores the host's mode.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,8 @@ private:
 private:
     std::uint64_t saved_ = 0;
 #elif defined(__arm__) && defined(__ARM_FP)
-    // Only the bits of the mode: half precision, default NaN, flush to zero, rounding, traps. Others belong to vectors (the M55 faults on a wrong one).
+    // Clears only the bits of the mode: half precision, default NaN, flush to zero, rounding, traps. Other bits belong to vectors (a wrong one is a fault on
+    // the M55).
     DefaultFloatMode() {
         __asm__ volatile("vmrs %0, fpscr" : "=r"(saved_));
         __asm__ volatile("vmsr fpscr, %0" : : "r"(saved_ & ~std::uint32_t{0x07c89f00u}));

@@ -1,7 +1,7 @@
-// Whether a function is copied into its callers.
+// Decides which functions are copied into their callers.
 //
-// The compiler decides well for most. These macros are for functions where it does not: a few instructions that stand in many places, or a long one that
-// a hot loop needs inlined. In a build for size (-Os) one copy of each is enough.
+// The compiler decides well for most functions. These macros are for the others: short ones with many callers, and long ones that a hot loop needs inlined. In
+// a build for size (-Os), one copy of each is enough.
 #pragma once
 
 #if defined(__OPTIMIZE_SIZE__)
@@ -9,8 +9,8 @@
 #define ISLET_SHARED [[gnu::noinline]] inline
 /// One copy in a build for size; elsewhere one in every caller.
 #define ISLET_COPIED [[gnu::noinline]] inline
-/// Before a function that is not inline: on its own in a build for size, even if it is called in one place only. Within a long caller too much would go
-/// to the stack.
+/// Before a function that is not inline: a copy of its own in a build for size, even if it has one caller. Inlined into a long caller, its variables would push
+/// too much to the stack.
 #define ISLET_APART [[gnu::noinline]]
 #else
 #define ISLET_SHARED inline

@@ -1,6 +1,6 @@
-// Lanes: 1, 4 or 8 floats that go through the same arithmetic side by side. The solver's kernels are written once, over these types.
+// Lanes: 1, 4 or 8 floats that one operation computes at once. The solver's kernels are written once, over these types.
 //
-// A lane never sees another lane's value and every operation is a single IEEE operation, so each width gives the same bits.
+// A lane never sees another lane's value, and every operation is a single IEEE operation, so each width gives the same bits.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct Lane1 {
     ISLET_LANE static F sqrt(F a) { return detail::sqrt(a); }
     ISLET_LANE static F abs(F a) { return __builtin_fabsf(a); }
 
-    /// Column i of the output is word i of the record at base + stride * index.
+    /// Column i of the output is word i of the records at base + stride * index[lane].
     template <std::uint32_t stride>
     ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
         const float* p = base + std::size_t{stride} * index[0];
@@ -56,7 +56,7 @@ struct Lane1 {
         float* p = base + std::size_t{stride} * index[0];
         for (int i = 0; i < 4; ++i) p[i] = in[i];
     }
-    /// The same for those records only whose bit is set.
+    /// The same, only for records whose bit is set.
     template <std::uint32_t stride>
     ISLET_LANE static void scatter4_where(std::uint32_t bits, float* base, const std::uint32_t* index, const F in[4]) {
         if (bits != 0) scatter4<stride>(base, index, in);
@@ -155,7 +155,7 @@ struct Lane4 {
 };
 
 #if defined(ISLET_AVX2)
-// Eight lanes, seen only by the files compiled for AVX2 (math/avx2.hpp).
+// Eight lanes, for files compiled with AVX2 alone (math/avx2.hpp).
 typedef float f8 __attribute__((vector_size(32)));
 typedef int i8 __attribute__((vector_size(32)));
 
@@ -179,7 +179,7 @@ struct Lane8 {
     }
     template <std::uint32_t stride>
     ISLET_LANE static void gather4(const float* base, const std::uint32_t* index, F out[4]) {
-        // Rows i and i + 4 share a register, so that what is left are two 4 x 4 transpositions side by side.
+        // Rows i and i + 4 share a register, so two 4 x 4 transpositions side by side remain.
         f8 r[4];
         for (int i = 0; i < 4; ++i) {
             const float* p = base + std::size_t{stride} * index[i];

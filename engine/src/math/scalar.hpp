@@ -1,4 +1,4 @@
-// The one floating-point function that the engine takes from the machine, and what a float is in bits.
+// The square root, the only floating-point function that the engine takes from the machine, and small functions on floats.
 #pragma once
 
 #include <cstdint>

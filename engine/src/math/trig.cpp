@@ -1,12 +1,12 @@
-// Sine, cosine and arctangent in plain single precision: the C library's differ from one system to the next, these do not.
+// Sine, cosine and arctangent in plain single precision. Unlike the C library's, they are the same on every system.
 //
 // Largest absolute error against the exact value for the float that was passed, measured by tests/unit/math_test.cpp:
 //
 //     make_rot   9e-8 up to 1e5 rad, 1.1e-7 up to the largest float; c^2 + s^2 is within 1.5e-7 of 1
 //     atan2      1.3e-7 for results within +-pi/2, 1.9e-7 beyond (floats near pi are 2.4e-7 apart); 2e-7 of the result if it is small
 //
-// The angle passed is itself rounded, by up to 0.004 rad at 1e5 rad and by up to a turn at 2e8 rad: what is exact for the float
-// may still be far from what the caller meant. No step converts a number to an integer type that cannot hold it.
+// The angle passed is itself rounded, by up to 0.004 rad at 1e5 rad and by up to a turn at 2e8 rad: a result that is exact for the float may be far from what
+// the caller meant. No step converts a number to an integer type that cannot hold it.
 #include "../exact.hpp"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Lengths and unit vectors, and the integration of a rotation: what math.hpp declares but does not define, trigonometry apart.
+// Lengths, unit vectors and the integration of a rotation: what math.hpp declares, but for trigonometry.
 #include "../exact.hpp"
 
 #include "../math/scalar.hpp"
@@ -7,7 +7,7 @@
 namespace islet {
 namespace {
 
-// Squared lengths that can be divided by: below, digits are lost to underflow; above, the square has overflowed. NaN is outside too.
+// The squared lengths that a vector can be divided by: below, underflow has lost digits; above, the square has overflowed. NaN is outside, too.
 constexpr float least_square = 1e-36f;
 constexpr float largest_square = 3.402823466e+38f;
 bool has_direction(float square) { return square >= least_square && square <= largest_square; }
@@ -32,7 +32,7 @@ Rot normalize(Rot q) {
     return {q.c * inv_length, q.s * inv_length};
 }
 
-/// Sine and cosine by their series up to d^7, which lengths are then taken out of. Larger steps than pi/2, which no body makes, are cut.
+/// Takes sine and cosine by their series up to d^7, and normalises. Steps larger than pi/2, which no body makes, are cut.
 Rot integrate(Rot q, float delta_radians) {
     if (delta_radians != delta_radians) return normalize(q);
     const float d = detail::within_bounds(delta_radians, 0.5f * pi);

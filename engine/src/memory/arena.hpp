@@ -1,4 +1,4 @@
-// Hands out pieces of the scratch region in order; everything is given back at once when the stage ends.
+// Hands out pieces of scratch memory, one after another. All are given back at once when the stage ends.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ struct Arena {
     std::byte* at = nullptr;
     std::byte* end = nullptr;
 
-    /// An uninitialised array of n T, aligned to a cache line. The layout reserves enough for every stage, so this never fails.
+    /// An uninitialised array of n T, aligned to a cache line. It never fails, because the layout reserves enough for every stage.
     template <class T>
     T* take(std::size_t n) {
         return reinterpret_cast<T*>(take_bytes(n * sizeof(T)));
@@ -22,7 +22,7 @@ private:
     ISLET_SHARED std::byte* take_bytes(std::size_t wanted) {
         std::byte* p = at;
         const std::size_t bytes = (wanted + 63) / 64 * 64;
-        if (static_cast<std::size_t>(end - at) < bytes) __builtin_trap();  // the layout is wrong: an invariant of the engine
+        if (static_cast<std::size_t>(end - at) < bytes) __builtin_trap();  // the engine's own invariant: scratch_bytes (islet/layout.hpp) is wrong
         at += bytes;
         return p;
     }

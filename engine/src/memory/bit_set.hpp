@@ -1,4 +1,4 @@
-// A fixed set of bits over words that live in the world's block: a view, like a span. Walking it visits indices in ascending order.
+// A set of bits in words of the world's block: a view, like a span. A walk visits indices in ascending order.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@ struct BitSet {
     std::uint64_t* words = nullptr;
     std::uint32_t word_count = 0;
 
-    /// Set bits of a word: sums of neighbours two, four and eight bits wide, then all bytes at once. (The compiler's own may be a library call.)
+    /// The number of set bits of a word: sums of neighbours two, four and eight bits wide, then of all bytes. (The compiler's own function may be a library
+    /// call.)
     static std::uint32_t bits_of(std::uint64_t x) {
         x -= x >> 1 & 0x5555555555555555ull;
         x = (x & 0x3333333333333333ull) + (x >> 2 & 0x3333333333333333ull);
@@ -32,15 +33,15 @@ struct BitSet {
     std::uint32_t count_in(std::uint32_t first, std::uint32_t end) const {
         std::uint32_t n = 0;
 #if defined(__OPTIMIZE_SIZE__)
-        for_each_in(first, end, [&](std::uint32_t) { ++n; });  // the walk is there anyway
+        for_each_in(first, end, [&](std::uint32_t) { ++n; });  // the walk's code is there anyway
 #else
         for (std::uint32_t w = first; w < end; ++w) n += bits_of(words[w]);
 #endif
         return n;
     }
 
-    /// Calls visit(index) for each set bit in ascending order. A word is read once before its bits are visited, so `visit` may clear
-    /// bits freely; bits set in later words are visited, those set in the current one are not.
+    /// Calls visit(index) for each set bit in ascending order. Each word is read once, before its bits are visited. So `visit` may clear bits, and a bit that
+    /// it sets is visited if it is in a later word, but not if it is in the current one.
     template <class Visit>
     [[gnu::always_inline]] void for_each(Visit&& visit) const {
         for_each_in(0, word_count, visit);
@@ -69,7 +70,7 @@ private:
 
     Part& part(std::uint32_t i) const { return reinterpret_cast<Part*>(words)[(i / part_bits) ^ first_part]; }
 
-    // Without a call of the compiler's runtime where registers have 32 bits.
+    // Calls no function of the compiler's runtime where registers have 32 bits.
     static std::uint32_t lowest(std::uint64_t all) {
         if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(all));
         const auto low = static_cast<std::uint32_t>(all);
@@ -80,7 +81,7 @@ private:
 #if defined(__OPTIMIZE_SIZE__)
     static constexpr std::uint32_t none = 0xffffffffu;
 
-    // One copy of the walk.
+    // The walk, which a build for size has once.
     struct Walk {
         const std::uint64_t* words;
         std::uint32_t word, end;  // the next to look into

@@ -1,5 +1,5 @@
-// A fixed set of 64-bit keys: open addressing, linear probing, backward-shift deletion (Knuth, TAOCP vol. 3, 6.4, algorithm R). The table
-// is at most half full, so a probe ends soon. Key 0 marks an empty place.
+// A set of 64-bit keys of fixed capacity: open addressing, linear probing, backward-shift deletion (Knuth, TAOCP vol. 3, 6.4, algorithm R). The table is at
+// most half full, so a probe ends soon. Key 0 marks an empty place.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct PairSet {
         return (high + 1) << 32 | low;
     }
 
-    /// Starts loading the place where the key would be, for a question soon to be asked.
+    /// Starts loading the place where the key would be, for a lookup soon after.
     void prefetch(std::uint64_t key) const { __builtin_prefetch(keys + home(key)); }
 
     bool contains(std::uint64_t key) const { return keys[find(key)] == key; }

@@ -1,7 +1,7 @@
-// Slots with generations: creation and destruction in O(1), lowest memory first, the same ids after the same calls.
+// Pools: slots with generations. Creation and destruction take O(1), and the same calls give the same ids.
 //
-// A slot is either live (odd generation) or free (even generation). Free slots that were used before form a list through `next_free`, last
-// freed first; slots at and above `high_water` were never used. An id holds the generation, so a stale one is recognised.
+// A slot is either live (odd generation) or free (even generation). Free slots that were used before form a list through `next_free`, the one freed last first.
+// Slots from `high_water` on were never used. An id holds the generation, so a stale id is recognised.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ std::uint32_t pool_take(PoolState& pool, T* slots, std::uint32_t capacity) {
     return index;
 }
 
-/// Gives a live slot back; its generation becomes even. Nothing else in the slot is touched.
+/// Frees a live slot: its generation becomes even. The rest of the record stays as it is.
 template <class T>
 void pool_give(PoolState& pool, T* slots, std::uint32_t index) {
     ++slots[index].generation;

@@ -1,4 +1,4 @@
-// A mover's step: it is carried by its ground, then walks or falls, and lets the bodies around feel it.
+// A mover's step: its ground carries it, then it walks or falls, and then it pushes the bodies around it.
 #include "../exact.hpp"
 
 #include "islet/mover.hpp"
@@ -14,7 +14,7 @@ using namespace detail;
 namespace {
 
 constexpr std::uint32_t walk_passes = 8;
-constexpr float no_length = 1e-5f;  // m: not worth walking
+constexpr float no_length = 1e-5f;  // m: shorter ways are not walked
 
 float approach(float from, float to, float most) { return from + clamp(to - from, -most, most); }
 
@@ -35,17 +35,17 @@ void stand_on(Mover& m, const Surface& s, Vec2 face) {
     m.state.ground_point = inv_transform_point(m.world.transform(m.state.ground), m.support());
 }
 
-// What it stands on has moved since the last step: the feet go with it. And what else has moved may have come too close.
+// The ground has moved since the last step, and the feet go with it. Other surfaces that moved may have come too close.
 void ride(Mover& m) {
     Vec2 carried;
     bool follows = m.world.is_valid(m.state.ground);
     if (follows) carried = transform_point(m.world.transform(m.state.ground), m.state.ground_point) - m.support();
-    follows = follows && length(carried) <= max_speed_limit * m.dt;  // nobody follows ground that was set elsewhere, far away
+    follows = follows && length(carried) <= max_speed_limit * m.dt;  // the mover does not follow ground that was teleported far away
     if (!follows) {
         m.state.ground = {};
         return;
     }
-    // And with it its surface, if that is a conveyor's.
+    // A conveyor's surface moves besides.
     const Touched t = touched_by(m);
     for (std::uint32_t i = 0; i < t.count; ++i) {
         const Surface& s = t.surfaces[i];
@@ -57,20 +57,20 @@ void ride(Mover& m) {
     slide(m, carried);
 }
 
-/// Lowers the feet, by no more than `most`, until the gap is left to what is below. Null surface if there is nothing.
+/// Lowers the feet, by no more than `most`, to the gap above the surface below. Returns that surface, or a null one if there is none.
 Met lower(Mover& m, float most) {
     Met below = way_ahead(m, -(most + mover_gap) * m.up);
     if (!below.hit) return below;
     const float slope = max(dot(below.surface.normal, m.up), 0.5f);
     const float drop = below.fraction * (most + mover_gap) - (mover_gap - mover_cast_gap) / slope;
     if (drop > most) return {};
-    // Feet that stand at the gap stay as they are, to the bit; and rising they mind the ceiling.
+    // Feet that stand at the gap stay where they are, to the bit. If they rise, the ceiling stops them.
     if (drop > mover_touch) m.state.position -= drop * m.up;
     if (drop < -mover_touch) m.state.position -= way_ahead(m, -drop * m.up).fraction * drop * m.up;
     return below;
 }
 
-/// Onto what is too high to walk over: up, forward, down. False and nothing moved if that leads nowhere.
+/// Steps up, forward and down onto ground that is too high to walk onto. Returns false, without a move, if that leads nowhere.
 bool step_up(Mover& m, Vec2 forward, float distance) {
     const Vec2 before = m.state.position;
     const float feet = dot(m.support(), m.up) - m.def.capsule.radius;
@@ -88,7 +88,7 @@ bool step_up(Mover& m, Vec2 forward, float distance) {
     return false;
 }
 
-/// Walks a length along the ground, up what can be walked up. Returns how far it came.
+/// Walks a length along the ground, and up slopes that are not too steep. Returns how far the mover came.
 float walk_along(Mover& m, float side, float whole) {
     Vec2 normal = m.state.ground_normal;
     float left = whole;
@@ -102,7 +102,7 @@ float walk_along(Mover& m, float side, float whole) {
             if (can_stand_on(m, s, face)) {
                 if (dot(s.normal, side * right_perp(normal)) < 0) normal = s.normal;  // the ground rises
             } else if (dot(s.normal, m.up) > 0) {
-                const Vec2 wall = normalize(s.normal - dot(s.normal, m.up) * m.up);  // too steep: no way up along it
+                const Vec2 wall = normalize(s.normal - dot(s.normal, m.up) * m.up);  // a slope too steep to walk up acts as a wall
                 if (wall != Vec2{}) bounds[i].normal = wall;
             }
         }
@@ -121,13 +121,13 @@ float walk_along(Mover& m, float side, float whole) {
     return whole - max(left, 0.0f);
 }
 
-/// True if there is ground to stand on right under the middle, within reach of the feet.
+/// True if there is ground to stand on under the middle, within reach of the feet.
 bool has_ground_below(const Mover& m) {
     Vec2 normal;
     return finds_ground(m, m.support(), m.def.capsule.radius + mover_gap + m.def.snap_distance, normal);
 }
 
-/// Between surfaces that are all too steep there is no way down either: that holds the mover as ground does.
+/// True if surfaces that are all too steep leave no way down: they hold the mover as ground does.
 bool hold_in_wedge(Mover& m) {
     const Touched t = touched_by(m);
     Bound bounds[mover_planes];
@@ -149,7 +149,7 @@ void walk(Mover& m, float wanted) {
     const Met below = lower(m, m.def.snap_distance);
     Vec2 face;
     if (below.hit && can_stand_on(m, below.surface, face)) {
-        // An edge that lies behind does not hold those who walk off it, unless it is that of a step down; nor does it turn them downwards.
+        // An edge behind a mover that walks off it does not hold the mover, unless it is that of a step down, and does not turn it downwards.
         const bool too_steep = dot(below.surface.normal, m.up) < m.least_up;
         const bool behind = kept * dot(below.surface.normal, m.right) > 0;
         if (!too_steep || !behind || has_ground_below(m)) {
@@ -164,7 +164,7 @@ void walk(Mover& m, float wanted) {
     if (!hold_in_wedge(m)) leave_ground(m);
 }
 
-/// Takes from the velocity what leads into touched surfaces, and finds ground among them.
+/// Removes the part of the velocity that leads into touched surfaces, and finds ground among these.
 void land(Mover& m) {
     const Touched t = touched_by(m);
     Bound bounds[mover_planes];
@@ -194,7 +194,7 @@ void fall(Mover& m, float wanted) {
     float pull = m.def.air_acceleration * m.dt;
     const Touched t = touched_by(m);
     const float sideways = dot(m.state.velocity, m.right);
-    for (std::uint32_t i = 0; i < t.count; ++i) {  // nobody climbs a slope from the air by leaning against it
+    for (std::uint32_t i = 0; i < t.count; ++i) {  // a mover in the air does not climb a slope by leaning against it
         if ((wanted - sideways) * dot(t.surfaces[i].normal, m.right) < 0) pull = 0;
     }
     m.state.velocity += (approach(sideways, wanted, pull) - sideways) * m.right + m.def.gravity_scale * m.dt * m.world.gravity();
@@ -203,7 +203,7 @@ void fall(Mover& m, float wanted) {
     land(m);
 }
 
-/// Dynamic bodies feel the mover: its push towards where it wants to go, and its weight.
+/// Pushes dynamic bodies out of the mover's way, and puts its weight on the one it stands on.
 void press(Mover& m, float wanted) {
     const float strength = m.def.max_push_force * m.dt;
     const Touched t = touched_by(m);

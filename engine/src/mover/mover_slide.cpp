@@ -9,9 +9,9 @@ namespace islet::detail {
 namespace {
 
 constexpr std::uint32_t slide_passes = 8;
-constexpr float no_way = 1e-6f;            // m: not worth moving
+constexpr float no_way = 1e-6f;            // m: shorter ways are not gone
 constexpr float least_edge_slope = 0.05f;  // an edge whose normal points up less than this is a wall
-constexpr float edge_probe = 0.03f;        // m, from an edge inwards, to see what it is the edge of
+constexpr float edge_probe = 0.03f;        // m: how far inside an edge its surface is probed
 
 ShapeProxy capsule_of(const Mover& m, float growth) {
     ShapeProxy p;
@@ -59,7 +59,8 @@ Touched touched_by(const Mover& m) {
     return t;
 }
 
-// The nearest point of a convex set bounded by lines is the point itself, its projection on one of them, or where two of them cross: all are tried.
+// The nearest point of a convex set bounded by lines is the point itself, its projection on a line, or a crossing of two lines. The function tries all of
+// these.
 Vec2 within_bounds(Vec2 wanted, const Bound* bounds, std::uint32_t count, bool& room) {
     const float tolerance = 1e-6f + 1e-5f * length(wanted);
     Vec2 best = wanted;
@@ -86,7 +87,7 @@ Vec2 within_bounds(Vec2 wanted, const Bound* bounds, std::uint32_t count, bool& 
                 if (abs(across) > 1e-3f) {
                     consider((1.0f / across) * Vec2{a.least * b.normal.y - b.least * a.normal.y, b.least * a.normal.x - a.least * b.normal.x});
                 } else if (dot(a.normal, b.normal) < 0) {
-                    consider(wanted + 0.5f * (onto_a + (b.least - dot(b.normal, wanted)) * b.normal));  // midway between two that face each other
+                    consider(wanted + 0.5f * (onto_a + (b.least - dot(b.normal, wanted)) * b.normal));  // midway between two surfaces that face each other
                 }
             }
         }
@@ -127,7 +128,7 @@ void slide(Mover& m, Vec2 way) {
         if (!(length_squared(piece) > no_way * no_way)) return;
         const float fraction = way_ahead(m, piece).fraction;
         m.state.position += fraction * piece;
-        // What is left of a free piece is barred; one more pass keeps the gap to what has come near.
+        // The rest of the way is barred. One more pass keeps the gap to surfaces that have come near.
         way = fraction == 1 ? Vec2{} : way - fraction * piece;
     }
 }

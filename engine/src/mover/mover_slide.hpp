@@ -1,29 +1,29 @@
-// How a mover gets on: what it touches, how far it may go between what it touches, and how far the way is free.
+// How a mover slides: which surfaces it touches, which way between them it may go, and how far that way is free.
 #pragma once
 
 #include "islet/mover.hpp"
 
 namespace islet::detail {
 
-// A mover hovers `mover_gap` above every surface; casts stop at half of that. So a cast along a surface never grazes it, nor the seams of what it is made of.
+// A mover keeps `mover_gap` away from every surface, and its casts stop at half of that. So a cast along a surface grazes neither the surface nor its seams.
 inline constexpr float mover_cast_gap = 0.5f * mover_gap;
-// Surfaces this much farther away are still touched, m.
+// Surfaces up to this much farther away than the gap count as touched, m.
 inline constexpr float mover_touch = 2e-5f;
-// The closest surfaces that are looked at; more are rarely touched at once in two dimensions, and casts mind them all.
+// The most touched surfaces that count, the closest ones. More at once are rare in two dimensions, and casts stop at all of them.
 inline constexpr std::uint32_t mover_planes = 8;
 
-/// A step in the making.
+/// A mover's step while it is made.
 struct Mover {
     World& world;
     const MoverDef& def;
     MoverState state;
     Vec2 up, right;
-    float least_up;  // of a normal that can be stood on: cosine of the steepest slope
+    float least_up;  // along `up`, of the normal of ground to stand on: cosine of the steepest slope
     float dt;
 
     /// The middle of the capsule's lower end.
     Vec2 support() const;
-    /// Height of a point above the feet, m.
+    /// The height of a point above the feet, m.
     float height_of(Vec2 point) const;
 };
 
@@ -38,26 +38,27 @@ struct Bound {
     float least = 0;
 };
 
-/// The surfaces that the mover touches, closest first; no more than mover_planes.
+/// The surfaces that the mover touches, closest first, at most mover_planes.
 Touched touched_by(const Mover& m);
-/// The vector nearest to `wanted` that keeps all bounds; `room` says whether there is one. If not, one that breaks none by much more than it must.
+/// The vector nearest to `wanted` that keeps all bounds; `room` says whether there is one. If there is none, a vector that breaks no bound by much more than
+/// necessary.
 Vec2 within_bounds(Vec2 wanted, const Bound* bounds, std::uint32_t count, bool& room);
-/// The bound that a touched surface sets to way: not closer than the gap; if already closer, away from it.
+/// The bound that a touched surface sets to the way: not closer than the gap, or, if the mover is already closer, away from the surface.
 Bound bound_of(const Surface& s);
-/// First surface that the mover, kept a cast's gap away, meets on a way; what it already touches is in the way only if it leads into it.
+/// The first surface that the mover, kept a cast's gap away, meets on a way. A surface that it already touches counts only if the way leads into it.
 struct Met {
     float fraction = 1;  // of the way that is free
     bool hit = false;
     Surface surface;
 };
 Met way_ahead(const Mover& m, Vec2 way);
-/// Moves along `way` and, where that is barred, along what bars it.
+/// Moves along `way`, and where surfaces bar it, along these.
 void slide(Mover& m, Vec2 way);
-/// True if a ray of length `depth` down from a point first meets ground that can be stood on by its slope; `normal` gets what it meets.
+/// True if a ray of length `depth` down from a point first meets ground whose slope is not too steep to stand on; `normal` gets its normal.
 bool finds_ground(const Mover& m, Vec2 from, float depth, Vec2& normal);
-/// True if the surface touched is the edge of one that can be stood on, or such a one itself; `top` gets its normal.
+/// True if the touched surface is ground to stand on, or the edge of such ground; `top` gets the ground's normal.
 bool is_edge(const Mover& m, const Surface& s, Vec2& top);
-/// True if the surface can be stood on: by its slope, or because it is the edge of something that can. `face` gets the normal to walk by.
+/// True if the mover can stand on the surface, by its slope or because it is the edge of such ground. `face` gets the normal along which it walks.
 bool can_stand_on(const Mover& m, const Surface& s, Vec2& face);
 
 }  // namespace islet::detail

@@ -8,12 +8,14 @@
 
 namespace islet::detail {
 
-// A body pulled at both ends swings back about its centre like a string: a geometric stiffness S = sum of r . f over its joints. Where the substep is
-// too long for that swing, h^2 S > I, the body is given as much inertia as keeps it stable (from the implicit treatment in Tournier and others,
-// "Stable Constrained Dynamics", 2015). Elsewhere nothing changes. `stretch` is h^2 S as the last step left it.
+/// The inverse inertia of a body that its joints stretch.
+///
+/// A body pulled at both ends swings back about its centre like a string, with the geometric stiffness S = sum of r . f over its joints. Where the substep is
+/// too long for that swing, h^2 S > I, the body gets the inertia that keeps it stable (from the implicit treatment in Tournier and others, "Stable Constrained
+/// Dynamics", 2015). Elsewhere nothing changes. `stretch` is h^2 S of the last step.
 inline float stiffened(float inv_inertia, float stretch) { return stretch * inv_inertia > 1.0f ? 1.0f / stretch : inv_inertia; }
 
-/// What a substep of length h adds to the body's velocity, and how it is damped.
+/// Fills in what a substep of length h adds to the body's velocity, and the damping.
 inline void gather_motion(SolverMotion& m, const Core& core, std::uint32_t body, float h) {
     const Pose& pose = core.poses[body];
     const Motion& motion = core.motions[body];
@@ -30,16 +32,16 @@ inline void gather_motion(SolverMotion& m, const Core& core, std::uint32_t body,
 /// a, but at most `bound` on either side, and 0 if it is not a number.
 ISLET_SHARED float within(float a, float bound) { return a == a ? within_bounds(a, bound) : 0; }
 
-// Also of velocities that overflowed: what is infinite becomes very large first, and what is not a number becomes zero.
+/// v, but no longer than max_speed. Velocities may have overflowed: infinity counts as a very large number, and NaN as zero.
 inline Vec2 limit_speed(Vec2 v, float max_speed) {
     constexpr float huge = 1.0e18f;  // its square is still a number
     v = {within(v.x, huge), within(v.y, huge)};
     const float speed = length(v);
     if (speed > max_speed) v = (max_speed / speed) * v;
-    return {v.x + 0.0f, v.y + 0.0f};  // a product that underflows may be -0, and adding the 0 of an idle lane would make it +0
+    return {v.x + 0.0f, v.y + 0.0f};  // a product that underflows may be -0, which the 0 that an idle lane adds would turn into +0
 }
 
-/// The velocities v, w after the substep, before warm start and sweeps.
+/// The velocities after the substep, before warm start and sweeps.
 inline Vec2 free_velocity(const SolverMotion& m, Vec2 v, float max_speed) {
     v = m.linear_factor * (v + m.a);
     if (!(dot(v, v) <= max_speed * max_speed)) v = limit_speed(v, max_speed);

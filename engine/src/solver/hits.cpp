@@ -1,4 +1,4 @@
-// Hits: contacts whose shapes came together fast.
+// Hits: contacts whose shapes came together fast (solver/hits.hpp).
 #include "../exact.hpp"
 
 #include "../solver/hits.hpp"

@@ -1,8 +1,8 @@
 // The joints' part of the solve, run by run, for any width of lanes.
 //
-// A program that makes no joints does not link it: everything here is referenced weakly, which takes nothing from an archive, and only making a joint
-// calls link_joint_solve, which takes it all. Where it is missing there are no joints, so nothing here is ever called. (Where a linker knows no weak
-// references, the functions are ordinary ones and always there.)
+// A program that makes no joints does not link this part. The functions are referenced weakly, which takes nothing from an archive. Only the functions that
+// make joints call link_joint_solve, which takes all of it. A program without it has no joints, so it never calls these functions. (Where a linker knows no weak
+// references, the functions are ordinary ones and always linked.)
 #pragma once
 
 #include "../constraint/joint_rows.hpp"
@@ -10,18 +10,18 @@
 
 namespace islet::detail {
 
-/// Bytes of the run's rows when solved in `lanes` at a time.
+/// Bytes of the run's rows when `lanes` joints are solved at a time.
 ISLET_OPTIONAL std::size_t joint_run_bytes_of(const JointRun& run, std::uint32_t lanes);
-/// Fills the rows from the joints listed and adds their warm starts to the bodies.
+/// Fills the rows of the joints listed, and adds their warm starts to the bodies.
 ISLET_OPTIONAL void prepare_joint_run(const JointRun& run, std::uint32_t lanes, std::byte* rows, const std::uint32_t* joints, const JointInput& in);
 /// One sweep.
 ISLET_OPTIONAL void solve_joint_run(const JointRun& run, std::uint32_t lanes, SolverBody* bodies, std::byte* rows, const JointSweep& sweep);
-/// Writes the impulses back for the next step.
+/// Writes the impulses back to the joints, for the next step.
 ISLET_OPTIONAL void store_joint_run(const JointRun& run, std::uint32_t lanes, std::byte* rows, const JointOutput& out);
 
-/// Does nothing, but whoever refers to it links the functions above.
+/// Does nothing. A program that refers to it links the functions above.
 void link_joint_solve();
-/// True if anybody did.
+/// True if the program has linked them.
 inline bool joint_solve_is_linked() { return ISLET_IS_LINKED(solve_joint_run); }
 
 }  // namespace islet::detail

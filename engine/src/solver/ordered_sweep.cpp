@@ -10,14 +10,15 @@ namespace islet::detail {
 
 namespace {
 
-// Static bodies share a slot with those of other batches, so nothing is written to what cannot be pushed.
+// All batches share the slot of static bodies, so bodies that cannot be pushed are never written to.
 ISLET_SHARED void push_body(SolverBody& body, Vec2 impulse, float turning) {
     if (body.inv_mass <= 0) return;
     body.v += body.inv_mass * impulse;
     body.w += body.inv_inertia * turning;
 }
 
-// The two normal impulses of a contact, exactly: w_i = sum over j of K_ij (x_j - old_j) + speed_i + softness_i x_i, its bias in the speed.
+// Finds the two normal impulses x of a contact exactly. Their residuals are w_i = sum over j of K_ij (x_j - old_j) + speed_i + softness_i x_i, with the bias in
+// speed_i.
 void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumbers& n) {
     const Vec2 normal = {r.nx[0], r.ny[0]};
     const float vn = dot(normal, b.v - a.v), moved = dot(normal, b.dp - a.dp) + b.dq * r.rn_ab[0];
@@ -41,7 +42,7 @@ void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumb
     const float k01 = a.inv_mass + b.inv_mass + a.inv_inertia * rna[0] * rna[1] + b.inv_inertia * rnb[0] * rnb[1], m00 = m[0], m11 = m[1];
     const float q0 = speed[0] - k[0] * old[0] - k01 * old[1], q1 = speed[1] - k01 * old[0] - k[1] * old[1];
 
-    float x[2] = {old[0], old[1]};  // should rounding leave no case
+    float x[2] = {old[0], old[1]};  // kept if rounding leaves no case
     const float det = m00 * m11 - k01 * k01;
     const float both0 = k01 * q1 - m11 * q0, both1 = k01 * q0 - m00 * q1;  // times det
     if (det > 1.0e-6f * m00 * m11 && both0 >= 0 && both1 >= 0) {

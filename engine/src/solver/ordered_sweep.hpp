@@ -1,9 +1,9 @@
-// Contacts solved one by one, in an order chosen: for what sweeps by colours converge too slowly on.
+// Contacts solved one by one, in a chosen order: for scenes on which sweeps by colours converge too slowly.
 //
-// A sweep hands an impulse on from contact to contact only in the direction it goes. Upward, the ground's support
-// reaches the top of a tower in one sweep (island/height_order.hpp puts the contacts in order); by colours it gets one layer or two farther.
+// A sweep passes an impulse on from contact to contact only in the direction in which it visits them (island/height_order.hpp, which puts the contacts in
+// order).
 //
-// A block solve finds the two normal impulses of a contact together: the complementarity problem of two rows has four cases, and they are tried.
+// A block solve finds the two normal impulses of a contact together. The complementarity problem of two rows has four cases; the solve tries each.
 #pragma once
 
 #include "../constraint/contact_rows.hpp"
@@ -12,7 +12,7 @@
 
 namespace islet::detail {
 
-/// One sweep over the rows in their order. `ground`: for contacts of bodies that cannot be pushed.
+/// One sweep over the rows in their order. `ground` is for contacts with bodies that cannot be pushed; `block` adds block solves.
 void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground, bool block);
 
 }  // namespace islet::detail

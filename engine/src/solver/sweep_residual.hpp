@@ -1,11 +1,11 @@
 // How far impulses are from a solution.
 //
-// Solving one constraint alone, all others as they are, changes nothing if and only if its part of the problem is solved: its impulse and its relative
-// velocity are feasible and complementary. So what a solve would still change is a natural residual (Cottle, Pang and Stone, "The Linear Complementarity
-// Problem", 1992: 1.5.8, here with the constraint's own mass as scale), and it is found by trying: each block of rows is solved by the kernel that sweeps it,
-// the bodies are compared, and all is put back. It is measured in what a body's velocity would change by, so that constraints of any kind and mass compare.
+// Solving one constraint alone, with all others as they are, changes nothing if and only if its impulse and its relative velocity are feasible and
+// complementary. So the change that a solve would still make is a natural residual (Cottle, Pang and Stone, "The Linear Complementarity Problem", 1992: 1.5.8,
+// here with the constraint's own mass as scale). It is found by trial: the kernel solves each block of rows, the bodies are compared, and all is put back.
+// The residual is the change of a body's velocity, so constraints of any kind and mass compare.
 //
-// The change an impulse made since the sweep before would be no such measure: it is small too where a method only creeps.
+// The change of an impulse since the last sweep would be no such measure: it is also small where a method creeps.
 #pragma once
 
 #include <cstring>
@@ -15,10 +15,10 @@
 
 namespace islet::detail {
 
-/// Most slots that one block of rows may name: four a gear, two any other constraint in lanes.
+/// Most slots that one block of rows may name: four for a gear, two for each lane of other constraints.
 inline constexpr std::uint32_t most_trial_slots = 2 * (max_lanes > 2 ? max_lanes : 2);
 
-/// m/s: by how much the velocity of a body changed, turning at its radius of gyration.
+/// m/s: by how much the velocity of a body changed. A turn counts by its speed at the radius of gyration.
 inline float velocity_change(const SolverBody& before, const SolverBody& after) {
     const Vec2 dv = after.v - before.v;
     const float dw = after.w - before.w;
@@ -26,12 +26,12 @@ inline float velocity_change(const SolverBody& before, const SolverBody& after) 
     return sqrt(dot(dv, dv) + turning);
 }
 
-/// The largest, and what stands for one that overflowed.
+/// The largest residual; it also stands for one that overflowed.
 inline constexpr float no_residual = 3.0e38f;
 
-/// What a block of rows and the bodies it may push are, before it is solved on trial.
+/// A block of rows and the bodies that it may push, as they are before the trial.
 struct Trial {
-    std::byte* rows;  // all that solving changes besides the bodies
+    std::byte* rows;  // all that the solve changes besides the bodies
     std::size_t bytes;
     std::uint32_t slots[most_trial_slots];  // in any order and number
     std::uint32_t count = 0;
@@ -42,7 +42,7 @@ struct Trial {
     void add(std::uint32_t slot) { slots[count++] = slot; }
 };
 
-/// Call the first, solve the block, and call the second, which takes it back and raises the residual of each of its islands to what changed.
+/// Call begin_trial, solve the block, and call end_trial. It puts all back, and raises the residuals of the block's islands to the change that it found.
 inline void begin_trial(Trial& t, const SolverBody* bodies) {
     for (std::uint32_t i = 0; i < t.count; ++i) t.before[i] = bodies[t.slots[i]];
     std::memcpy(t.saved, t.rows, t.bytes);
@@ -57,7 +57,7 @@ inline void end_trial(const Trial& t, SolverBody* bodies, const std::uint32_t* i
         }
     }
     for (std::uint32_t i = 0; i < t.count; ++i)
-        if (t.before[i].inv_mass > 0) bodies[t.slots[i]] = t.before[i];  // others are only read
+        if (t.before[i].inv_mass > 0) bodies[t.slots[i]] = t.before[i];  // the other bodies are only read
     std::memcpy(t.rows, t.saved, t.bytes);
 }
 

@@ -9,7 +9,7 @@ namespace islet::detail {
 
 namespace {
 
-// 1 / x, or 0 where x is not above 0: absurd masses may leave nothing to divide by.
+// 1 / x, or 0 where x is not above 0, as extreme masses may make it.
 ISLET_SHARED float inverse(float x) { return inverse_or_zero<Lane1>(x); }
 
 Sym2 inverse(const Sym2& a) {
@@ -17,9 +17,9 @@ Sym2 inverse(const Sym2& a) {
     return {i * a.yy, -(i * a.xy), i * a.xx};
 }
 
-// The inverse of a body's mass matrix and what hangs on it. One that does not turn has no angular part.
+// The inverse of the mass matrix of a body and all that hangs on it. A body that does not turn has no angular part.
 Sym3 inverse(const Sym3& a, bool turns) {
-    // The linear part goes first: it has the larger numbers, and what is left of the angular one is a number of its own.
+    // The linear part, which has the larger numbers, is eliminated first. What then remains of the angular part is a single number.
     const Sym2 i = inverse(Sym2{a.xx, a.xy, a.yy});
     if (!turns) return {i.xx, i.xy, 0, i.yy, 0, 0};
     const Vec2 e = {i.xx * a.xz + i.xy * a.yz, i.xy * a.xz + i.yy * a.yz};
@@ -35,7 +35,7 @@ Vec2 operator*(const Sym2& m, Vec2 v) { return {m.xx * v.x + m.xy * v.y, m.xy * 
 // Velocity of the point at `arm`.
 Vec2 at_point(const Motion3& m, Vec2 arm) { return m.linear() + cross(m.turning, arm); }
 
-// S = J m J^T for a point at `arm` of a body with the inverse mass m.
+// S = J m J^T for a point at `arm` of a body with the inverse mass matrix m.
 Sym2 point_of(const Sym3& m, Vec2 arm) {
     const Motion3 x = m * Motion3{1, 0, -arm.y};
     const Motion3 y = m * Motion3{0, 1, arm.x};
@@ -43,7 +43,7 @@ Sym2 point_of(const Sym3& m, Vec2 arm) {
     return {vx.x, vx.y, vy.y};
 }
 
-// What stands below a hinge, as the parent feels it: J^T s J.
+// Adds J^T s J to the parent's mass matrix: the effective mass s of a hinge and all below it, as the parent feels it.
 void hang(Sym3& m, const Sym2& s, Vec2 arm) {
     const Vec2 u = s * Vec2{-arm.y, arm.x};
     m.xx += s.xx;
@@ -56,7 +56,7 @@ void hang(Sym3& m, const Sym2& s, Vec2 arm) {
 
 ISLET_SHARED Vec2 turned_arm(const SolverBody& b, Vec2 arm) { return turned(b.dq, arm.x, arm.y); }
 
-// Takes back what the tree did in the last substep, so that it is solved from the velocities it would leave alone.
+// Takes back what the tree did to the velocities in the last substep, so that the tree is solved from the velocities that bodies would have without it.
 void take_back(SolverBody* bodies, TreeLink* links, std::uint32_t count) {
     for (std::uint32_t k = 0; k < count; ++k) {
         TreeLink& l = links[k];
@@ -67,7 +67,7 @@ void take_back(SolverBody* bodies, TreeLink* links, std::uint32_t count) {
     }
 }
 
-// What the hinge lacks: -(Cdot + rate C), in sweeps with bias with the curve of its points' paths (joint_rows.hpp).
+// The velocity that the hinge lacks: -Cdot, in sweeps with bias -(Cdot + rate C) and the curve of its points' paths (joint_rows.hpp).
 Vec2 missing(const TreeLink& l, const SolverBody& c, const SolverBody& p, const JointSweep& n) {
     const Vec2 speed = c.v + cross(c.w, l.arm_c) - p.v - cross(p.w, l.arm_p);
     if (!n.biased) return -speed;
@@ -79,19 +79,19 @@ Vec2 missing(const TreeLink& l, const SolverBody& c, const SolverBody& p, const 
 }  // namespace
 
 void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const JointInput& in, SolverMotion* motions) {
-    for (std::uint32_t i = batch.first_tree; i < batch.end_tree; ++i) {
+    for (std::uint32_t i = batch.first_link; i < batch.first_link + batch.link_count; ++i) {
         TreeLink& l = links[i] = TreeLink{};
-        const TreeBody body = plan.tree_bodies[i];
-        l.child = in.slot_of[body.body];
-        l.up = plan.tree_parents[i];
-        l.joint = body.joint;
-        const float inv_inertia = in.poses[body.body].inv_inertia;
-        const float light = plan.lightness != nullptr ? plan.lightness[body.body] : 1.0f;
+        const Link link = plan.links[i];
+        l.child = in.slot_of[link.body];
+        l.up = plan.parent_links[i];
+        l.joint = link.joint;
+        const float inv_inertia = in.poses[link.body].inv_inertia;
+        const float light = plan.lightness != nullptr ? plan.lightness[link.body] : 1.0f;
         if (inv_inertia > 0) motions[l.child].angular_factor *= in.bodies[l.child].inv_inertia / (light * inv_inertia);
         if (l.joint == null_index) continue;
         const Joint& j = in.joints[l.joint];
         const JointPose p = pose_of(j, in.poses, in.bodies_in);
-        const bool is_b = j.body_b == body.body;
+        const bool is_b = j.body_b == link.body;
         l.parent = in.slot_of[is_b ? j.body_a : j.body_b];
         l.sign = is_b ? 1.0f : -1.0f;
         l.rc = is_b ? p.rb : p.ra;
@@ -105,7 +105,7 @@ void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const
     if (n.biased) take_back(bodies, links, count);
     for (std::uint32_t k = 0; k < count; ++k) {
         TreeLink& l = links[k];
-        l.m = {};
+        l.mass = {};
         l.pull = {0, 0, 0};
         l.arm_c = turned_arm(bodies[l.child], l.rc);
         l.arm_p = turned_arm(bodies[l.parent], l.rp);
@@ -115,14 +115,14 @@ void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const
         TreeLink& l = links[k];
         const SolverBody& c = bodies[l.child];
         const float mass = inverse(c.inv_mass);
-        l.m.xx += mass;
-        l.m.yy += mass;
-        l.m.zz += inverse(c.inv_inertia);
-        l.m = inverse(l.m, c.inv_inertia > 0);
+        l.mass.xx += mass;
+        l.mass.yy += mass;
+        l.mass.zz += inverse(c.inv_inertia);
+        l.inv_mass = inverse(l.mass, c.inv_inertia > 0);
         if (l.joint == null_index) continue;
-        l.s = inverse(point_of(l.m, l.arm_c));
-        if (l.up != null_index) hang(links[l.up].m, l.s, l.arm_p);
-        l.b = missing(l, c, bodies[l.parent], n) - at_point(l.m * l.pull, l.arm_c);
+        l.s = inverse(point_of(l.inv_mass, l.arm_c));
+        if (l.up != null_index) hang(links[l.up].mass, l.s, l.arm_p);
+        l.b = missing(l, c, bodies[l.parent], n) - at_point(l.inv_mass * l.pull, l.arm_c);
         if (l.up == null_index) continue;
         const Vec2 lambda = l.s * l.b;
         Motion3& pull = links[l.up].pull;
@@ -130,7 +130,7 @@ void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const
         pull.y -= lambda.y;
         pull.turning -= cross(l.arm_p, lambda);
     }
-    // And back.
+    // From the roots back to the leaves.
     for (std::uint32_t k = count; k-- > 0;) {
         TreeLink& l = links[k];
         Motion3 force = l.pull;
@@ -142,7 +142,7 @@ void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const
             force.y += lambda.y;
             force.turning += cross(l.arm_c, lambda);
         }
-        l.change = l.m * force;
+        l.change = l.inv_mass * force;
         l.dv += l.change.linear();
         l.dw += l.change.turning;
         bodies[l.child].v += l.change.linear();

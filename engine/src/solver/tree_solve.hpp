@@ -1,23 +1,24 @@
-// Trees of hinges, solved exactly.
+// Joint trees, solved exactly.
 //
 // Let a body with velocity v (linear and angular) have the mass matrix M, and a hinge from a parent p to a child c the rows
 //     Cdot = (vc + wc x rc) - (vp + wp x rp) = Jc vc - Jp vp
-// Wanted are impulses lambda such that every hinge of the tree has Cdot = -rate C after
+// The solve finds impulses lambda such that every hinge of the tree has Cdot = -rate C after
 //     M dv = Jc^T lambda - (sum over its children) Jp^T lambda.
-// Eliminating the bodies from the leaves on leaves a smaller problem of the same kind: with Mc and fc what a child and all that hangs on it come to,
+// Eliminating a leaf leaves a smaller problem of the same kind. Let Mc and fc be the mass matrix and the force of a child with all that hangs on it:
 //     S = Jc Mc^-1 Jc^T,  lambda = S^-1 (b + Jp dvp),  b = -(Cdot + rate C) - Jc Mc^-1 fc
 //     Mp += Jp^T S^-1 Jp,  fp -= Jp^T S^-1 b
-// until the root knows its own velocity, and on the way back every child finds its hinge's lambda and its own. Linear in the number of bodies, no
-// iteration, and no mass ratio harms it. (Baraff, "Linear-Time Dynamics using Lagrange Multipliers", 1996; Featherstone's articulated bodies.)
+// At last the root finds its own velocity, and on the way back every child finds its hinge's lambda and its own velocity. The cost is linear in the number of
+// bodies, there is no iteration, and no mass ratio harms it. (Baraff, "Linear-Time Dynamics using Lagrange Multipliers", 1996; Featherstone's articulated
+// bodies.)
 //
-// Exact impulses, held over a substep, pull a light link under tension back and forth like a string: stable only while h^2 times the geometric stiffness
-// sum of r . f is small beside its inertia. Where it is not, the body already has more inertia (stiffened() in free_motion.hpp), and its spin here is
-// scaled as implicit Euler has it, (I + h^2 k) w+ = I w + ... (Tournier and others, "Stable Constrained Dynamics", 2015). Measured on a chain of 30
-// links with a ball of 1000 link masses that swings 20 s from level: the hinges stay within 0.03 mm, and the first swing loses 1.4 % of its energy;
+// Exact impulses, held over a substep, pull a light link under tension back and forth like a string. They are stable only while h^2 times the geometric
+// stiffness, the sum of r . f, is small beside the link's inertia. Where it is not, the body already has more inertia (stiffened() in free_motion.hpp), and
+// its spin is scaled as implicit Euler does, (I + h^2 k) w+ = I w + ... (Tournier and others, "Stable Constrained Dynamics", 2015). Measured on a chain of 30
+// links with a ball of 1000 link masses that swings for 20 s from level: the hinges stay within 0.03 mm, and the first swing loses 1.4 % of its energy;
 // without the scaling the chain explodes.
 //
-// A sweep with bias starts from the velocities as they would be without the tree and solves it anew; the relaxing sweep adds what contacts have
-// undone since, with the same factors. So nothing is warm started but what the impulses were is kept for readers.
+// A sweep with bias starts from the velocities as they would be without the tree, and solves the tree anew. The relaxing sweep adds what contacts have undone
+// since, with the same factors. So nothing is warm started; the impulses are kept only for readers.
 #pragma once
 
 #include "../constraint/joint_rows.hpp"
@@ -30,7 +31,7 @@ struct Sym2 {
     float xx = 0, xy = 0, yy = 0;
 };
 struct Sym3 {
-    float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+    float xx, xy, xz, yy, yz, zz;
 };
 
 /// A force over the substep (N s, N m s) or a velocity (m/s, rad/s) of a body.
@@ -39,39 +40,42 @@ struct Motion3 {
     Vec2 linear() const { return {x, y}; }
 };
 
-/// A body of a tree and the hinge that ties it to its parent. Seen from the child, whichever end of the joint it is.
+/// A link (island/joint_trees.hpp) during a solve. All is seen from the child, whichever end of the joint it is.
 struct TreeLink {
     std::uint32_t child = 0, parent = 0;  // solver slots
-    std::uint32_t up = null_index;        // the parent's link; null_index if it cannot be pushed, or there is none
+    std::uint32_t up = null_index;        // the parent's link; null_index if the parent cannot be pushed, or there is none
     std::uint32_t joint = null_index;     // null_index: the root of a tree that nothing holds
     float sign = 1;                       // 1: the child is the joint's B; -1: its A
     Vec2 rc, rp;                          // m, from the centres to the hinge when the step began
     Vec2 d;                               // m, from the parent's centre to the child's when the step began
-    float angle = 0;                      // rad, roughly, when the step began
+    float angle = 0;                      // rad, roughly: the joint's angle when the step began
     Vec2 lambda;                          // N s on the child in this substep
-    Vec2 dv;                              // m/s, what all hinges of the tree have made of the child's velocity in this substep
+    Vec2 dv;                              // m/s, what the tree's hinges have added to the child's velocity in this substep
     float dw = 0;                         // rad/s
     // Factors of this sweep.
     Vec2 arm_c, arm_p;  // m, rc and rp as they are now
-    Sym3 m;             // what hangs here: its mass, then the inverse of that
-    Sym2 s;             // S^-1
-    Vec2 b;             // m/s
     union {
-        Motion3 pull = {0, 0, 0};  // of the children on the body, until it is solved on the way back from the root
-        Motion3 change;            // from then on: what this sweep made of its velocity
+        Sym3 mass = {};  // of the body and of all that hangs on it, until the way from the leaves has come to the body
+        Sym3 inv_mass;   // from then on
+    };
+    Sym2 s;  // S^-1
+    Vec2 b;  // m/s
+    union {
+        Motion3 pull = {0, 0, 0};  // of the children on the body, until the way back from the root has come to the body
+        Motion3 change;            // from then on: what this sweep added to the body's velocity
     };
 };
 
 static_assert(sizeof(TreeLink) == tree_link_bytes);
 
-/// Fills the links of a batch's trees.
+/// Fills the links of a batch's joint trees.
 ISLET_OPTIONAL void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const JointInput& in, SolverMotion* motions);
 /// One sweep.
 ISLET_OPTIONAL void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const JointSweep& sweep);
-/// Writes the impulses back, for readers and for the next step's stability.
+/// Writes back the impulses, for readers, and the stretch of the bodies, for the next step's stability.
 ISLET_OPTIONAL void store_trees(const TreeLink* links, std::uint32_t count, const JointOutput& out);
 
-/// Does nothing, but whoever refers to it links the functions above.
+/// Does nothing. A program that refers to it links the functions above.
 void link_tree_solve();
 
 }  // namespace islet::detail

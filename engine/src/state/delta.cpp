@@ -1,12 +1,11 @@
 // The difference of two images, packed.
 //
-// Record by record the arrays of two images stand in the same order, so what did not change is equal word by word at the same place of the same
-// part, even where other parts have grown. Each part of the new image is XORed with the old one's (with zeros beyond its end) and packed in groups
-// of eight words:
+// The arrays of two images have their records in the same order. So words that did not change are equal at the same place of the same part, even if other
+// parts have grown. Each part of the new image is XORed with the same part of the old one (with zeros beyond its end) and packed in groups of eight words:
 //
 //   mask     a byte: bit i is set if word i differs. 0 is followed by the number of further groups that do not differ, a byte.
 //   lengths  two bits a differing word, its significant bytes - 1, in whole bytes
-//   bytes    those bytes, low ones first: numbers that change little differ in low bits
+//   bytes    those bytes, low ones first; numbers that change little differ in low bits
 #include "../exact.hpp"
 
 #include "islet/snapshot.hpp"
@@ -29,7 +28,7 @@ static_assert(sizeof(DeltaHeader) == delta_header_bytes);
 
 constexpr std::uint32_t group = 8;  // words
 
-/// Where the part of one image starts and how long it is.
+/// A part of an image: where it starts and how long it is.
 struct Parts {
     std::uint64_t start[part_count] = {}, size[part_count] = {};
     std::uint32_t count = 0;
@@ -56,7 +55,7 @@ std::uint32_t old_word(const std::byte* part, std::uint64_t size, std::uint64_t 
 
 std::uint32_t significant_bytes(std::uint32_t word) { return word == 0 ? 0 : (39u - static_cast<std::uint32_t>(__builtin_clz(word))) / 8u; }
 
-/// Packs groups to a span. Once it is full nothing more is written and `full` is set.
+/// Packs groups into a span. Once the span is full, the packer writes nothing more and sets `full`.
 struct Packer {
     std::span<std::byte> out;
     std::size_t at = 0;
@@ -97,7 +96,7 @@ struct Packer {
     }
 };
 
-/// The reverse. What is beyond the end reads as 0, and `broken` is set.
+/// Unpacks groups. Bytes beyond the end read as 0, and set `broken`.
 struct Unpacker {
     std::span<const std::byte> in;
     std::size_t at = 0;
@@ -204,7 +203,7 @@ std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> de
     if (problem != Error::none) return failed(error, problem);
     if (h.from_checksum != old_header.head.checksum || h.from_length != old_header.head.length) return failed(error, Error::wrong_delta);
     if (out.size() < h.to_length) return failed(error, Error::image_too_small);
-    // The head of the new image is in the delta as it is: it must be one of that length.
+    // The delta contains the new image's header unchanged. It must be the header of an image of that length.
     std::memcpy(&new_header, delta.data() + sizeof h, sizeof new_header);
     if (h.to_length < sizeof new_header) return failed(error, Error::corrupt_image);
     std::memcpy(out.data(), &new_header, sizeof new_header);

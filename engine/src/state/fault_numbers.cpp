@@ -1,4 +1,4 @@
-// Numbers that no sound world holds, record by record. Every comparison is written so that NaN fails it.
+// Finds numbers that no sound world holds, record by record. NaN fails every comparison.
 #include "../exact.hpp"
 
 #include "../bodies/bounds.hpp"
@@ -15,7 +15,7 @@ namespace islet::detail {
 
 namespace {
 
-// Centres of mass lie within max_position after a step, and at most a shape's reach farther before it.
+// After a step, centres of mass are within max_position; before it, at most a shape's reach farther out.
 constexpr float far_away = 8.0f * max_position;
 
 bool is_near(Vec2 p) { return abs(p.x) <= far_away && abs(p.y) <= far_away; }

@@ -1,5 +1,5 @@
-// Links, lists, pools and bits: everything by which one record leads to another. Records are looked at in this order, each on the ground that the
-// ones before made safe: pools, numbers and indices of each record, lists, the tree.
+// Finds what is wrong with pools, bits, indices and lists, through which one record leads to another. The order of the checks is pools, numbers and indices of
+// each record, lists, the tree: each check relies on the ones before it.
 #include "../exact.hpp"
 
 #include "../state/faults.hpp"
@@ -45,7 +45,7 @@ const char* fault_in_pool(const PoolState& pool, const T* slots, std::uint32_t c
 const char* fault_in_geometry_pool(const Core& c, Arena scratch) {
     const State& s = *c.state;
     const PoolState& pool = s.geometry_pool;
-    // A shape adds one geometry at most, so there were never more of them than of shapes.
+    // A shape adds at most one geometry, so there are never more geometries than shapes.
     if (pool.high_water > geometry_capacity(c.capacity) || pool.high_water > s.shape_pool.high_water) return "a pool holds more than its capacity";
     std::uint32_t* references = scratch.take<std::uint32_t>(pool.high_water);
     for (std::uint32_t i = 0; i < pool.high_water; ++i) references[i] = 0;
@@ -148,7 +148,7 @@ const char* fault_in_records(const Core& c) {
 
 // -- lists ---------------------------------------------------------------------------------------------------------------------------
 
-/// Walks a body's list of edges. `body_of(edge, side)` and `color_of(edge)` read them. Collects the colours in use.
+/// Walks a body's list of constraints. `body_of(constraint, side)` and `color_of(constraint)` read them. Collects the colours in use.
 template <class Edge, class BodyOf, class ColorOf>
 const char* fault_in_list(const PoolState& pool, const Edge* edges, std::uint32_t body, std::uint32_t head, std::uint32_t count, BodyOf&& body_of,
                           ColorOf&& color_of, std::uint32_t& colors) {
@@ -208,7 +208,7 @@ const char* fault_in_body(const Core& c, std::uint32_t i) {
     return colors == b.colors ? nullptr : "a body's colours are not those of its constraints";
 }
 
-// Each edge is in the list at each of its ends, if lists hold only edges that end there and there are as many entries as ends.
+// If every list holds only constraints of its body, and there are as many entries as constraints have ends, each constraint is in the list at each of its ends.
 const char* fault_in_lists(const Core& c) {
     const State& s = *c.state;
     std::uint32_t shapes = 0, resting = 0, contacts = 0, joints = 0, ends = 0;
@@ -227,10 +227,10 @@ const char* fault_in_lists(const Core& c) {
     return contacts == 2 * s.contact_pool.count && joints == ends ? nullptr : "a constraint is in no list";
 }
 
-// -- what is kept because it follows from the rest: where bodies and boxes are, how far they reach -------------------------------------
+// -- numbers that follow from others: where bodies and boxes are, how far they reach ----------------------------------------------------
 
-// How much rounding can change them. A number is rounded by `epsilon` of itself at most. No number between a body's centre and the edge of its fat box is
-// larger than this sum: the centre, the arm to the origin and back, the farthest point of a shape, and 1 m for margins and whatever else is small.
+// How much rounding can change these numbers. A number is rounded by at most `epsilon` of itself. No number between a body's centre and the side of its fat box
+// is larger than this sum: the centre, the arm to the origin and back, the farthest point of a shape, and 1 m for margins and other small numbers.
 constexpr float epsilon = 0x1p-24f;
 
 float span_of(const Core& c, std::uint32_t i) {
@@ -238,11 +238,11 @@ float span_of(const Core& c, std::uint32_t i) {
     return 1.0f + abs(center.x) + abs(center.y) + 2.0f * (abs(arm.x) + abs(arm.y)) + c.poses[i].max_extent;
 }
 
-// Rounding of a tight box, made twice: 5 roundings of an origin, 4 of a corner's place, 3 on the way to the edge of a box, 4 of a turn's length.
+// Rounding of a tight box, made twice: 5 roundings of an origin, 4 of a corner's position, 3 on the way to the side of a box, 4 of a turn's length.
 float box_rounding(const Core& c, std::uint32_t i) { return 32.0f * epsilon * span_of(c, i); }
 
-// How much farther a body may have come than it counted, because each step is rounded: a turn 4 times, the centre's way 3 times. Beyond 2^24 steps the bound
-// grows no more.
+// How much farther a body may have gone than its slack counted, because each step rounds: a turn 4 times, the centre's way 3 times. Beyond 2^24 steps the bound
+// no longer grows.
 float drift_of(const Core& c, std::uint32_t i) {
     if (c.bodies[i].type() == BodyType::static_body) return 0;
     constexpr std::uint32_t many = 1u << 24;
@@ -261,8 +261,8 @@ const char* fault_in_place(const Core& c, std::uint32_t i) {
     if (!(abs(gap.x) <= rounding && abs(gap.y) <= rounding)) return "a body's centre is not where its origin says";
     const Extent extent = body_extent(c, i);
     if (pose.max_extent != extent.max || b.min_extent != extent.min) return "a body's extent is not its shapes'";
-    // A step that is shorter than the distance between two floats is rounded to nothing, or to twice its length at most. So is the way since the boxes were
-    // made, which is what is missing now of the room they had then.
+    // A step that is shorter than the distance between two floats is rounded to nothing, or to at most twice its length. So is the way since the boxes were
+    // made, by which their room has shrunk.
     float room = 3.0e38f;
     for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next) room = min(room, most_room(c.boxes[s]));
     const float slack = slack_of(c, i);
@@ -277,9 +277,9 @@ const char* fault_in_box(const Core& c, std::uint32_t s) {
     return contains(expand(c.boxes[s], inexact), shape_aabb(c, s)) ? nullptr : "a shape has left its fat box";
 }
 
-// -- what ties two bodies ------------------------------------------------------------------------------------------------------------
+// -- constraints ---------------------------------------------------------------------------------------------------------------------
 
-// Whom a contact tells follows from its shapes.
+// A contact's flags for events and hooks follow from its shapes.
 const char* fault_in_told(const Core& c, const Contact& contact, const ContactManifold& m) {
     const Shape& a = c.shapes[contact.shape_a];
     const Shape& b = c.shapes[contact.shape_b];
@@ -348,7 +348,7 @@ const char* fault_in_gear_counts(const Core& c, Arena scratch) {
     return first_fault(pool, c.joints, [&](std::uint32_t i) { return c.joints[i].gear_count == gears[i] ? nullptr : "a joint miscounts its gears"; });
 }
 
-// What is marked as a tree of hinges must be one, unless it is to be marked anew anyway.
+// Hinges marked as joint trees must be trees, unless they are to be marked anew anyway.
 const char* fault_in_trees(const Core& c, Arena scratch) {
     if (!has_joint(JointType::revolute) || c.state->trees_stale != 0) return nullptr;
     const Forest forest(c.state->body_pool.high_water, scratch);

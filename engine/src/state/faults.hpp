@@ -1,13 +1,12 @@
-// What is unsound in a world, if anything: the invariants behind World::validate, and the gate that images from outside must pass. So no index is
-// followed before it is checked, no walk goes on longer than there are records, and no number is trusted.
+// Finds what is unsound in a world: the invariants behind World::validate, which images from outside must keep, too. So the checks follow no index before it is
+// checked, walk no list longer than there are records, and trust no number.
 #pragma once
 
 #include "../data/core.hpp"
 
 namespace islet::detail {
 
-/// Null, or a sentence naming what is broken in the world's arrays. Takes scratch for a word a shape and a joint, two a body,
-/// and for a set of pairs.
+/// Null, or a sentence that says what is broken in the world's arrays. Takes scratch: a word for each shape and joint, two for each body, and a set of pairs.
 const char* find_fault(const Core& core, Arena scratch);
 
 /// The same for the numbers of one live record.

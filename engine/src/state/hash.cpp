@@ -1,5 +1,4 @@
-// The state hash: all persistent state that affects the future, word by word, so that it does not depend on the byte order of the machine, nor on
-// the capacity.
+// The state hash: all persistent state that affects the future, word by word. It does not depend on the byte order of the machine, nor on the capacity.
 #include "../exact.hpp"
 
 #include <cstddef>
@@ -40,7 +39,7 @@ struct Hasher {
         static_assert(sizeof(T) % 4 == 0);
         words(items, std::size_t{count} * sizeof(T));
     }
-    /// The first `count` elements of an array. User data is carried, but decides nothing: for it stand zeros.
+    /// The first `count` elements of an array. User data does not affect the future, so it counts as zeros.
     template <class T>
     void array(const T* items, std::uint32_t count) {
         if constexpr (requires { items->user_data; }) {
@@ -49,7 +48,7 @@ struct Hasher {
             records(items, count);
         }
     }
-    /// Where a geometry in use stands in its bucket depends on the number of buckets, which is the capacity's.
+    /// The place of a geometry in its bucket is left out: it depends on the number of buckets, and so on the capacity.
     void array(const Geometry* geometries, std::uint32_t count) {
         for (std::uint32_t i = 0; i < count; ++i) {
             Geometry g = geometries[i];
@@ -57,7 +56,7 @@ struct Hasher {
             records(&g, 1);
         }
     }
-    /// As many words as the first `count` bits need: what lies beyond depends on the capacity.
+    /// The words of the first `count` bits; the words after them depend on the capacity.
     void array(const BitSet& set, std::uint32_t count) {
         for (std::uint32_t i = 0; i < words_for(count); ++i) long_word(set.words[i]);
     }
@@ -98,13 +97,13 @@ std::uint64_t World::hash() const {
     h.number(s.hit_threshold);
 
     SolverState solver = s.solver;
-    solver.measure_residual = 0;  // decides nothing
+    solver.measure_residual = 0;  // does not affect the future
     h.records(&solver, 1);
 
     const Counts used = counts_of(s);
     for_each_hashed(c, [&](const auto& array, auto row) { h.array(array, used.of<row.per>()); });
 
-    // What has ended since the last step, which the next one tells.
+    // Touches that ended since the last step, which the next step reports.
     const std::uint32_t touches = c.end_count - c.end_reported, overlaps = c.sensor_ends.count - c.sensor_ends_reported;
     if (touches + overlaps != 0) {
         h.word(touches);

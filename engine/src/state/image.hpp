@@ -1,7 +1,7 @@
 // The format of a snapshot: a header, then the used prefixes of the world's arrays, one after the other, each a straight copy.
 //
-// Every part is a multiple of 8 bytes long, so all of them are aligned as their records need. What can be worked out again is left out: the set of
-// pairs follows from the contacts, the buckets of geometries from the geometries.
+// Every part is a multiple of 8 bytes long, so all parts are aligned as their records need. Arrays that follow from others are left out: the set of pairs
+// follows from the contacts, and the buckets from the geometries.
 #pragma once
 
 #include "../data/arrays.hpp"
@@ -12,12 +12,12 @@ inline constexpr std::uint32_t image_magic = 0x544c5349u;  // "ISLT" on a little
 inline constexpr std::uint32_t delta_magic = 0x444c5349u;  // "ISLD"
 inline constexpr std::uint32_t image_version = 4;          // goes up when a record changes
 
-/// What images and deltas begin with.
+/// The beginning of images and deltas.
 struct ImageHead {
     std::uint32_t magic = 0;
     std::uint32_t version = image_version;
     std::uint64_t length = 0;    // bytes, all of them
-    std::uint64_t checksum = 0;  // of all that follows
+    std::uint64_t checksum = 0;  // of all bytes after it
 };
 
 struct ImageHeader {
@@ -30,8 +30,8 @@ struct ImageHeader {
 
 static_assert(sizeof(ImageHeader) == image_header_bytes && sizeof(ImageHeader) % 8 == 0);
 
-/// Calls visit(pointer, bytes) for each array of the image in its order, with the length that the header gives its used prefix; no count in
-/// the header may be above max_capacity. `core` may be const; a pointer may be set.
+/// Calls visit(pointer, bytes) for each array of the image, in its order, with the length that the header gives its used prefix. No count in the header may
+/// exceed max_capacity. `core` may be const; otherwise `visit` may set the pointer.
 template <class AnyCore, class Visit>
 void for_each_part(AnyCore& core, const ImageHeader& h, Visit&& visit) {
     for_each_array(core, [&](auto& array, auto row) {
@@ -41,7 +41,7 @@ void for_each_part(AnyCore& core, const ImageHeader& h, Visit&& visit) {
     visit(core.sensor_ends.events, std::size_t{h.ended_overlaps} * sizeof(SensorEvent));
 }
 
-/// Arrays of an image.
+/// The number of arrays in an image.
 inline constexpr std::uint32_t part_count = [] {
     std::uint32_t n = 2;  // the two of events
     for (const ArrayRow& row : array_rows) n += row.kept == Kept::saved ? 1u : 0u;
@@ -64,13 +64,13 @@ inline std::uint64_t image_length(const ImageHeader& h) {
     return bytes;
 }
 
-/// Reads the head of an image or a delta that is at least `least` bytes long. Returns what is wrong with it alone: kind, byte order, version, length.
+/// Reads the head of an image or a delta that must be at least `least` bytes long. Returns an error of the head alone: kind, byte order, version or length.
 Error read_head(std::span<const std::byte> bytes, std::uint32_t magic, std::size_t least, ImageHead& head);
 
-/// The same for the whole header of an image, with its counts.
+/// The same for the whole header of an image, including its counts.
 Error read_header(std::span<const std::byte> image, ImageHeader& h);
 
-/// Checksum of an image or a delta: of what follows its head.
+/// The checksum of an image or a delta: of all bytes after its head.
 std::uint64_t image_checksum(std::span<const std::byte> bytes);
 
 /// The header of an image of the world as it is now, without checksum.

@@ -1,7 +1,7 @@
-// Making recorded calls again.
+// Replays: making recorded calls again.
 //
-// Nothing of a recording is trusted: a snapshot goes through World::load, arguments through the checks that all calls make, and every read through the
-// bounds of CallReader. The sum that each step carries tells whether the calls before it are the recorded ones.
+// Nothing of a recording is trusted. World::load checks a snapshot, each call checks its arguments, and CallReader checks the bounds of every read. A sum at
+// each step shows whether the calls before it are the recorded ones.
 #include "../exact.hpp"
 
 #include "islet/recording.hpp"
@@ -24,7 +24,7 @@ public:
     bool is_bad() const { return bad_; }
     std::uint64_t sum() const { return sum_; }
 
-    /// 0 beyond the end, which is bad.
+    /// Returns 0 and notes the fault beyond the end.
     std::uint32_t word() {
         std::uint32_t w = 0;
         if (end_ - at_ < 4) {
@@ -40,7 +40,7 @@ public:
         const std::uint64_t low = word();
         return low | std::uint64_t{word()} << 32;
     }
-    /// So many bytes, padded to words; empty beyond the end, which is bad.
+    /// So many bytes, padded to words. Returns none and notes the fault beyond the end.
     std::span<const std::byte> bytes(std::uint64_t size) {
         const std::size_t begin = at_;
         if (size > end_ - at_) bad_ = true;
@@ -97,13 +97,13 @@ struct Apply {
         if (!reader.is_bad()) function(args...);
     }
 };
-// Not inlined, so that the arguments of one call at a time are on the stack.
+// Not inlined, so that the stack holds the arguments of only one call at a time.
 template <class... Args, class Function>
 [[gnu::noinline]] void make(CallReader& reader, const Function& function) {
     Apply{reader, function, reader.value<Args>()...};
 }
 
-// False if there is no such call.
+// Returns false if there is no such call.
 bool make_call(World& world, CallReader& reader, Call call) {
     switch (call) {
 #define ISLET_MAKE(name, function, ...) \
@@ -125,7 +125,7 @@ Error read_head(std::span<const std::byte> recording, RecordingHead& head) {
     return fits && head.bodies <= 1 && head.full <= 1 ? Error::none : Error::corrupt_recording;
 }
 
-// Which body came out differently, from here on in the recording.
+// Compares the recorded hashes of bodies that follow with the world; finds the first body that came out differently.
 BodyId differing_body(const Core& core, CallReader& reader, std::uint32_t recorded) {
     BodyId differs;
     std::uint32_t at = 0;
@@ -138,7 +138,7 @@ BodyId differing_body(const Core& core, CallReader& reader, std::uint32_t record
     return differs;
 }
 
-// -- what a world needs to replay it --------------------------------------------------------------------------------------------------
+// -- the capacity that a replay needs -------------------------------------------------------------------------------------------------
 
 /// Counts the words of what it visits, as CallWriter writes them.
 struct WordCount {
@@ -167,7 +167,7 @@ constexpr std::uint8_t words_of() {
     return static_cast<std::uint8_t>(count.words);
 }
 
-// Words that the arguments of each call take, in the order of the table, which begins with first_call.
+// Words that the arguments of each call take, in the order of the table, whose first call is first_call.
 constexpr std::uint8_t argument_words[] = {
 #define ISLET_WORDS(name, function, ...) words_of<__VA_ARGS__>(),
     ISLET_CALLS(ISLET_WORDS)
@@ -229,7 +229,7 @@ struct Contents {
         Capacity n;
         n.bodies = least(c.bodies, held.bodies + bodies);
         n.shapes = least(c.shapes, held.shapes + shapes);
-        // Each pair of shapes has one contact at most. Its touch may end in one step and again before the next, and ended touches need as much room.
+        // Each pair of shapes has at most one contact. Its touch may end in a step and once more before the next, and ended touches need as much room.
         const std::uint64_t twice_pairs = std::uint64_t{n.shapes} * n.shapes;
         n.contacts = least(c.contacts, twice_pairs > held.contacts ? twice_pairs : held.contacts);
         n.joints = least(c.joints, held.joints + joints);
@@ -241,7 +241,7 @@ struct Contents {
 
 ReplayResult refused(Error error, std::uint64_t steps) { return {ReplayEnd::refused, error, steps, 0, 0, {}}; }
 
-// Compares what came of a step. Goes on while result.end is complete.
+// Compares the result of a step with the recorded one. The replay goes on while result.end is complete.
 void compare(World& world, CallReader& reader, std::uint64_t sum, bool bodies, ReplayResult& result) {
     const Core& core = Core::of(world);
     const std::uint64_t recorded_sum = reader.long_word();
@@ -309,7 +309,7 @@ ReplayResult replay(World& world, std::span<const std::byte> recording, std::uin
         }
         if (reader.is_bad()) return refused(Error::corrupt_recording, result.steps);
     }
-    return result;  // it was never ended: the program stopped, or there was no more room
+    return result;  // the recording was never ended: the program stopped, or there was no more room
 }
 
 }  // namespace islet

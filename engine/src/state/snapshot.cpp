@@ -1,4 +1,4 @@
-// Saving a world and going back.
+// Saving and restoring a world.
 #include "../exact.hpp"
 
 #include "islet/snapshot.hpp"
@@ -26,7 +26,7 @@ using namespace detail;
 
 namespace {
 
-// What the image uses must fit. Room for contacts is room for as many ended touches.
+// True if the capacity has room for all that the image uses. There is room for as many ended touches as for contacts.
 bool fits(const Capacity& c, const ImageHeader& h) {
     const Counts& n = h.used;
     return n.bodies <= c.bodies && n.shapes <= c.shapes && n.contacts <= c.contacts && n.joints <= c.joints && n.geometries <= geometry_capacity(c) &&
@@ -75,7 +75,7 @@ std::uint64_t image_checksum(std::span<const std::byte> bytes) { return checksum
 
 namespace {
 
-/// Copies to an image and sums what it has copied while that is still in the nearest cache.
+/// Copies to an image, and sums what it has copied while the nearest cache still holds it.
 class Writer {
 public:
     explicit Writer(std::byte* image) : begin_(image + sizeof(ImageHead)), summed_(begin_), at_(begin_) {}
@@ -106,7 +106,7 @@ private:
     Checksum checksum_;
 };
 
-// What this build leaves out (islet/config.hpp) an image may not hold. Looks at slots only, and takes no type for known.
+// True if the image holds objects that this build leaves out (islet/config.hpp). Trusts no type that it reads.
 bool needs_what_is_cut(const Core& c) {
     const State& s = *c.state;
     for (std::uint32_t i = 0; !has_all_joints && i < s.joint_pool.high_water; ++i)
@@ -132,7 +132,7 @@ bool needs_what_is_cut(const Core& c) {
     return (!has_sleep && s.enable_sleep != 0) || (!has_continuous && s.continuous != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
 }
 
-// Bits beyond those copied belong to slots that the image never used.
+// Clears the bits beyond those copied: they belong to slots that the image never used.
 void clear_rest(const BitSet& set, std::uint32_t used) {
     const auto words = static_cast<std::uint32_t>(words_for(used));
     std::memset(set.words + words, 0, std::size_t{set.word_count - words} * 8);
@@ -146,14 +146,14 @@ void rebuild_pairs(Core& core, const ImageHeader& h) {
     }
 }
 
-// This build and this program have what shapes of the image need in every step.
+// True if this build and this program have the parts that the image's shapes need in a step.
 bool can_tell(const std::byte* image) {
     std::uint32_t asked = 0;
     std::memcpy(&asked, image + sizeof(ImageHeader) + offsetof(State, asked), sizeof asked);  // the state comes first
     return ((asked & shape_sensor) == 0 || has_sensors) && ((asked & shape_hit_events) == 0 || has_hits) && ((asked & asked_one_way) == 0 || has_one_way);
 }
 
-// What waits in the arrays of end events, behind what was reported.
+// The end events that wait to be reported, after those that were.
 template <class Record>
 const Record* waiting(const Core&, const Record* records) {
     return records;
@@ -161,7 +161,7 @@ const Record* waiting(const Core&, const Record* records) {
 const TouchEvent* waiting(const Core& c, const TouchEvent* events) { return events + c.end_reported; }
 const SensorEvent* waiting(const Core& c, const SensorEvent* events) { return events + c.sensor_ends_reported; }
 
-// Takes over an image that is known to be sound and to fit.
+// Copies an image that is known to be sound and to fit into the world.
 void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     const std::byte* at = image + sizeof h;
     core.sensor_ends = {reinterpret_cast<SensorEvent*>(core.end_events + (core.capacity.contacts - h.ended_overlaps)), h.ended_overlaps};
@@ -186,7 +186,7 @@ void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     core.report.joints = s.joint_pool.count;
 }
 
-// An image as the arrays of a world: nothing is copied, and nothing may be changed.
+// An image seen as the arrays of a world, without copying it. The result must stay const: Core's pointers are not, so the cast is needed.
 Core view_of(const Core& world, const ImageHeader& h, const std::byte* image) {
     Core view;
     view.capacity = world.capacity;
@@ -252,7 +252,7 @@ bool World::load(std::span<const std::byte> image) {
     const Core view = view_of(c, h, image.data());
     if (!check(c, h.used == counts_of(*view.state), Error::unsound_image) || !check_there(c, !needs_what_is_cut(view))) return false;
     if (!check(c, find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;
-    link_joint_solve();  // an image may bring what the program itself never makes
+    link_joint_solve();  // an image may hold objects that the program itself never makes
     link_joint_changes();
     take_over(c, h, image.data());
     if (has_recorder && c.recording != nullptr) write_image(c, image.first(static_cast<std::size_t>(h.head.length)));

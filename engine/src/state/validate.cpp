@@ -1,4 +1,4 @@
-// Every invariant of a world. For tests: slow and thorough.
+// World::validate: checks every invariant of a world. Slow; for tests.
 #include "../exact.hpp"
 
 #include "../calls/checks.hpp"
@@ -11,7 +11,7 @@ using namespace detail;
 
 namespace {
 
-// What an image does not hold, because it follows from the rest.
+// Checks the arrays that images do not hold, because they follow from the others.
 const char* fault_in_pair_set(const Core& c) {
     const PoolState& pool = c.state->contact_pool;
     std::uint32_t keys = 0;

@@ -1,11 +1,11 @@
-// Bullets: bodies that are compared with everything that moves, and that sleeps, on its way of the step.
+// Bullets: bodies whose way in a step is compared with the ways of all moving bodies, and with sleeping ones.
 //
-// Each body goes evenly from where it was to where it is. A bullet that meets another on the way is stopped there, and from there on carried along, so that
-// the other does not pass through it either. Where bodies end decides who passes whom, whatever way they take between, so bullets that were stopped
-// are compared again, a few times at most, and with what is static.
+// Each body goes evenly from where it was to where it is. A bullet that meets another body on the way stops there, and the other body then carries it along, so
+// that the other body does not pass through the bullet either. Whatever ways the bodies take, where they end decides which has passed which. So bullets that
+// were stopped are compared again, a few times at most, with static shapes as well.
 //
-// Of two bullets the one that goes farther gives way. The other is not carried along: how far the first will come is not known yet, and whatever it was
-// carried over would take rounds to make good.
+// Of two bullets, the one that goes farther gives way. It does not carry the other bullet along: how far it will come is not known yet, and more rounds would
+// be needed to correct what it carries the other over.
 #include "../exact.hpp"
 
 #include "../bodies/bounds.hpp"
@@ -24,10 +24,11 @@ namespace detail {
 
 namespace {
 
-// Each may stop a bullet in the way of another. In the last they heed no other bullets: if some must pass, then rather each other than a wall that moves.
+// Each round may stop a bullet in the way of another one. In the last round bullets ignore each other: passing through a bullet is better than passing through
+// a moving wall.
 inline constexpr std::uint32_t bullet_rounds = 4;
 
-/// The first impact of a body with others on their ways.
+/// The first impact of a body with other moving or sleeping bodies.
 struct WayImpact {
     float fraction = no_impact;
     Sweep other;
@@ -71,7 +72,7 @@ WayImpact first_impact(const Core& core, std::uint32_t body, const Sweep& way, c
     return first;
 }
 
-// From the impact on the bullet keeps its place on the other body, so that this does not pass through it either.
+// From the impact on, the bullet keeps its place on the other body, so that the other body does not pass through it.
 Sweep carried(const Sweep& way, const WayImpact& impact) {
     const float f = impact.fraction;
     const Sweep& other = impact.other;

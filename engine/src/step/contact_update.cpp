@@ -1,9 +1,10 @@
-// A contact whose bodies hardly moved relative to each other since its manifold was made keeps it (the idea of contact recycling is Box2D 3.2's,
-// which credits persistent manifolds as in PhysX). The test here asks how far the two surfaces have slipped at the contact points themselves.
+// If two bodies have hardly moved relative to each other since their contact's manifold was made, the contact keeps the manifold. (The idea of recycling
+// contacts is that of Box2D 3.2, which credits the persistent manifolds of PhysX.) The measure here is how far the two surfaces have slipped at the contact
+// points.
 //
-// A kept manifold keeps its normal and its lever arms as they were in the world, and only its separations follow the bodies. That is more than an
-// economy: over a few hundredths of a radian it leaves out the geometric stiffness of a loaded contact, which a Gauss-Seidel solver cannot balance
-// in a few sweeps. With the exact geometry in each step a column of 30 boxes buckles within ten seconds (so it does in Box2D 3.2 without recycling).
+// A kept manifold keeps its normal and lever arms in the world; only its separations follow the bodies. This does more than save time. Over a few hundredths of
+// a radian it leaves out the geometric stiffness of a loaded contact, which a Gauss-Seidel solver cannot balance in a few sweeps. With the exact geometry in
+// each step, a column of 30 boxes buckles within ten seconds, as it does in Box2D 3.2 without recycling.
 #include "../exact.hpp"
 
 #include "../step/contact_update.hpp"
@@ -28,12 +29,12 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the bodies may slip before a manifold is made anew
+inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the surfaces may slip before a manifold is made anew
 inline constexpr std::uint32_t update_grain = 4;               // words of 64 contacts that are worth a task
 inline constexpr std::uint32_t clear_grain = 16;               // words of 64 bodies that are worth a task
-inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn
+inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
 
-// One of the two is not dynamic.
+// True if one of the two bodies is not dynamic.
 ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return !(min(a.inv_mass, b.inv_mass) > 0); }
 
 bool comes_fast(const Approach& approach) { return approach.most() > 2.0f * fast_way; }
@@ -45,13 +46,13 @@ bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
     if (min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn) return false;
     const std::uint32_t count = m.count();
     if (count == 0) {
-        // Nothing touches yet: bound the relative motion of any two points, and stay well within the speculative margin.
+        // Nothing touches yet. The bound of the relative motion of any two points must stay well within the speculative distance.
         const Vec2 shift = b.center - a.center - m.offset;
         const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
         return reach > 0 && length_squared(shift) < reach * reach;
     }
-    // Besides the points of the manifold others may come near as one body turns against the other, by at most the smaller one's size times the turn.
-    // They were apart by more than the speculative distance.
+    // As one body turns against the other, points that are not in the manifold may come near, by at most the smaller body's size times the turn. They were
+    // apart by more than the speculative distance.
     const float turn = abs(turn_b.s * turn_a.c - turn_b.c * turn_a.s);
     const float reach = recycle_distance - 2.0f * min(a.max_extent, b.max_extent) * turn;
     if (reach <= 0) return false;
@@ -60,7 +61,7 @@ bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
     return true;
 }
 
-// The narrow phase function for the two types. A has the higher rank, and one of the two is solid.
+// Calls the narrow-phase function for the types of the two shapes. A has the higher rank, and one of the two is solid.
 Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin) {
     return with_shape(a, [&]<class A>(const A& shape_a) {
         return with_shape(b, [&]<class B>(const B& shape_b) -> Manifold {
@@ -70,21 +71,21 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
     });
 }
 
-// The manifold of two shapes as they stand; points farther apart than `margin` are left out.
+// Makes the manifold of two shapes as they stand, without points farther apart than `margin`.
 Manifold manifold_at(const Core& core, const Contact& c, const ContactManifold& m, const Stand& stand, float margin, Transform& b_in_a) {
     b_in_a = pose_between(core, m.body_a, m.body_b, stand);
     return dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a, margin);
 }
 
-// What two shapes will touch with in this step. Where they are about to meet the manifold is made as they will stand then: from there to where they are
-// now is but a slip. (A plane through what is nearest now would throw back what is about to pass.) Behind the point that meets first another comes
-// down up to twice as fast, as the body turns about it.
+// Makes the manifold with which two shapes will touch in this step. If they are about to meet, it is made as they will stand at the time of impact; the motion
+// until then is treated as slip. (A plane through the points that are nearest now would throw back a shape that is about to pass.) After the first point has
+// met, another one comes down up to twice as fast, as the body turns about the first.
 Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifold& m, const Approach& approach, float dt, Stand& stand, float& margin,
                         Transform& b_in_a) {
-    const float most = min(approach.most(), max_speed_limit);  // m: a step takes a second at most, and no body is faster, whatever it was set to
+    const float most = min(approach.most(), max_speed_limit);  // m: a step lasts at most a second, and no body moves faster, whatever velocity it was given
     margin = speculative_distance + 2.0f * most;
     const Manifold now = manifold_at(core, c, m, stand, margin, b_in_a);
-    // From where a body is now a link of a chain may leave it to the next one, and yet be what it comes to.
+    // Where the body is now, a chain segment may leave the contact to its neighbour although the body will come to that segment.
     const bool is_link = kind_of(core.geometries[core.shapes[c.shape_a].geometry]) == ShapeKind::front;
     if (now.count == 0 && !is_link) return now;
     if (now.count != 0) {
@@ -101,7 +102,7 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
     return manifold_at(core, c, m, stand, margin, b_in_a);
 }
 
-// A new manifold that keeps the impulses of points whose features it shares with the old one.
+// Makes the manifold anew. Points whose features the old manifold had keep their impulses.
 ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approach, float dt) {
     const Contact& c = core.contacts[index];
     ContactManifold& m = core.manifolds[index];
@@ -129,7 +130,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
         m.anchors[i] = rotate(stand.a, point.point - center_a);
         m.separation[i] = point.separation;
         m.ids |= static_cast<std::uint32_t>(point.id) << (16 * i);
-        const std::uint32_t known = (old.flags & contact_ahead) == 0 ? old.count() : 0;  // a blow is nothing to start from
+        const std::uint32_t known = (old.flags & contact_ahead) == 0 ? old.count() : 0;  // the impulses of a blow are no warm start
         for (std::uint32_t j = 0; j < known; ++j) {
             if ((old.ids >> (16 * j) & 0xffffu) != point.id) continue;
             m.normal_impulse[i] = old.normal_impulse[j];
@@ -140,7 +141,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
               (lands ? std::uint32_t{contact_ahead} : 0u);
 }
 
-// A body that has sunk into a floor by a quarter of its half-thickness: its way is looked at, as a fast one's is, though it may creep.
+// True if a body has sunk into a floor by a quarter of its half-thickness. Its way is then followed like a fast body's, even if it creeps.
 ISLET_SHARED bool is_deep(const Core& core, const ContactManifold& m) {
     constexpr float share = 0.25f;
     if (!(min(m.separation[0], m.separation[1]) < -2.0f * linear_slop) || !has_floor(core.poses[m.body_a], core.poses[m.body_b])) return false;
@@ -150,7 +151,7 @@ ISLET_SHARED bool is_deep(const Core& core, const ContactManifold& m) {
 
 enum class Change : std::uint8_t { none, changes, parts };
 
-// Works on one contact alone, so contacts may be updated in any order or in parallel; what changes shared state is only reported.
+// Updates one contact and touches nothing else, so contacts may be updated in any order or in parallel. Changes to shared state are only reported.
 Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32_t& recycled) {
     ContactManifold& m = core.manifolds[index];
     const Pose& a = core.poses[m.body_a];
@@ -168,8 +169,8 @@ Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32
         m.forget_impulses();
         return (m.flags & contact_touching) != 0 ? Change::changes : Change::none;
     }
-    // What touches already, and has slipped by little, does not come together fast.
-    // Bodies that bounce off each other, or are taken for lighter (shock), do not look ahead for each other: more energy came of it than went in.
+    // Shapes that touch already, and have slipped little, do not come together fast.
+    // Bodies that bounce off each other, or that shock propagation takes for lighter, do not look ahead for each other: they would gain energy.
     const bool calm = (m.flags & contact_bouncy) == 0 && !has_shock(core.state->solver);
     const bool fast = ((a.flags | b.flags) & pose_fast) != 0 && (calm || has_floor(a, b));
     Approach approach;
@@ -183,11 +184,11 @@ Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32
     }
     const bool is = m.count() > 0;
     if (has_continuous && ((m.flags & contact_untold) != 0 || is_deep(core, m))) return Change::changes;
-    if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // maybe: what the hook will say is not known yet
+    if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // perhaps: the hook has not decided yet
     return is == ((m.flags & contact_touching) != 0) ? Change::none : Change::changes;
 }
 
-// How far apart the two shapes are now, where the contact has its points.
+// How far apart the two shapes are now at the contact's points.
 float separation_now(const Core& core, const ContactManifold& m) {
     float least = 3.0e38f;
     for (std::uint32_t i = 0; i < m.count(); ++i)
@@ -222,7 +223,7 @@ void end_touch(Core& core, std::uint32_t index) {
     release_color(core, index);
 }
 
-// What a contact has become changes shared state.
+// Applies a contact's change to shared state.
 void commit(Core& core, std::uint32_t index, BitSet to_wake) {
     const ContactManifold& m = core.manifolds[index];
     if (has_sensors && (m.flags & contact_sensor) != 0) return (m.flags & contact_overlap) != 0 ? end_overlap(core, index) : begin_overlap(core, index);
@@ -230,7 +231,7 @@ void commit(Core& core, std::uint32_t index, BitSet to_wake) {
         const std::uint32_t body = core.is_dynamic(m.body_a) ? m.body_a : m.body_b;
         if (core.is_awake(body)) core.poses[body].flags |= pose_deep;
     }
-    // What the hook made of it holds for one step, even if there is no hook any more.
+    // The hook's changes hold for one step, even if the hook has been taken away.
     if (has_hooks && (m.flags & contact_asks) != 0 && m.count() > 0) {
         mix_materials(core, index);
         if (core.hooks.pre_solve != nullptr) ask_pre_solve(core, index);
@@ -288,7 +289,7 @@ void update_contacts(Core& core, float dt) {
     });
     for (std::uint32_t i = 0; i < range_count(words, update_grain); ++i) core.report.recycled_contacts += recycled[i];
 
-    // What changes shared state, in index order.
+    // Changes to shared state are applied in index order.
     changed.for_each([&](std::uint32_t i) {
         if (parted.test(i)) {
             destroy_contact(core, i);

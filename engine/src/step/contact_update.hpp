@@ -7,7 +7,7 @@ namespace islet::detail {
 
 void update_contacts(Core& core, float dt);
 
-/// After the solve: of contacts made ahead of their time, tells of those that began to touch.
+/// After the solve: reports those contacts made ahead that have begun to touch.
 void tell_touches(Core& core);
 
 }  // namespace islet::detail

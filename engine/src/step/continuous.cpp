@@ -1,9 +1,9 @@
-// What decides is a shape's core, half as thick as the shape: only if that would meet another shape is the body stopped, and then where the surfaces
-// meet. So a body that lies or slides on something, sunk in by a little, or that grazes a corner, is left to its contacts, which see it in the next
-// step; and what does pass a surface passes it by less than half its thickness, and is pushed back the way it came.
+// A shape's core, half as thick as the shape, decides: a body is stopped only if a core would meet another shape, and then where the surfaces meet. So bodies
+// that lie or slide on something, sunk in a little, or that graze a corner, are left to their contacts in the next step. A shape that does pass a surface
+// passes it by less than half its thickness, and is pushed back the way it came.
 //
-// The body keeps its velocity, and loses what is left of the step. (That a body may be stopped where it hits and go on in the next step, without a
-// solve of its own, is Box2D 3's way too.)
+// The body keeps its velocity and loses the rest of the step. (Box2D 3 also stops bodies where they hit, and lets them go on in the next step without a solve
+// of their own.)
 #include "../exact.hpp"
 
 #include "../step/continuous.hpp"
@@ -25,16 +25,16 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float most_tolerance = 0.25f * linear_slop;  // m
-inline constexpr float least_gap = 0.05f * linear_slop;       // m that the middle of a shape keeps from what it must not pass
+inline constexpr float least_gap = 0.05f * linear_slop;       // m that the middle of a shape keeps from a surface that it must not pass
 
-// Smallest distance of the polygon's faces from its middle.
+// The smallest distance of the polygon's faces from its middle.
 float inner_radius(const Polygon& p) {
     float radius = dot(p.normals[0], p.vertices[0] - p.centroid);
     for (std::uint32_t i = 1; i < p.count; ++i) radius = min(radius, dot(p.normals[i], p.vertices[i] - p.centroid));
     return radius;
 }
 
-// Corner i with both its faces moved in by `inset`; where another face is short, and so in the way, half-way to the middle.
+// Corner i with both its faces moved in by `inset`; half-way to the middle where another face is short and therefore in the way.
 Vec2 inset_corner(const Polygon& p, std::uint32_t i, float inset) {
     const Vec2 n1 = p.normals[(i == 0 ? p.count : i) - 1], n2 = p.normals[i];
     const Vec2 corner = p.vertices[i] - inset / (1.0f + dot(n1, n2)) * (n1 + n2);
@@ -50,14 +50,14 @@ float half_thickness(const Geometry& g) {
 
 enum class Part { whole, core, middle };
 
-// Where another body is and comes, as a body sees it at the start.
+// Where another body is and goes, as a body sees it at the start.
 Around around_way(const Core& core, const Sweep& sweep, Vec2 local_center, std::uint32_t other, const Sweep& other_sweep) {
     const Vec2 apart = other_sweep.center - sweep.center;
     const float way = length(other_sweep.way - sweep.way);
     return {local_center + inv_rotate(sweep.q, apart), core.poses[other].max_extent + way + abs(sweep.turn) * (length(apart) + way)};
 }
 
-/// What of a shape is swept: all of it, its core, or its middle, a point or a line. Of a shape without end: what is around the other one's way.
+/// The part of a shape that is followed: all of it, its core, or its middle (a point or a line). Of a shape without end: the part around the other one's way.
 SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part part, std::uint32_t other, const Sweep& other_sweep) {
     const Geometry& g = core.geometries[core.shapes[shape].geometry];
     const Vec2 center = core.bodies[core.shapes[shape].body].local_center;
@@ -78,6 +78,7 @@ SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part 
     return s;
 }
 
+// A chain is met only from its front.
 bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep, std::uint32_t other) {
     const Geometry& g = core.geometries[core.shapes[other].geometry];
     if (kind_of(g) != ShapeKind::front) return false;
@@ -88,8 +89,8 @@ bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep
     return dot(right_perp(line[1] - line[0]), from - line[0]) < 0;
 }
 
-// Whether the contact of two shapes, one of them one-way or asking the pre_solve hook, holds in this step. The contact of a fast body was made ahead, and the
-// hook, which may not be called from here, was asked about it. Without a contact the shapes pass each other.
+// Whether the contact of two shapes holds in this step, if one of them is one-way or asks the pre_solve hook. The contact of a fast body was made ahead, and
+// the hook, which must not be called from here, has decided about it. Without a contact the shapes pass each other.
 bool is_held(const Core& core, std::uint32_t shape, std::uint32_t other, bool asks) {
     bool held = false;
     for_each_contact(core, core.shapes[shape].body, [&](std::uint32_t contact, std::uint32_t) {
@@ -137,7 +138,7 @@ float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::ui
     const SweptCore obstacle = swept(core, other, other_way, Part::whole, shape, way);
     const auto moving = [&](Part part) { return swept(core, shape, way, part, other, other_way); };
     float passing = time_of_impact(moving(Part::core), obstacle, 0.5f * tolerance, end);
-    // Where it has been squeezed in so deep already, its middle must at least stay on this side.
+    // If the shape has already been pressed in so deep, at least its middle must stay on this side.
     if (passing <= 0) passing = time_of_impact(moving(Part::middle), obstacle, least_gap, end);
     if (passing < 0 || passing == no_impact) return no_impact;
     const float touching = time_of_impact(moving(Part::whole), obstacle, tolerance, passing);
@@ -157,7 +158,7 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     if (!core.is_dynamic(body)) return;
     TreeWalk walk(Tree{&core.state->tree, core.tree}, box_of_way(core.poses[body].center - way.dp, way.dp, core.poses[body].max_extent));
     std::uint32_t other = walk.next();
-    if (other == null_index) return;  // so it is for most that fall or fly
+    if (other == null_index) return;  // as for most bodies that fall or fly
     Sweep sweep = sweep_of(core, body, way);
     ClearWay clear_way;
     if (has_shortcuts) clear_way = clear_way_of(sweep, core.poses[body].max_extent, core.bodies[body].min_extent, 0.5f * most_tolerance);

@@ -1,5 +1,5 @@
-// What slides over a floor of boxes laid side by side sinks into it by a little, and so meets the side of the next box, or comes near its corner, from
-// where it is. Each pair alone is right to push back; but no body can come to that side, because the box before covers it.
+// A body that slides over a floor of boxes side by side sinks into it a little. So it meets the side of the next box, or comes near its corner. Each pair of
+// shapes by itself is right to push back, but no body can really come to that side, because the box before covers it.
 //
 //        D: sunk in by s                normal n of D with S: the side's, or the corner's on the way to it
 //     +------+                          The line just in front of that side, as far as D reaches along it, is inside T: the side is covered. A normal
@@ -9,7 +9,8 @@
 // A contact along a covered side is made anew: along that uncovered face of S in which D is least deep. If D is clear of that face there is no contact, since
 // the neighbour alone holds D.
 //
-// (Bullet, Jolt and bepuphysics2 mend the inner edges of triangle meshes in like ways; here there is no mesh, the neighbours are whatever the body touches.)
+// (Bullet, Jolt and bepuphysics2 correct the inner edges of triangle meshes in similar ways. Here there is no mesh: the neighbours are the shapes that the body
+// touches.)
 #include "../exact.hpp"
 
 #include "../step/inner_edges.hpp"
@@ -24,9 +25,9 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float least_lean = 1.0e-4f;            // a normal that leans less does not lean
+inline constexpr float least_lean = 1.0e-4f;            // the least lean of a normal, as a cosine, that counts
 inline constexpr float least_slope = 1.0e-6f;           // sine of the angle below which a line is parallel to a face
-inline constexpr std::uint32_t most_pieces = 4;         // in a row that cover one side: a side behind more is no part of a floor
+inline constexpr std::uint32_t most_pieces = 4;         // the most pieces in a row that cover one side; a side behind more is not part of a floor
 inline constexpr float gap_width = 0.2f * linear_slop;  // m: a neighbour that covers a side holds what is this far in front of it
 
 // Signed distance of a point from the plane of a face of the core, body frame.

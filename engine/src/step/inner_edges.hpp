@@ -1,4 +1,4 @@
-// Floors made of pieces: contacts with edges that lie between two pieces are no contacts.
+// Floors made of pieces: a contact with an edge between two pieces is no contact.
 #pragma once
 
 #include "../collide/manifold.hpp"
@@ -8,8 +8,7 @@ namespace islet::detail {
 
 /// Makes the manifold of two shapes anew if all its points are on a side or a corner that neighbours cover. One of the shapes must be a polygon, a piece of
 /// floor; neighbours are polygons flush beside it that the other shape's body is near. The new manifold is along the best face that is not covered, or has no
-/// points. `b_in_a` and `margin` (m) are as the
-/// manifold was made.
+/// points. `b_in_a` and `margin` (m) are those with which the manifold was made.
 void mend_inner_edges(const Core& core, const Contact& contact, const Transform& b_in_a, float margin, Manifold& manifold);
 
 }  // namespace islet::detail

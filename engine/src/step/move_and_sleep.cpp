@@ -17,8 +17,8 @@ namespace {
 
 inline constexpr std::uint32_t finish_grain = 4;  // words of 64 bodies that are worth a task
 
-// Pose and boxes after the way made. The slack says how far the body may go on before a box could be left, so most bodies need no look at their shapes.
-// Returns whether it took that look; then `changed`, if given, says whose box is another.
+// Updates the body's pose and fat boxes after its way. Most bodies cannot have left a fat box, because their slack says how far they may go before they could.
+// Returns true if the boxes were checked; `changed`, if given, then says which shapes have new ones.
 bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* changed) {
     Pose& pose = core.poses[i];
     Motion& motion = core.motions[i];
@@ -35,14 +35,14 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     const bool looks = motion.slack < 0;
     if (looks) fit_boxes(core, i, false, changed);
 
-    // Sleep watches the way made too, so that bodies that are being pushed apart stay awake.
+    // The way counts for sleep too, so bodies that are being pushed apart stay awake.
     const float speed = max(length_inline(motion.v) + abs(motion.w) * pose.max_extent, 0.5f * moved / dt);
     const bool resting = speed <= body.sleep_threshold && (body.flags & body_may_sleep) != 0;
     motion.sleep_time = resting ? motion.sleep_time + dt : 0;
     return looks;
 }
 
-// `rested`, by slot: s that each body has been at rest.
+// Moves all bodies. `rested` gets, by slot, how long each body has been at rest, s.
 void move_bodies(Core& core, const Plan& plan, SolverBody* bodies, float* rested, Arena arena, float dt) {
     if (!has_workers(core)) {
         for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
@@ -67,7 +67,7 @@ void move_bodies(Core& core, const Plan& plan, SolverBody* bodies, float* rested
     looked.for_each([&](std::uint32_t slot) { mark_changed(core, plan.body_of[slot], changed); });
 }
 
-// Who moved is reported in slot order of the pool.
+// Reports the bodies that moved, in the order of their slots in the pool.
 void report_moved(Core& core, Arena arena) {
     const BitSet awake = core.awake_bodies;
     core.moved_count = 0;
@@ -88,9 +88,9 @@ void report_moved(Core& core, Arena arena) {
     });
 }
 
-// Returns whether any body fell asleep.
+// Puts islands to sleep. Returns whether any body fell asleep.
 bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena arena) {
-    // The shortest rest of any of its bodies decides for an island; touching an awake kinematic body, or being joined to one, keeps it awake.
+    // The body of an island with the shortest rest decides for the island. A touch of an awake kinematic body, or a joint to one, keeps an island awake.
     float* rest = arena.take<float>(plan.island_count);
     for (std::uint32_t i = 0; i < plan.island_count; ++i) rest[i] = 3.0e38f;
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
@@ -129,7 +129,7 @@ void finish_bodies(Core& core, const Plan& plan, SolverBody* bodies, Arena& aren
     if (has_bullets && core.state->continuous != 0 && core.state->bullet_count != 0) stop_bullets(core, plan.body_of, plan.slot_count, bodies);
     report_moved(core, arena);
     if (!has_sleep || core.state->enable_sleep == 0 || !sleep_islands(core, plan, rested, arena)) return;
-    // Who fell asleep is reported in slot order too.
+    // Bodies that fell asleep are reported in the order of their slots, too.
     for (std::uint32_t i = 0; i < core.moved_count; ++i) {
         const BodyId id = core.moved_events[i];
         if (!core.is_awake(id.index1 - 1)) core.slept_events[core.slept_count++] = id;

@@ -6,7 +6,7 @@
 
 namespace islet::detail {
 
-/// `bodies` are the solver's, by slot; their dp and dq are the way each made, and become the way to where it was stopped.
+/// `bodies` are the solver's, by slot. Their dp and dq say how far each body has moved and turned, and become the way to where it was stopped.
 void finish_bodies(Core& core, const Plan& plan, SolverBody* bodies, Arena& arena, float dt);
 
 }  // namespace islet::detail

@@ -11,8 +11,8 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float out_of_reach = 1.0e12f;      // m
-inline constexpr float clear_height = linear_slop;  // m, from which what was dropped is held again
-inline constexpr float least_rise = 0.1f;  // cosine between a normal and `up` from which the normal leads up: what slides past an end is not held there
+inline constexpr float clear_height = linear_slop;  // m above the one-way shape, from which a dropped shape is held again
+inline constexpr float least_rise = 0.1f;  // cosine between a normal and `up` from which the normal leads up: a shape that slides past an end is not held there
 
 /// The lowest point of a shape along a direction.
 struct Lowest {
@@ -55,7 +55,7 @@ struct Pair {
     float height() const { return lowest().height + dot(up, to_shape.p) + top_of(geometry, up, other, to_shape); }
 };
 
-// Where a body stood a step ago, if it has moved as it moves now.
+// The body's pose a step ago, if its velocity was the same.
 Transform pose_before(const Core& core, std::uint32_t body, float dt) {
     const Rot q = integrate(core.poses[body].q, -dt * core.motions[body].w);
     return {core.poses[body].center - dt * core.motions[body].v - rotate(q, core.bodies[body].local_center), q};
@@ -87,7 +87,8 @@ bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flag
     const bool dropped = (flags & contact_dropped) != 0 && height < clear_height;
     bool passes = (flags & contact_passes) != 0 && height < least_above;
     if ((flags & (contact_passes | contact_posed)) == 0) {
-        // A new contact. Before their boxes met, the other may have gone a step's way into the shape: so it also holds if the other was above a step ago.
+        // In a new contact the other shape may already have gone a step's way into this one before their boxes met. So the contact also holds if the other
+        // shape was above a step ago.
         const float before = min(height_before(core, c.shape_a, c.shape_b, dt), height_before(core, c.shape_b, c.shape_a, dt));
         passes = max(height, before) < least_above;
     }
@@ -115,12 +116,12 @@ void mend_one_way(Core& core, std::uint32_t contact) {
         m.separation[0] = pair.height();
         m.anchors[0] = corner - 0.5f * m.separation[0] * up - core.poses[m.body_a].center;
         m.ids = low.corner;
-        m.offset = core.poses[m.body_b].center - core.poses[m.body_a].center;  // what was ahead stands otherwise
+        m.offset = core.poses[m.body_b].center - core.poses[m.body_a].center;  // a manifold made ahead has the offset at the impact
         m.rotation_a = core.poses[m.body_a].q;
         m.rotation_b = core.poses[m.body_b].q;
         m.flags |= 1u << contact_count_shift;
     }
-    // Not above, and no point of contact: the other has left past an end.
+    // The other shape is not above, and has no contact point: it has left past an end.
     if (m.count() == 0 && min(height_above(core, c.shape_a, c.shape_b), height_above(core, c.shape_b, c.shape_a)) < least_above) m.flags |= contact_passes;
 }
 

@@ -1,4 +1,4 @@
-// One-way shapes: what comes from below passes, what came from above is held. (Above means along the one-way shape's direction.)
+// One-way shapes: a shape that comes from below passes, a shape that comes from above is held. (Above means along the one-way shape's direction.)
 //
 // Whether a contact holds depends on where the other shape is along that direction. The contact keeps the decision (contact_passes) from step to step while
 // the two shapes are near each other:
@@ -14,14 +14,14 @@
 
 namespace islet::detail {
 
-inline constexpr float least_above = -linear_slop;  // m: from this height on a shape is above, for what rests may be sunk in by a slop
+inline constexpr float least_above = -linear_slop;  // m: from this height on a shape is above, since a shape at rest may be sunk in by a slop
 
 /// How far the other shape is above the highest point of `shape`, m along its direction; huge if the shape is not one-way.
 float height_above(const Core& core, std::uint32_t shape, std::uint32_t other);
-/// The same for what is no shape of the world, at a pose.
+/// The same for a geometry that is no shape of the world, at a pose.
 float height_above(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose);
-/// Decides anew whether the contact of a one-way shape holds, with the bodies as they stand, and writes that to its flags. False: the shapes pass each other.
-/// `dt`, s, is the step's.
+/// Decides whether the contact of a one-way shape holds as the bodies stand, and writes that to its flags. Returns false if the shapes pass each other.
+/// `dt` is the time step, s.
 bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flags, float dt);
 /// Mends the manifold of a contact that holds, after the narrow phase made it. On a thin shape that the other has sunk into, the normal may lead down: the
 /// manifold then gets one point at the other's lowest corner, and the one-way direction as its normal. Points whose normal leads sideways are dropped.

@@ -19,7 +19,7 @@ using namespace detail;
 
 namespace {
 
-// Events of the last step go; those of calls made since (a touching shape was destroyed) stay for this step's reader.
+// Drops the events of the last step. Events of calls made since (a touching shape was destroyed) stay, and are reported with this step's.
 void clear_events(Core& core) {
     drop_told_ends(core);
     if (has_sensors) core.sensor_begins.count = 0;

@@ -28,7 +28,7 @@ bool check_def(const Core& core, const BodyDef& d) {
            check_there(core, has_sleep || d.awake) && check_there(core, !d.bullet || has_bullets) && check_there(core, d.enabled || has_disabling);
 }
 
-// Takes the slot of a body that can be pushed and wakes it; null_index (and no effect) for others. Forces and impulses act on these alone.
+// The slot of a body that can be pushed, which wakes up; null_index, without effect, for other bodies.
 std::uint32_t push(Core& core, BodyId id) {
     const std::uint32_t i = find_body(core, id);
     if (i == null_index || !is_pushable(core, i)) return null_index;
@@ -111,7 +111,7 @@ BodyId World::body_at(std::uint32_t slot) const {
     return pool_live(c.state->body_pool, c.bodies, slot) ? c.body_id(slot) : BodyId{};
 }
 
-// Reading: value if the id is good, else the type's zero.
+// Read functions return zero if the id is not good.
 #define ISLET_READ_BODY(value)                \
     const Core& c = core();                   \
     const std::uint32_t i = find_body(c, id); \
@@ -248,7 +248,7 @@ void World::set_type(BodyId id, BodyType type) {
     if (has_endless && type == BodyType::dynamic)
         for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next)
             if (!check(c, !is_endless(c.geometries[c.shapes[s].geometry]), Error::endless_shape)) return;
-    // Colours depend on the types, so contacts go before the type changes, and joints get new ones after it.
+    // Colours depend on the types, so contacts are destroyed before the type changes, and joints get new colours after it.
     end_contacts(c, i);
     wake_island(c, i, c.arena());
     const bool joined = b.joint_head != 0;

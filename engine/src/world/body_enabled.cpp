@@ -1,5 +1,5 @@
-// Taking a body out of the world and putting it back, with its shapes and joints. A disabled body is neither awake nor in the tree of resting shapes, so no
-// stage of a step and no query meets it.
+// Disabling and enabling a body, with its shapes and joints. A disabled body is neither awake nor in the tree of resting shapes, so no stage of a step and no
+// query meets it.
 #include "../exact.hpp"
 
 #include "../bodies/bounds.hpp"

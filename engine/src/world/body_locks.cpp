@@ -1,4 +1,4 @@
-// What a body may not do: move along x, along y, or turn.
+// Locks of a body: it does not move along x, along y, or does not turn.
 #include "../exact.hpp"
 
 #include "../bodies/bounds.hpp"

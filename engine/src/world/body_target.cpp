@@ -1,4 +1,4 @@
-// Leading a kinematic body: the velocities that take it to a place in one step.
+// Targets of kinematic bodies: the velocities that take a body to a pose in one step.
 #include "../exact.hpp"
 
 #include "../calls/checks.hpp"
@@ -12,7 +12,7 @@ using namespace detail;
 
 namespace {
 
-// The turn by which integrate() leads from the identity to q. Its series are a little off, so what it makes of the angle is looked at, twice.
+// The turn with which integrate() leads from the identity to q. Its series are not exact, so the result for the angle is corrected twice.
 float turn_to(Rot q, float most) {
     const float angle = clamp(angle_of(q), -most, most);
     const Rot goal = make_rot(angle);

@@ -1,4 +1,4 @@
-// Making chains, in a file of its own: a program that makes none does not link what they collide by.
+// Making chains. A program that makes none does not link this file, nor the functions with which chains collide (link_chains).
 #include "../exact.hpp"
 
 #include "../bodies/geometry_pool.hpp"
@@ -23,7 +23,7 @@ std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool 
     if (!check(c, n >= (loop ? 3u : 2u) && n <= max_capacity, Error::bad_chain)) return 0;
     const auto segments = static_cast<std::uint32_t>(loop ? n : n - 1);
 
-    // An open end goes on straight, so its ghost is the mirror image of the next point.
+    // An open end goes on straight, so its ghost point is the mirror image of the next point.
     const auto segment_at = [&](std::uint32_t i) {
         const Vec2 p1 = points[i];
         const Vec2 p2 = points[(i + 1) % n];
@@ -38,7 +38,7 @@ std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool 
     if (!check(c, c.capacity.shapes - c.state->shape_pool.count >= segments, Error::shapes_full)) return 0;
 
     const auto geometry_at = [&](std::uint32_t i) { return geometry_of(segment_at(i)); };
-    // All or nothing, so count first. (A segment that the chain itself repeats is counted each time.)
+    // Either all segments are made or none, so they are counted first. (A segment that the chain repeats is counted each time.)
     std::uint32_t fresh = 0;
     for (std::uint32_t i = 0; i < segments; ++i) fresh += find_geometry(c, geometry_at(i)) == null_index ? 1 : 0;
     if (!check(c, geometry_capacity(c.capacity) - c.state->geometry_pool.count >= fresh, Error::geometries_full)) return 0;

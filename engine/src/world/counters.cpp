@@ -1,4 +1,4 @@
-// World::counters: what is counted only when asked for.
+// World::counters: figures that are counted only when they are read.
 #include "../exact.hpp"
 
 #include "../data/core.hpp"

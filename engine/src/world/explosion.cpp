@@ -1,4 +1,4 @@
-// Explosions: impulses away from a point, in proportion to how much of a shape's outline faces it.
+// Explosions: impulses away from a point, in proportion to the width of a shape as seen from there.
 #include "../exact.hpp"
 
 #include "../bodies/bounds.hpp"
@@ -22,7 +22,7 @@ bool check_explosion(const Core& core, const ExplosionDef& d) {
            check_finite(core, d.impulse_per_length);
 }
 
-// How wide the hull of the corners is along a unit vector, rounding included.
+// The width of a shape along a unit vector: the hull of its corners, and its radius.
 float width_along(const Corners& shape, Vec2 direction) {
     float lower = dot(shape.points[0], direction), upper = lower;
     for (std::uint32_t i = 1; i < shape.count; ++i) {
@@ -33,7 +33,7 @@ float width_along(const Corners& shape, Vec2 direction) {
     return upper - lower + 2.0f * shape.radius;
 }
 
-// Everything in the body's frame, so that far from the origin nothing is lost.
+// Computes in the body's frame, so that nothing is lost far from the origin.
 void push_shape(Core& core, const ExplosionDef& d, std::uint32_t shape) {
     const std::uint32_t body = core.shapes[shape].body;
     const Geometry& g = core.geometries[core.shapes[shape].geometry];
@@ -48,7 +48,7 @@ void push_shape(Core& core, const ExplosionDef& d, std::uint32_t shape) {
     const bool inside = gap == 0;
     const Vec2 target = inside ? middle_of(g) : r.point_b;
     Vec2 direction = normalize(target - from);
-    if (direction == Vec2{}) direction = {1, 0};  // at the very middle any direction is as good
+    if (direction == Vec2{}) direction = {1, 0};  // at the very middle, any direction will do
     const Vec2 point = inside ? target : target - corners.radius * direction;
     const float strength = gap > d.radius ? (d.radius + d.falloff - gap) / d.falloff : 1.0f;
     const Vec2 impulse = rotate(pose.q, (d.impulse_per_length * strength * width_along(corners, left_perp(direction))) * direction);

@@ -1,4 +1,4 @@
-// What sensors saw. Whoever asks links what sensors need (graph/sensors.hpp).
+// The overlaps of sensors. A program that calls one of these functions links the sensors (graph/sensors.hpp).
 #include "../exact.hpp"
 
 #include "../graph/sensors.hpp"

@@ -1,4 +1,4 @@
-// Changing what a shape is made of: its geometry, density, surface, and who is told of it.
+// Changing a shape's geometry, density, material and events.
 #include "../exact.hpp"
 
 #include "../bodies/bounds.hpp"
@@ -19,7 +19,7 @@ using namespace detail;
 
 namespace {
 
-// Contacts go, for the narrow phase's order of the two shapes follows from what they are; those that are still due are found in the next step.
+// Contacts are destroyed, because the types of two shapes decide which of them is A. The next step finds those of the new geometry.
 void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) {
     const DefaultFloatMode mode;
     if (!check_there(core, there)) return;
@@ -43,7 +43,7 @@ void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) 
         release_geometry(core, old);
         s.geometry = share_geometry(core, g);
     }
-    core.boxes[i] = {{1, 1}, {-1, -1}};  // holds nothing, so that it is made anew
+    core.boxes[i] = {{1, 1}, {-1, -1}};  // an empty box, which is made anew
     shapes_changed(core, body);
 }
 
@@ -148,7 +148,7 @@ void World::set_one_way(ShapeId id, Vec2 direction) {
     Shape& s = c.shapes[i];
     s.flags = (s.flags & ~std::uint32_t{shape_one_way_bits}) | flags_of_direction(normalize(direction));
     c.state->asked |= asked_of(s.flags);
-    remix(c, i, contact_one_way);  // each contact is decided anew: one_way.cpp
+    remix(c, i, contact_one_way);  // one_way.cpp decides anew about each contact
 }
 
 void World::enable_sensor_events(ShapeId id, bool enable) {

@@ -22,7 +22,7 @@ using namespace detail;
 
 namespace {
 
-// Of a body's contact: wakes who is touched at the other side.
+// Wakes the body at the other side of a contact, if the shapes touch.
 ISLET_SHARED void wake_touched(Core& core, std::uint32_t contact, std::uint32_t side) {
     if ((core.manifolds[contact].flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), core.arena());
 }
@@ -100,7 +100,7 @@ void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32
     if (b.shape_head != null_index) core.shapes[b.shape_head].prev = index;
     b.shape_head = index;
     ++b.shape_count;
-    core.boxes[index] = {{1, 1}, {-1, -1}};  // holds nothing, so that update_boxes makes it anew
+    core.boxes[index] = {{1, 1}, {-1, -1}};  // an empty box, which update_boxes makes anew
 }
 
 }  // namespace
@@ -168,7 +168,7 @@ bool World::is_valid(ShapeId id) const {
 
 std::uint32_t World::shape_count() const { return core().state->shape_pool.count; }
 
-// Reading: value if the id is good, else the type's zero.
+// Read functions return zero if the id is not good.
 #define ISLET_READ_SHAPE(value)                \
     const Core& c = core();                    \
     const std::uint32_t i = find_shape(c, id); \

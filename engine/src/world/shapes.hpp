@@ -7,24 +7,24 @@
 
 namespace islet::detail {
 
-/// Takes a shape off its body and frees it, contacts first. The body's mass is left to the caller.
+/// Destroys a shape and its contacts. The caller updates the body's mass.
 void remove_shape(Core& core, std::uint32_t shape);
 
-/// Destroys the shape's contacts, or only those that may no longer be (`unwanted`), and wakes who was touched.
+/// Destroys the shape's contacts, or with `unwanted` only those that filters or joints now forbid, and wakes the bodies that it touched.
 void end_contacts_of_shape(Core& core, std::uint32_t shape, bool unwanted = false);
-/// After its material or its one-way direction changed: mixes materials again for the shape's contacts, after taking the flags `forget` (ContactFlags) from
-/// them. Wakes the body and what touches the shape.
+/// Takes the flags `forget` (ContactFlags) from the shape's contacts and mixes their materials again, after the shape's material or one-way direction changed.
+/// Wakes the body and the bodies that touch the shape.
 void remix(Core& core, std::uint32_t shape, std::uint32_t forget = 0);
 
 // The parts of making a shape:
 
-/// True if the definition keeps its rules; else records the error.
+/// True if the definition breaks no rule; else records the error.
 bool check_shape_def(const Core& core, const ShapeDef& def);
-/// Takes a slot, and links it to its body and its geometry; null_index if there is no room, with the error recorded.
+/// Takes a slot for a shape with its body and geometry. Returns null_index, with the error recorded, if there is no room.
 std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& geometry, const ShapeDef& def);
-/// After shapes were added to a body or taken from it: mass, boxes, the tree.
+/// Updates mass, boxes and the tree after shapes were added to a body or taken from it.
 void shapes_changed(Core& core, std::uint32_t body);
-/// All of these in turn, with the body and the definition checked; `valid` says whether the geometry is.
+/// Makes a shape: checks the body and the definition, and does all of the above. `valid` says whether the geometry is valid.
 ShapeId attach_shape(Core& core, BodyId body, const Geometry& geometry, bool valid, const ShapeDef& def);
 
 /// World::create_shape for a type of shape.

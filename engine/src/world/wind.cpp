@@ -1,8 +1,9 @@
-// Wind on a shape: the drag and lift of what of its outline faces the stream.
+// Wind on a shape: drag and lift of the part of its outline that faces the stream.
 //
-// With u the air's velocity past the shape, an edge of length L and outward normal n faces it if n . u < 0. It offers the stream the width
-// A = L |n . u| / |u| and is pushed, at its middle, by q A (drag u^ + lift (n x u^) x u^), q = rho |u|^2 / 2 being the stagnation pressure and u^ the unit
-// vector along u: the lift of a flat plate, which grows with the sine of twice its angle. What is round has no lift and width 2 r.
+// Let u be the air's velocity past the shape, u^ the unit vector along it, and q = rho |u|^2 / 2 the stagnation pressure. An edge of length L with the outward
+// normal n faces the stream if n . u < 0. It has the width A = L |n . u| / |u| across the stream, and the force on its middle is
+// q A (drag u^ + lift (n x u^) x u^). This is the lift of a flat plate, which grows with the sine of twice its angle. Round ends have no lift and the width 2
+// r.
 #include "../exact.hpp"
 
 #include "../bodies/bounds.hpp"
@@ -25,7 +26,7 @@ struct Stream {
     float drag = 0, lift = 0;
 };
 
-// Adds the push on what offers the stream `width` at `arm` from the centre of mass and has the outward normal n (zero: round).
+// Adds the force on a part of the outline with `width` across the stream, at `arm` from the centre of mass, with the outward normal n (zero if it is round).
 void push(Core& core, std::uint32_t body, const Stream& s, float width, Vec2 arm, Vec2 n) {
     const Vec2 force = (s.pressure * width) * (s.drag * s.along + s.lift * cross(cross(n, s.along), s.along));
     pull(core, body, force, cross(arm, force));
@@ -56,7 +57,7 @@ void World::apply_wind(ShapeId id, const WindDef& wind) {
     if (stream.along == Vec2{}) return;
 
     if (shape.radius > 0) push(c, body, stream, 2.0f * shape.radius, middle, {});
-    // A capsule's core is a segment with two sides; of a polygon's edges those that face the stream count.
+    // A capsule's core is a segment with two sides. Of a polygon, the edges that face the stream count.
     for (std::uint32_t k = 0; shape.count > 1 && k < shape.count; ++k) {
         const Vec2 p1 = shape.points[k], p2 = shape.points[k + 1 < shape.count ? k + 1 : 0];
         const Vec2 edge = rotate(pose.q, p2 - p1);

@@ -1,4 +1,4 @@
-// Making a world, and what concerns it as a whole.
+// Making a world, and functions on the world as a whole.
 #include "../exact.hpp"
 
 #include "islet/world.hpp"
@@ -36,11 +36,11 @@ Error check_block(std::span<std::byte> block, std::size_t wanted) {
     return block.data() == nullptr || block.size() < wanted ? Error::block_too_small : Error::none;
 }
 
-// True if a product is rounded before something is subtracted from it, and if denormal numbers are kept. The source cannot make every compiler do so
+// True if products are rounded before something is subtracted from them, and if denormal numbers are kept. The source cannot force every compiler to do so
 // (exact.hpp), nor a run-time library that stands in for a floating-point unit.
 bool is_exact() {
     const DefaultFloatMode mode;
-    volatile float known = 0x1.001p-62f;  // known to us, but the compiler must not work it out
+    volatile float known = 0x1.001p-62f;  // volatile, so that the compiler does not compute the result itself
     const float x = known;
     // x^2 is 2^-124 (1 + 2^-11 + 2^-24), and the last term is lost to rounding. 2^-135 is denormal.
     known = x * x - 0x1p-124f;
