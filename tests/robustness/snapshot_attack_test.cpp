@@ -2,7 +2,7 @@
 // which every invariant holds and goes on holding. (tests/fuzz does the same with millions of images.)
 #include <gtest/gtest.h>
 
-#include "graph/edge_list.hpp"
+#include "graph/constraint_list.hpp"
 #include "physics/measure.hpp"
 #include "support/busy_world.hpp"
 #include "support/forge.hpp"
@@ -219,9 +219,9 @@ TEST(Attacks, AGearHangsOnWhatItsJointsMove) {
     ASSERT_EQ(source->validate(), nullptr);
     detail::Core& core = detail::Core::of(*source);
     const std::uint32_t i = gear.index1 - 1, from = wheel2.index1 - 1, to = ground2.index1 - 1;
-    detail::unlink_edge(core.joints, i, 1, core.bodies[from].joint_head, core.bodies[from].joint_count);
+    detail::remove_from_list(core.joints, i, 1, core.bodies[from].joint_head, core.bodies[from].joint_count);
     core.joints[i].body_b = to;
-    detail::link_edge(core.joints, i, 1, core.bodies[to].joint_head, core.bodies[to].joint_count);
+    detail::add_to_list(core.joints, i, 1, core.bodies[to].joint_head, core.bodies[to].joint_count);
 
     const Image image = save(*source);
     TestWorld victim;
