@@ -2,13 +2,13 @@
 // which every invariant holds and goes on holding. (tests/fuzz does the same with millions of images.)
 #include <gtest/gtest.h>
 
-#include "graph/edge_list.hpp"
+#include "bodies/sleep.hpp"
+#include "graph/constraint_list.hpp"
 #include "physics/measure.hpp"
 #include "support/busy_world.hpp"
 #include "support/forge.hpp"
 #include "support/random.hpp"
 #include "support/test_world.hpp"
-#include "bodies/sleep.hpp"
 
 namespace islet::test {
 namespace {
@@ -65,10 +65,13 @@ protected:
                 case 1: w.set_type(body, w.type(body) == BodyType::static_body ? BodyType::dynamic : BodyType::static_body); break;
                 case 2: w.reset_mass(body); break;
                 case 3: w.set_transform(body, w.position(body), w.angle(body)); break;
-                case 4: if (shape) w.set_circle(shape, Circle{{0, 0}, 0.4f}); break;
+                case 4:
+                    if (shape) w.set_circle(shape, Circle{{0, 0}, 0.4f});
+                    break;
                 case 5: w.destroy_body(body); break;
                 case 6: w.create_shape(body, make_box(0.2f, 0.1f)); break;
-                default: if (shape) w.destroy_shape(shape);
+                default:
+                    if (shape) w.destroy_shape(shape);
             }
         }
         for (const BodyId body : victim_.bodies()) w.set_enabled(body, true);
@@ -91,7 +94,8 @@ TEST_F(Attack, EveryWordMayLie) {
     for (std::size_t i = 0; i < words; i += stride) {
         const std::uint32_t good = word(image_, i);
         // No slot, the last slot, the next one, no number, an infinite one, a huge one, the other sign, another bit.
-        for (const std::uint32_t lie : {0u, 0xffffffffu, good + 1, good - 1, 0x7fc00000u, 0x7f800000u, 0x7f000000u, 0x7f7fffffu, good ^ 0x80000000u, good ^ 0x100u}) {
+        for (const std::uint32_t lie :
+             {0u, 0xffffffffu, good + 1, good - 1, 0x7fc00000u, 0x7f800000u, 0x7f000000u, 0x7f7fffffu, good ^ 0x80000000u, good ^ 0x100u}) {
             if (lie == good) continue;
             Image forged = image_;
             set_word(forged, i, lie);
@@ -128,7 +132,8 @@ TEST_F(Attack, NoNumberMayBeInfiniteOrNone) {
             add("a body", 0, offsetof(Body, flags));
             add("a body's stretch", offsetof(Body, stretch), offsetof(Body, stretch) + 4);
         }
-        if constexpr (std::is_same_v<Record, ContactManifold>) add("a contact", contact * sizeof(Record) + offsetof(ContactManifold, normal), (contact + 1) * sizeof(Record));
+        if constexpr (std::is_same_v<Record, ContactManifold>)
+            add("a contact", contact * sizeof(Record) + offsetof(ContactManifold, normal), (contact + 1) * sizeof(Record));
         if constexpr (std::is_same_v<Record, Joint>) {
             add("a joint", offsetof(Joint, local_a), offsetof(Joint, gear_count));
             add("a joint's impulse", offsetof(Joint, impulse), offsetof(Joint, user_data));
@@ -219,9 +224,9 @@ TEST(Attacks, AGearHangsOnWhatItsJointsMove) {
     ASSERT_EQ(source->validate(), nullptr);
     detail::Core& core = detail::Core::of(*source);
     const std::uint32_t i = gear.index1 - 1, from = wheel2.index1 - 1, to = ground2.index1 - 1;
-    detail::unlink_edge(core.joints, i, 1, core.bodies[from].joint_head, core.bodies[from].joint_count);
+    detail::remove_from_list(core.joints, i, 1, core.bodies[from].joint_head, core.bodies[from].joint_count);
     core.joints[i].body_b = to;
-    detail::link_edge(core.joints, i, 1, core.bodies[to].joint_head, core.bodies[to].joint_count);
+    detail::add_to_list(core.joints, i, 1, core.bodies[to].joint_head, core.bodies[to].joint_count);
 
     const Image image = save(*source);
     TestWorld victim;

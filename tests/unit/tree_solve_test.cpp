@@ -275,11 +275,11 @@ TEST(JointTrees, LeavesComeBeforeTheirParents) {
         }
         row.world.step();
         Core& core = Core::of(*row.world);
-        std::vector<Link> order(64);
+        std::vector<PlannedLink> order(64);
         order.resize(order_links(core, true, order.data(), core.arena()));
         std::vector<bool> seen(64, false);
         std::uint32_t joints = 0;
-        for (const Link& b : order) {
+        for (const PlannedLink& b : order) {
             EXPECT_FALSE(seen[b.body]);
             seen[b.body] = true;
             if (b.joint == null_index) continue;

@@ -42,7 +42,7 @@ void remove_gears(Core& core, std::uint32_t joint) {
     for (const std::uint32_t body : {core.joints[joint].body_a, core.joints[joint].body_b}) {
         if (body == null_index || core.joints[joint].gear_count == 0) continue;
         for (std::uint32_t key = core.bodies[body].joint_head; key != 0;) {
-            const std::uint32_t i = edge_of_key(key);
+            const std::uint32_t i = constraint_of_key(key);
             const Joint& gear = core.joints[i];
             key = gear.next[side_of_key(key)];
             if (gear.joint_type() == JointType::gear && (gear.joint1 == joint || gear.joint2 == joint)) remove_gear(core, i);
@@ -62,7 +62,7 @@ void remove_joint(Core& core, std::uint32_t i) {
 
 void remove_joints(Core& core, std::uint32_t body) {
     // Removing a joint may also remove a gear on the same body, so the list is read anew each time.
-    while (core.bodies[body].joint_head != 0) remove_joint(core, edge_of_key(core.bodies[body].joint_head));
+    while (core.bodies[body].joint_head != 0) remove_joint(core, constraint_of_key(core.bodies[body].joint_head));
 }
 
 std::uint32_t moving_body(const Core& core, const Joint& j) { return core.bodies[j.body_b].type() >= core.bodies[j.body_a].type() ? j.body_b : j.body_a; }

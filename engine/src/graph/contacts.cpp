@@ -25,11 +25,11 @@ bool filters_agree(const Filter& a, const Filter& b) {
 }
 
 void link(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
-    link_edge(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
+    add_to_list(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
 }
 
 void unlink(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
-    unlink_edge(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
+    remove_from_list(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../data/core.hpp"
-#include "../graph/edge_list.hpp"
+#include "../graph/constraint_list.hpp"
 #include "../graph/hooks.hpp"
 
 namespace islet::detail {
@@ -11,7 +11,7 @@ namespace islet::detail {
 /// Calls visit(contact, side) for each contact of a body, newest first; `visit` may destroy that contact.
 template <class Visit>
 void for_each_contact(const Core& core, std::uint32_t body, Visit&& visit) {
-    for_each_edge(core.contacts, core.bodies[body].contact_head, visit);
+    for_each_constraint(core.contacts, core.bodies[body].contact_head, visit);
 }
 
 /// The body at the other end of a contact.

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "../data/core.hpp"
-#include "../graph/edge_list.hpp"
+#include "../graph/constraint_list.hpp"
 
 namespace islet::detail {
 
 /// Calls visit(joint, side) for each joint of a body, newest first; `visit` may destroy that joint.
 template <class Visit>
 void for_each_joint(const Core& core, std::uint32_t body, Visit&& visit) {
-    if constexpr (has_joints) for_each_edge(core.joints, core.bodies[body].joint_head, visit);
+    if constexpr (has_joints) for_each_constraint(core.joints, core.bodies[body].joint_head, visit);
 }
 
 /// The body at the other end of a joint, or null_index if that is the world.
@@ -23,9 +23,9 @@ inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t 
     const bool first = core.bodies[body_1].joint_count < core.bodies[body_2].joint_count;
     const std::uint32_t body = first ? body_1 : body_2;
     const std::uint32_t other = first ? body_2 : body_1;
-    for (std::uint32_t key = core.bodies[body].joint_head; key != 0; key = core.joints[edge_of_key(key)].next[side_of_key(key)]) {
-        const Joint& j = core.joints[edge_of_key(key)];
-        if ((j.flags & joint_collide) == 0 && other_joined(core, edge_of_key(key), side_of_key(key)) == other) return true;
+    for (std::uint32_t key = core.bodies[body].joint_head; key != 0; key = core.joints[constraint_of_key(key)].next[side_of_key(key)]) {
+        const Joint& j = core.joints[constraint_of_key(key)];
+        if ((j.flags & joint_collide) == 0 && other_joined(core, constraint_of_key(key), side_of_key(key)) == other) return true;
     }
     return false;
 }
@@ -46,12 +46,12 @@ void refresh_awake_joints(Core& core);
 /// A mouse joint's side A is in no list.
 inline void link_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
     core.state->trees_stale = 1;
-    if (body != null_index) link_edge(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
+    if (body != null_index) add_to_list(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
 }
 
 inline void unlink_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
     core.state->trees_stale = 1;
-    if (body != null_index) unlink_edge(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
+    if (body != null_index) remove_from_list(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
 }
 
 }  // namespace islet::detail

@@ -192,7 +192,7 @@ Plan take_plan(const Core& core, Arena& arena) {
     plan.contacts = arena.take<std::uint32_t>(row_capacity(core.capacity));
     plan.joints = arena.take<std::uint32_t>(joint_row_capacity(core.capacity));
     plan.runs = arena.take<JointRun>(joint_run_capacity(core.capacity));
-    plan.links = arena.take<Link>(tree_capacity(core.capacity));
+    plan.links = arena.take<PlannedLink>(tree_capacity(core.capacity));
     plan.parent_links = arena.take<std::uint32_t>(tree_capacity(core.capacity));
     if (has_shock(core.state->solver)) plan.lightness = arena.take<float>(bodies);
     return plan;

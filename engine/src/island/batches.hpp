@@ -58,7 +58,7 @@ struct Plan {
     std::uint32_t awake_joints = 0;         // in runs or joint trees
     bool has_trees = false;                 // joint trees
     std::uint32_t overflow_joints = 0;      // without a colour
-    Link* links = nullptr;                  // of joint trees: batch by batch, in each leaves first
+    PlannedLink* links = nullptr;           // of joint trees: batch by batch, in each leaves first
     std::uint32_t* parent_links = nullptr;  // by link: its parent's place among the batch's links; null_index if the parent cannot be pushed, or there is none
     std::uint32_t link_count = 0;
     float* lightness = nullptr;  // by body: the solve takes its mass for so many times smaller (shock propagation); null: all masses as they are

@@ -34,10 +34,10 @@ void choose_trees(Core& core, Arena temporary) {
     // A hinge's load is the mass of all bodies that hang on it. It is compared with the lighter of the hinge's two bodies.
     float* load = temporary.take<float>(bodies);
     for (std::uint32_t i = 0; i < bodies; ++i) load[i] = core.bodies[i].mass;
-    Link* order = temporary.take<Link>(tree_capacity(core.capacity));
+    PlannedLink* order = temporary.take<PlannedLink>(tree_capacity(core.capacity));
     const std::uint32_t count = order_links(core, false, order, temporary);
     for (std::uint32_t k = 0; k < count; ++k) {
-        const Link b = order[k];
+        const PlannedLink b = order[k];
         if (b.joint == null_index) continue;
         const std::uint32_t parent = other_end(core.joints[b.joint], b.body);
         const float own = core.bodies[b.body].mass;
@@ -60,7 +60,7 @@ void choose_trees(Core& core, Arena temporary) {
 }
 
 // For each body the function keeps the number of its hinges and the XOR of their indices: once one hinge is left, the XOR is its index.
-std::uint32_t order_links(const Core& core, bool awake, Link* out, Arena temporary) {
+std::uint32_t order_links(const Core& core, bool awake, PlannedLink* out, Arena temporary) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
     struct Ends {
         std::uint32_t count, joints;
@@ -102,7 +102,7 @@ std::uint32_t order_links(const Core& core, bool awake, Link* out, Arena tempora
 }
 
 ISLET_APART void plan_links(const Core& core, Plan& plan, const Islands& islands, Arena temporary) {
-    Link* ordered = temporary.take<Link>(tree_capacity(core.capacity));
+    PlannedLink* ordered = temporary.take<PlannedLink>(tree_capacity(core.capacity));
     std::uint32_t* place_of = temporary.take<std::uint32_t>(core.state->body_pool.high_water);  // of a body, among its batch's links
     std::uint32_t* next = temporary.take<std::uint32_t>(plan.batch_count);                      // link, by batch
     const std::uint32_t count = order_links(core, true, ordered, temporary);
@@ -117,7 +117,7 @@ ISLET_APART void plan_links(const Core& core, Plan& plan, const Islands& islands
         plan.links[next[batch]++] = ordered[i];
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Link& link = plan.links[i];
+        const PlannedLink& link = plan.links[i];
         const std::uint32_t parent = link.joint != null_index ? other_end(core.joints[link.joint], link.body) : null_index;
         plan.parent_links[i] = parent != null_index && Forest::moves(core, parent) ? place_of[parent] : null_index;
     }

@@ -64,7 +64,7 @@ struct Forest {
 };
 
 /// A body of a joint tree and the hinge that ties it to its parent.
-struct Link {
+struct PlannedLink {
     std::uint32_t body;
     std::uint32_t joint;  // null_index: the root of a tree that nothing holds
 };
@@ -74,7 +74,7 @@ ISLET_OPTIONAL void choose_trees(Core& core, Arena temporary);
 
 /// Writes the links of all joint trees, or of awake ones alone, leaves first, and returns how many there are. `out` has room for all bodies, or for two a
 /// joint.
-ISLET_OPTIONAL std::uint32_t order_links(const Core& core, bool awake, Link* out, Arena temporary);
+ISLET_OPTIONAL std::uint32_t order_links(const Core& core, bool awake, PlannedLink* out, Arena temporary);
 
 /// Does nothing. A program that refers to it links the functions above, and plan_links (batches.hpp).
 void link_joint_trees();

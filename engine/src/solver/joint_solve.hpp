@@ -1,8 +1,8 @@
 // The joints' part of the solve, run by run, for any width of lanes.
 //
 // A program that makes no joints does not link this part. The functions are referenced weakly, which takes nothing from an archive. Only the functions that
-// make joints call link_joint_solve, which takes all of it. A program without it has no joints, so it never calls these functions. (Where a linker knows no weak
-// references, the functions are ordinary ones and always linked.)
+// make joints call link_joint_solve, which takes all of it. A program without it has no joints, so it never calls these functions. (Where a linker knows no
+// weak references, the functions are ordinary ones and always linked.)
 #pragma once
 
 #include "../constraint/joint_rows.hpp"

@@ -6,8 +6,8 @@
 
 namespace islet::detail {
 
-/// Solves the contacts and joints of all awake bodies over dt, and moves the bodies. Writes back impulses, velocities, centres and rotations, and clears forces.
-/// Returns the bodies by slot, in scratch: dp and dq are how far each has moved and turned.
+/// Solves the contacts and joints of all awake bodies over dt, and moves the bodies. Writes back impulses, velocities, centres and rotations, and clears
+/// forces. Returns the bodies by slot, in scratch: dp and dq are how far each has moved and turned.
 SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt);
 
 }  // namespace islet::detail

@@ -81,7 +81,7 @@ Vec2 missing(const TreeLink& l, const SolverBody& c, const SolverBody& p, const 
 void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const JointInput& in, SolverMotion* motions) {
     for (std::uint32_t i = batch.first_link; i < batch.first_link + batch.link_count; ++i) {
         TreeLink& l = links[i] = TreeLink{};
-        const Link link = plan.links[i];
+        const PlannedLink link = plan.links[i];
         l.child = in.slot_of[link.body];
         l.up = plan.parent_links[i];
         l.joint = link.joint;

@@ -149,23 +149,23 @@ const char* fault_in_records(const Core& c) {
 // -- lists ---------------------------------------------------------------------------------------------------------------------------
 
 /// Walks a body's list of constraints. `body_of(constraint, side)` and `color_of(constraint)` read them. Collects the colours in use.
-template <class Edge, class BodyOf, class ColorOf>
-const char* fault_in_list(const PoolState& pool, const Edge* edges, std::uint32_t body, std::uint32_t head, std::uint32_t count, BodyOf&& body_of,
+template <class Constraint, class BodyOf, class ColorOf>
+const char* fault_in_list(const PoolState& pool, const Constraint* constraints, std::uint32_t body, std::uint32_t head, std::uint32_t count, BodyOf&& body_of,
                           ColorOf&& color_of, std::uint32_t& colors) {
     std::uint32_t walked = 0;
     std::uint32_t prev = 0;
     for (std::uint32_t key = head; key != 0; ++walked) {
-        const std::uint32_t edge = edge_of_key(key);
+        const std::uint32_t constraint = constraint_of_key(key);
         const std::uint32_t side = side_of_key(key);
-        if (walked == count || !pool_live(pool, edges, edge)) return "a body's list of constraints is broken";
-        if (body_of(edge, side) != body || edges[edge].prev[side] != prev) return "a constraint is in the wrong list";
-        const std::uint32_t color = color_of(edge);
+        if (walked == count || !pool_live(pool, constraints, constraint)) return "a body's list of constraints is broken";
+        if (body_of(constraint, side) != body || constraints[constraint].prev[side] != prev) return "a constraint is in the wrong list";
+        const std::uint32_t color = color_of(constraint);
         if (color != no_color) {
             if ((colors >> color & 1u) != 0) return "two constraints of a body share a colour";
             colors |= 1u << color;
         }
         prev = key;
-        key = edges[edge].next[side];
+        key = constraints[constraint].next[side];
     }
     return walked == count ? nullptr : "a body miscounts its constraints";
 }
