@@ -40,6 +40,7 @@ int run() {
     expect_refused(world, !world.create_shape(body, Capsule{{0, 0}, {1, 0}, 1}), "capsules");
     expect_refused(world, !world.create_shape(body, Segment{{0, 0}, {1, 0}}), "segments");
     expect_refused(world, !world.create_shape(body, ChainSegment{{-1, 0}, {{0, 0}, {1, 0}}, {2, 0}}), "segments of chains");
+    expect_refused(world, !world.create_shape(world.create_body({}), HalfSpace{}), "half-spaces");
     expect_refused(world, world.create_chain(body, points, false) == 0, "chains");
     expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.restitution = 1}), "restitution");
     expect_refused(world, !world.create_shape(body, Circle{{}, 1}, {.rolling_resistance = 1}), "rolling resistance");

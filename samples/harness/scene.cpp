@@ -18,6 +18,7 @@ std::string key_of(const SceneGeometry& geometry) {
     if (const auto* circle = std::get_if<Circle>(&geometry)) append_floats(bytes, {circle->center}, circle->radius);
     if (const auto* capsule = std::get_if<Capsule>(&geometry)) append_floats(bytes, {capsule->point1, capsule->point2}, capsule->radius);
     if (const auto* segment = std::get_if<Segment>(&geometry)) append_floats(bytes, {segment->point1, segment->point2}, 0);
+    if (const auto* half_space = std::get_if<HalfSpace>(&geometry)) append_floats(bytes, {half_space->normal}, half_space->offset);
     if (const auto* polygon = std::get_if<Polygon>(&geometry)) {
         for (std::uint32_t i = 0; i < polygon->count; ++i)
             append_floats(bytes, {polygon->vertices[i], polygon->normals[i]}, polygon->radius);

@@ -19,7 +19,13 @@ struct Chain {
     bool loop = false;
 };
 
-using SceneGeometry = std::variant<Circle, Capsule, Segment, Polygon, Chain>;
+using SceneGeometry = std::variant<Circle, Capsule, Segment, Polygon, Chain, HalfSpace>;
+
+/// What stands for a half-space in engines that have none, and in pictures: a segment of 2 km.
+inline Segment long_segment(const HalfSpace& h) {
+    const Vec2 middle = h.offset * h.normal, along = 1000 * left_perp(h.normal);
+    return {middle - along, middle + along};
+}
 
 struct SceneShape {
     SceneGeometry geometry;

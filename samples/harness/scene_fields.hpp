@@ -25,7 +25,7 @@ template <>
 inline constexpr const char* const* enum_names<SweepOrder> = sweep_order_names;
 
 /// By the order of SceneGeometry and of JointDef.
-inline constexpr const char* geometry_names[] = {"circle", "capsule", "segment", "polygon", "chain", nullptr};
+inline constexpr const char* geometry_names[] = {"circle", "capsule", "segment", "polygon", "chain", "half_space", nullptr};
 inline constexpr const char* joint_names[] = {"revolute", "prismatic", "distance", "weld", "wheel", "motor", "mouse", "pulley", "gear", nullptr};
 
 /// Both const for a writer; a reader fills `d` in.
@@ -125,6 +125,12 @@ template <class Io, class D>
 void fields(Io& io, D& d, const Segment& usual) requires std::is_same_v<std::remove_const_t<D>, Segment> {
     io("point1", d.point1, usual.point1);
     io("point2", d.point2, usual.point2);
+}
+
+template <class Io, class D>
+void fields(Io& io, D& d, const HalfSpace& usual) requires std::is_same_v<std::remove_const_t<D>, HalfSpace> {
+    io("normal", d.normal, usual.normal);
+    io("offset", d.offset, usual.offset);
 }
 
 template <class Io, class D>

@@ -10,6 +10,7 @@ const std::vector<SceneInfo>& catalogue() {
         {"projectile", "basics", "balls thrown at seven angles follow their parabolas", make_projectile},
         {"bounce", "basics", "balls of restitution 0 to 1 rebound to e^2 h", make_bounce},
         {"friction_ramp", "basics", "boxes of six roughnesses on a slope: three slide, three hold", make_friction_ramp},
+        {"endless_slope", "basics", "on a slope without end a disc rolls, a smooth box slides and a rough one stays", make_endless_slope},
         {"rolling", "basics", "a sliding disc, a rolling disc and a ring race down a slope", make_rolling},
         {"newtons_cradle", "basics", "a ball strikes a row of seven, and only the last one leaves", make_newtons_cradle},
         {"pendulum", "basics", "pendulums swing as slowly as the elliptic integral says", make_pendulum},

@@ -10,6 +10,7 @@ Scene make_hello();
 Scene make_projectile();
 Scene make_bounce();
 Scene make_friction_ramp();
+Scene make_endless_slope();
 Scene make_rolling();
 Scene make_newtons_cradle();
 Scene make_pendulum();

@@ -48,10 +48,11 @@ float lowest(const Thing& thing, const Transform& pose) {
     return low;
 }
 
-enum class Ground { box, rising, sinking, heavy, light, segment };
+enum class Ground { box, rising, sinking, heavy, light, segment, half_space };
 
 BodyId add_ground(TestWorld& world, Ground ground, float meeting_after) {
     if (ground == Ground::segment) return world.add(Segment{{-20, 0}, {20, 0}}, Vec2{0, 0}, {}, BodyType::static_body);
+    if (ground == Ground::half_space) return world.add(HalfSpace{}, Vec2{0, 0}, {}, BodyType::static_body);
     const Polygon slab = make_offset_box(ground == Ground::heavy || ground == Ground::light ? 4.0f : 20.0f, 1, {{0, -1}, {}});
     if (ground == Ground::box) return world.add(slab, Vec2{0, 0}, {}, BodyType::static_body);
     if (ground == Ground::heavy || ground == Ground::light) {
@@ -100,6 +101,7 @@ class Landing : public testing::TestWithParam<Thing> {};
 TEST_P(Landing, SinksByNoMoreThanCanBeSeen) {
     EXPECT_LE(deepest(GetParam(), Ground::box), allowed) << "into a box";
     EXPECT_LE(deepest(GetParam(), Ground::segment), allowed) << "into a segment";
+    EXPECT_LE(deepest(GetParam(), Ground::half_space), allowed) << "into a half-space";
     EXPECT_LE(deepest(GetParam(), Ground::sinking), allowed) << "into a floor that sinks at 2 m/s";
     EXPECT_LE(deepest(GetParam(), Ground::rising), 2 * allowed) << "into a floor that rises at 2 m/s";  // a triangle sinks by 5.7 mm
     EXPECT_LE(deepest(GetParam(), Ground::heavy), allowed) << "into a heavy slab";

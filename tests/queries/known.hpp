@@ -23,6 +23,7 @@ inline ShapeProxy proxy_of(const World& w, ShapeId id) {
     case ShapeType::segment: return make_proxy(*w.segment(id));
     case ShapeType::polygon: return make_proxy(*w.polygon(id));
     case ShapeType::chain_segment: return make_proxy(*w.chain_segment(id));
+    case ShapeType::half_space: break;  // stands for no hull: half_space_test.cpp
     }
     return {};
 }

@@ -150,6 +150,7 @@ public:
     ISLET_ALL(set_capsule)
     ISLET_ALL(set_segment)
     ISLET_ALL(set_polygon)
+    ISLET_ALL(set_half_space)
     ISLET_ALL(set_density)
     ISLET_ALL(set_friction)
     ISLET_ALL(set_restitution)

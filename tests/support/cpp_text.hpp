@@ -67,6 +67,7 @@ ISLET_NAMES(Circle, "center", "radius")
 ISLET_NAMES(Capsule, "point1", "point2", "radius")
 ISLET_NAMES(Segment, "point1", "point2")
 ISLET_NAMES(ChainSegment, "ghost1", "segment", "ghost2")
+ISLET_NAMES(HalfSpace, "normal", "offset")
 ISLET_NAMES(SolverDef, "schedule", "substeps", "iterations", "relax_iterations", "contact_hertz", "contact_damping_ratio", "contact_push_speed", "joint_hertz",
             "joint_damping_ratio", "baumgarte", "omega", "warm_start", "joint_trees", "joint_tree_load", "sweep_order", "block_contacts", "shock",
             "measure_residual", "tolerance")

@@ -41,6 +41,7 @@ struct Drawer {
         const Vec2 ends[] = {s.point1, s.point2};
         return path(ends, false);
     }
+    std::string operator()(const HalfSpace& h) const { return (*this)(samples::long_segment(h)); }
     std::string operator()(const Polygon& p) const { return path({p.vertices, p.count}, true); }
     std::string operator()(const samples::Chain& c) const { return path(c.points, c.loop); }
 };

@@ -38,6 +38,8 @@ struct Maker {
         return shape;
     }
 
+    std::unique_ptr<b2Shape> operator()(const HalfSpace& h) const { return (*this)(samples::long_segment(h)); }
+
     std::unique_ptr<b2Shape> operator()(const Polygon& polygon) const {
         if (polygon.radius > 0) return nullptr;
         std::array<b2Vec2, max_polygon_vertices> points;

@@ -25,6 +25,8 @@ struct Maker {
     Shapes operator()(const Capsule& c) const { return {cpSegmentShapeNew(body, to_cp(c.point1), to_cp(c.point2), double(c.radius))}; }
     Shapes operator()(const Segment& s) const { return {cpSegmentShapeNew(body, to_cp(s.point1), to_cp(s.point2), 0)}; }
 
+    Shapes operator()(const HalfSpace& h) const { return (*this)(samples::long_segment(h)); }
+
     Shapes operator()(const Polygon& p) const {
         std::array<cpVect, max_polygon_vertices> corners;
         for (std::uint32_t i = 0; i < p.count; ++i) corners[i] = to_cp(p.vertices[i]);
@@ -55,6 +57,7 @@ struct MassOf {
 
     MassData operator()(const Segment&) const { return {}; }
     MassData operator()(const Chain&) const { return {}; }
+    MassData operator()(const HalfSpace&) const { return {}; }
     template <class Solid>
     MassData operator()(const Solid& solid) const {
         return compute_mass(solid, density);

@@ -205,11 +205,12 @@ SceneShape shape_from(const Json& told, const std::string& place) {
     take("segment", geometry_from<Segment>);
     take("polygon", polygon_from);
     take("chain", geometry_from<Chain>);
+    take("half_space", geometry_from<HalfSpace>);
     take("box", [](const Json& halves, const std::string& at) {
         const auto [x, y] = floats_at<2>(halves, at);
         return make_box(x, y);
     });
-    if (geometries != 1) refuse(place, "must have one geometry: a circle, capsule, segment, box, polygon or chain");
+    if (geometries != 1) refuse(place, "must have one geometry: a circle, capsule, segment, box, polygon, chain or half_space");
     fields(reader, shape.def, ShapeDef{});
     reader.end();
     return shape;

@@ -26,6 +26,7 @@
     FEATURE(polygons, engine)    /* boxes and other convex polygons */                                                             \
     FEATURE(capsules, engine)    /* capsules */                                                                                    \
     FEATURE(segments, engine)    /* segments */                                                                                    \
+    FEATURE(half_spaces, engine) /* floors without end */                                                                          \
     FEATURE(chains, engine)      /* chains and their segments */                                                                   \
     FEATURE(restitution, engine) /* bouncing */                                                                                    \
     FEATURE(surfaces, engine)    /* rolling resistance and surfaces in motion */                                                   \
@@ -73,9 +74,10 @@
 
 /// The types of shapes, a line each, in the order of their ranks (a contact calls the shape of the higher rank A): SHAPE(name, struct, the feature it is, its
 /// kind (src/shapes/shape_types.hpp), always or when_made: whether a program that makes none links what it collides by).
-#define ISLET_SHAPE_TYPES(SHAPE)                     \
-    SHAPE(circle, Circle, engine, solid, always)     \
-    SHAPE(capsule, Capsule, capsules, solid, always) \
-    SHAPE(polygon, Polygon, polygons, solid, always) \
-    SHAPE(segment, Segment, segments, line, always)  \
-    SHAPE(chain_segment, ChainSegment, chains, front, when_made)
+#define ISLET_SHAPE_TYPES(SHAPE)                                 \
+    SHAPE(circle, Circle, engine, solid, always)                 \
+    SHAPE(capsule, Capsule, capsules, solid, always)             \
+    SHAPE(polygon, Polygon, polygons, solid, always)             \
+    SHAPE(segment, Segment, segments, line, always)              \
+    SHAPE(chain_segment, ChainSegment, chains, front, when_made) \
+    SHAPE(half_space, HalfSpace, half_spaces, endless, always)

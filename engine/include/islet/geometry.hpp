@@ -12,7 +12,7 @@ namespace islet {
 /// Most corners a convex polygon can have.
 inline constexpr std::uint32_t max_polygon_vertices = 8;
 
-enum class ShapeType : std::uint8_t { circle, capsule, segment, polygon, chain_segment };
+enum class ShapeType : std::uint8_t { circle, capsule, segment, polygon, chain_segment, half_space };
 
 /// A solid disc. radius > 0, metres.
 struct Circle {
@@ -41,6 +41,13 @@ struct ChainSegment {
     Vec2 ghost1 = {};
     Segment segment = {};
     Vec2 ghost2 = {};
+};
+
+/// What is solid on one side of a line, without end: what a world stands on. Of static and kinematic bodies only, and without mass; collides with circles,
+/// capsules and polygons. Its box ends at 8e7 m.
+struct HalfSpace {
+    Vec2 normal = {0, 1};  ///< unit, outward
+    float offset = 0;      ///< m, from the body's origin to the surface along the normal; 1e7 m at most
 };
 
 /// The corners of a convex polygon, counter-clockwise. count = 0 means that no hull could be made.
@@ -86,6 +93,7 @@ bool is_valid(const Circle& c);
 bool is_valid(const Capsule& c);
 bool is_valid(const Segment& s);
 bool is_valid(const ChainSegment& s);
+bool is_valid(const HalfSpace& h);
 bool is_valid(const Polygon& p);
 
 /// Mass properties at a density in kg/m^2 (>= 0); all zero if the shape or the density is not valid. Segments have

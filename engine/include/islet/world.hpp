@@ -246,6 +246,8 @@ public:
     ShapeId create_shape(BodyId body, const Segment& segment, const ShapeDef& def = {});
     ShapeId create_shape(BodyId body, const Polygon& polygon, const ShapeDef& def = {});
     ShapeId create_shape(BodyId body, const ChainSegment& segment, const ShapeDef& def = {});
+    /// Static and kinematic bodies only (Error::endless_shape).
+    ShapeId create_shape(BodyId body, const HalfSpace& half_space, const ShapeDef& def = {});
     /// A chain of ChainSegments through `points` (2 or more; 3 for a loop), which collides on the right of its direction and does not catch at
     /// its inner corners. All or nothing. Returns the number of segments made, and their ids in `out` as far as they fit.
     std::uint32_t create_chain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {}, std::span<ShapeId> out = {});
@@ -262,12 +264,14 @@ public:
     const Segment* segment(ShapeId shape) const;
     const Polygon* polygon(ShapeId shape) const;
     const ChainSegment* chain_segment(ShapeId shape) const;
+    const HalfSpace* half_space(ShapeId shape) const;
     /// Gives the shape another geometry, of any type. Its contacts and overlaps end; the next step finds those of the new geometry. The body's mass follows.
-    /// Wakes the body and the bodies that touched the shape. Errors: bad_geometry; geometries_full.
+    /// Wakes the body and the bodies that touched the shape. Errors: bad_geometry; geometries_full; endless_shape.
     void set_circle(ShapeId shape, const Circle& circle);
     void set_capsule(ShapeId shape, const Capsule& capsule);
     void set_segment(ShapeId shape, const Segment& segment);
     void set_polygon(ShapeId shape, const Polygon& polygon);
+    void set_half_space(ShapeId shape, const HalfSpace& half_space);
     /// kg/m^2, >= 0; the body's mass follows.
     float density(ShapeId shape) const;
     void set_density(ShapeId shape, float density);

@@ -88,7 +88,9 @@
     X(set_joint_target, set_target, JointId, Vec2) \
     X(set_one_way, set_one_way, ShapeId, Vec2) \
     X(create_angle_joint, create_joint, AngleJointDef) \
-    X(set_ratchet, set_ratchet, JointId, JointRatchet)
+    X(set_ratchet, set_ratchet, JointId, JointRatchet) \
+    X(create_half_space, create_shape, BodyId, HalfSpace, ShapeDef) \
+    X(set_half_space, set_half_space, ShapeId, HalfSpace)
 // clang-format on
 
 namespace islet::detail {
@@ -134,6 +136,7 @@ template <class V> constexpr void members(V& v, Circle& a) { v(a.center, a.radiu
 template <class V> constexpr void members(V& v, Capsule& a) { v(a.point1, a.point2, a.radius); }
 template <class V> constexpr void members(V& v, Segment& a) { v(a.point1, a.point2); }
 template <class V> constexpr void members(V& v, ChainSegment& a) { v(a.ghost1, a.segment, a.ghost2); }
+template <class V> constexpr void members(V& v, HalfSpace& a) { v(a.normal, a.offset); }
 template <class V> constexpr void members(V& v, Polygon& a) {
     for (Vec2& p : a.vertices) v(p);
     for (Vec2& p : a.normals) v(p);

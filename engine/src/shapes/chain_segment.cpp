@@ -26,7 +26,7 @@ using namespace detail;
 namespace {
 
 // A chain that goes on straight beyond its end has a ghost that mirrors one end of the last segment at the other, so it may lie beyond max_position.
-ISLET_SHARED bool is_ghost(Vec2 a) { return in_range(0.25f * a); }
+ISLET_SHARED bool is_ghost(Vec2 a) { return detail::in_range(0.25f * a); }
 
 // Corners and normals closer to straight than this (sine of the angle) count as straight.
 constexpr float straight = 0.01f;

@@ -16,6 +16,8 @@ inline void draw_shape(const DebugDraw& draw, const ChainSegment& s, const Trans
     draw_shape(draw, s.segment, pose, style);
 }
 
+void draw_shape(const DebugDraw& draw, const HalfSpace& h, const Transform& pose, const DrawStyle& style);
+
 namespace detail {
 
 /// What a type's shapes are to others.
@@ -97,6 +99,8 @@ inline Corners corners_of(const Polygon& p) { return {p.vertices, p.count, p.rad
 inline Corners corners_of(const Segment& s) { return {reinterpret_cast<const Vec2*>(&s), 2, 0}; }
 inline Corners corners_of(const ChainSegment& s) { return corners_of(s.segment); }
 
+inline Corners corners_of(const HalfSpace& h) { return {&h.normal, 1, 0}; }  // for the radius alone: see corners_near
+
 ISLET_SHARED Corners corners_of(const Geometry& g) {
     if (g.shape_type() == ShapeType::polygon) return corners_of(g.polygon);  // as most are
     return with_shape(g, [](const auto& shape) { return corners_of(shape); });
@@ -107,6 +111,17 @@ inline const Polygon* faces_of(const Geometry& g) { return g.shape_type() == Sha
 
 /// A point well inside a shape, in the body's frame.
 Vec2 middle_of(const Geometry& g);
+
+/// Where another shape is, in the body's frame: no point of it is farther than `reach` (m) from the place.
+struct Around {
+    Vec2 place;
+    float reach;
+};
+
+// Of each type without end:
+Aabb aabb_of(const HalfSpace& h, const Transform& t);
+bool reaches(const HalfSpace& h, const Transform& t, const Aabb& box);
+Corners corners_near(const HalfSpace& h, const Around& around, Vec2* room);
 
 /// The tight box. (Rounding keeps the order of numbers, so the place of the body may be added last.)
 ISLET_SHARED Aabb aabb_of(const Corners& corners, const Transform& t) {
@@ -126,11 +141,6 @@ ISLET_SHARED Aabb aabb_of(const Geometry& g, const Transform& t) {
     });
 }
 
-/// Where another shape is, in the body's frame: no point of it is farther than `reach` (m) from the place.
-struct Around {
-    Vec2 place;
-    float reach;
-};
 Around around(const Corners& other, const Transform& t);
 
 /// The corners of a shape; of one without end those of a patch, which go to `room` (4 points): what is around meets the patch as it meets the whole.
@@ -169,6 +179,7 @@ Geometry geometry_of(const Shape& shape) {
 }
 /// Only what counts: equal polygons are equal bit by bit. Of one that is not valid: blank.
 Geometry geometry_of(const Polygon& polygon);
+Geometry geometry_of(const HalfSpace& h);  // its normal made unit
 
 }  // namespace detail
 }  // namespace islet

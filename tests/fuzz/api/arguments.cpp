@@ -144,6 +144,11 @@ ChainSegment Caller::chain_segment() {
     return {before, s, in.point()};
 }
 
+HalfSpace Caller::half_space() {
+    const float offset = in.number();
+    return {in.flag() ? rotate(make_rot(in.number()), {0, 1}) : in.point(), offset};
+}
+
 Polygon Caller::polygon() {
     switch (in.below(6)) {
     case 0: {

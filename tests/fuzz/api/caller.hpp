@@ -43,6 +43,7 @@ struct Caller {
     Capsule capsule();
     Segment segment();
     ChainSegment chain_segment();
+    HalfSpace half_space();
     Polygon polygon();
     ShapeProxy proxy();
     JointSpring spring();

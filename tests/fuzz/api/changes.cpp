@@ -5,7 +5,7 @@ namespace islet::fuzz {
 
 void Caller::create_shape(BodyId owner) {
     const ShapeDef def = shape_def();
-    switch (in.below(7)) {
+    switch (in.below(8)) {
     case 0: all.create_shape(owner, circle(), def); break;
     case 1: all.create_shape(owner, capsule(), def); break;
     case 2: all.create_shape(owner, segment(), def); break;
@@ -20,6 +20,7 @@ void Caller::create_shape(BodyId owner) {
         for (std::uint32_t i = 0; i < n && i < 2; ++i) expect(w.is_valid(made[i]) && w.body(made[i]) == owner, "a chain names shapes that it did not make");
         break;
     }
+    case 5: all.create_shape(owner, half_space(), def); break;
     default: all.create_shape(owner, polygon(), def);
     }
 }
@@ -149,7 +150,7 @@ void Caller::change_shape() {
     case 6: all.set_circle(s, circle()); break;
     case 7: all.set_capsule(s, capsule()); break;
     case 8: all.set_segment(s, segment()); break;
-    case 9: all.set_polygon(s, polygon()); break;
+    case 9: in.flag() ? all.set_half_space(s, half_space()) : all.set_polygon(s, polygon()); break;
     case 10: all.set_density(s, in.size()); break;
     case 11: {
         SurfaceMaterial m = w.material(s);

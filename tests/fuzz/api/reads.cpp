@@ -89,7 +89,8 @@ void Player::read_contacts(BodyId b) {
 }
 
 void Player::read_shape(ShapeId s) {
-    const bool one[] = {w.circle(s) != nullptr, w.capsule(s) != nullptr, w.segment(s) != nullptr, w.polygon(s) != nullptr, w.chain_segment(s) != nullptr};
+    const bool one[] = {w.circle(s) != nullptr,  w.capsule(s) != nullptr,       w.segment(s) != nullptr,
+                        w.polygon(s) != nullptr, w.chain_segment(s) != nullptr, w.half_space(s) != nullptr};
     int types = 0;
     for (const bool is : one) types += is ? 1 : 0;
     expect(types == (w.is_valid(s) ? 1 : 0), "a shape is of no type, or of two");
