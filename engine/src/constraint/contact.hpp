@@ -10,8 +10,6 @@
 // Velocities of the two bodies are projected onto the contact's frame once and updated there row by row; the bodies get the summed impulse.
 #pragma once
 
-#include <cstddef>
-
 #include "../constraint/contact_prepare.hpp"
 #include "../constraint/kernels.hpp"
 #include "../constraint/lane_vectors.hpp"
@@ -37,6 +35,23 @@ struct SweepLanes {
           push(L::splat(-n.push_speed)),
           slop(L::splat(n.slop)),
           biased(n.bias_rate > 0) {}
+};
+
+/// Which lanes of a block a pass solves: all of them,
+struct AllLanes {
+    template <class F>
+    ISLET_LANE F pick(F solved, F) const {
+        return solved;
+    }
+};
+/// or those that a mask names; the others keep what they have.
+template <class Mask>
+struct MaskedLanes {
+    Mask mask;
+    template <class F>
+    ISLET_LANE F pick(F solved, F old) const {
+        return select(mask, solved, old);
+    }
 };
 
 /// A block of contacts while it is solved. Impulses along n leave the centres' velocities along t alone, and the other way round; so both are
@@ -71,8 +86,8 @@ struct ContactBlock : BodyPair<L> {
 };
 
 /// The normal rows. Returns the sum of their impulses so far.
-template <class L>
-ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep) {
+template <class L, class Lanes>
+ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F mass = s.ma + s.mb;
@@ -99,7 +114,7 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
         } else {
             delta = zero - normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         }
-        const F lambda = max(old + delta, zero);
+        const F lambda = lanes.pick(max(old + delta, zero), old);
         delta = lambda - old;
         L::store(p.normal_impulse, lambda);
         if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
@@ -112,8 +127,8 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
 }
 
 /// The friction rows, with the normal impulses just found.
-template <class L>
-ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r) {
+template <class L, class Lanes>
+ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, const Lanes& lanes) {
     using F = typename L::F;
     const F mass = s.ma + s.mb;
     const F mu = L::load(r.friction);
@@ -126,7 +141,7 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r) {
         const F old = L::load(p.tangent_impulse);
         const F bound = mu * L::load(p.normal_impulse);
         const F speed = vt - (s.wb * rtb - s.wa * rta);
-        const F lambda = max(min(old - L::load(p.tangent_mass) * speed, bound), L::splat(0.0f) - bound);
+        const F lambda = lanes.pick(max(min(old - L::load(p.tangent_mass) * speed, bound), L::splat(0.0f) - bound), old);
         const F delta = lambda - old;
         L::store(p.tangent_impulse, lambda);
         s.sum_t = s.sum_t + delta;
@@ -136,18 +151,30 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r) {
 }
 
 /// The rolling row: wb - wa = 0, bounded by the sum of the normal impulses.
-template <class L>
-ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F normal_impulses) {
+template <class L, class Lanes>
+ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F normal_impulses, const Lanes& lanes) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F old = L::load(r.rolling_impulse);
     const F resistance = L::load(r.rolling_resistance);
     const F bound = select(resistance > zero, resistance * normal_impulses, zero);  // even if the normal impulse has overflowed
-    const F lambda = max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound);
+    const F lambda = lanes.pick(max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound), old);
     const F delta = lambda - old;
     L::store(r.rolling_impulse, lambda);
     s.wa = s.wa - s.ia * delta;
     s.wb = s.wb + s.ib * delta;
+}
+
+/// One pass over all rows of a block. Returns the mask of the lanes whose impulses changed.
+template <class L, class Lanes>
+ISLET_PART auto solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
+    using F = typename L::F;
+    s.sum_n = s.sum_t = L::splat(0.0f);
+    const F normal_impulses = solve_normals<L>(s, r, sweep, lanes);
+    solve_friction<L>(s, r, lanes);
+    if (r.is_special()) solve_rolling<L>(s, r, normal_impulses, lanes);
+    s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
+    return s.sum_n * s.sum_n + s.sum_t * s.sum_t > L::splat(0.0f);
 }
 
 template <std::uint32_t W>
@@ -158,51 +185,44 @@ void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
 template <std::uint32_t W>
 void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
     using L = LaneOf<W>;
-    using F = typename L::F;
     const SweepLanes<L> sweep(numbers);
-    std::uint32_t more = 0;  // passes over this block
-    for (std::uint32_t block = 0; block < count;) {
+    for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
         ContactBlock<L> s(bodies, r);
-        const F normal_impulses = solve_normals<L>(s, r, sweep);
-        solve_friction<L>(s, r);
-        if (r.is_special()) solve_rolling<L>(s, r, normal_impulses);
-        s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
-        s.scatter(bodies, r.body_a, r.body_b);
-
-        // What lands is solved again at once, alone: its lane as a row of its own.
-        std::uint64_t ahead = 0;
-        std::memcpy(&ahead, r.ahead, W);
-        if (ahead != 0) {
-            float changed[W];  // a pass that changed nothing needs no other
-            L::store(changed, select(s.sum_n * s.sum_n + s.sum_t * s.sum_t > L::splat(0.0f), L::splat(1.0f), L::splat(0.0f)));
-            if constexpr (W == 1) {
-                more = changed[0] == 0 ? 0 : more != 0 ? more - 1 : r.ahead[0];
-            } else {
-                land(bodies, r, changed, numbers);
-            }
+        // What lands is solved again at once, alone, until a pass changes nothing.
+        if constexpr (W == 1) {
+            for (std::uint32_t more = r.ahead[0]; solve_rows<L>(s, r, sweep, AllLanes{}) && more != 0; --more) {}
+            s.scatter(bodies, r.body_a, r.body_b);
+        } else {
+            const auto changed = solve_rows<L>(s, r, sweep, AllLanes{});
+            s.scatter(bodies, r.body_a, r.body_b);
+            std::uint64_t ahead = 0;
+            std::memcpy(&ahead, r.ahead, W);
+            if (ahead != 0) land(bodies, r, L::bits(changed), numbers);
         }
-        if (W > 1 || more == 0) ++block;
     }
 }
 
 template <std::uint32_t W>
-void ContactKernel<W>::land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers) {
-    if constexpr (W == 1) return;  // its own sweep does it
-    // Rows are words of W lanes each up to the flags.
-    constexpr std::uint32_t words = offsetof(Rows, two_points) / (4 * W);
-    for (std::uint32_t i = 0; i < W; ++i) {
-        if (rows.ahead[i] == 0 || changed[i] == 0) continue;
-        ContactRows<1> row;
-        std::byte* const lane = reinterpret_cast<std::byte*>(&rows) + 4 * i;
-        std::byte* const copy = reinterpret_cast<std::byte*>(&row);
-        for (std::uint32_t w = 0; w < words; ++w) std::memcpy(copy + 4 * w, lane + 4 * W * w, 4);
-        row.two_points = rows.two_points;
-        row.special = rows.special;
-        row.bouncy = rows.bouncy;
-        row.ahead[0] = static_cast<std::uint8_t>(rows.ahead[i] - 1);
-        ContactKernel<1>::solve(bodies, &row, 1, numbers);
-        for (std::uint32_t w = 0; w < words; ++w) std::memcpy(lane + 4 * W * w, copy + 4 * w, 4);
+void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, const SweepNumbers& numbers) {
+    using L = LaneOf<W>;
+    if constexpr (W > 1) {
+        float lands[W];
+        std::uint32_t most = 0;
+        for (std::uint32_t i = 0; i < W; ++i) {
+            const bool again = r.ahead[i] != 0 && (changed >> i & 1u) != 0;
+            lands[i] = again ? 1.0f : 0.0f;
+            most = again ? landing_passes : most;
+        }
+        if (most == 0) return;
+        const SweepLanes<L> sweep(numbers);
+        ContactBlock<L> s(bodies, r);
+        auto mask = L::load(lands) > L::splat(0.0f);
+        for (std::uint32_t pass = 0; pass < most && L::bits(mask) != 0; ++pass) {
+            const auto more = solve_rows<L>(s, r, sweep, MaskedLanes<decltype(mask)>{mask});
+            mask = mask & more;
+        }
+        s.scatter(bodies, r.body_a, r.body_b);
     }
 }
 

@@ -8,7 +8,6 @@
 // A world's width is chosen when it is made (Core::lanes); with_lanes turns it into a constant.
 #pragma once
 
-
 #include "../constraint/contact_rows.hpp"
 #include "../constraint/joint_rows.hpp"
 #include "../math/inlining.hpp"
@@ -36,8 +35,8 @@ struct ContactKernel {
     static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
     /// One sweep.
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
-    /// Solves those lanes of a block again that land, one by one.
-    static void land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers);
+    /// Solves those lanes of a block again that land, if the sweep changed them. `changed`: a bit a lane.
+    static void land(SolverBody* bodies, Rows& rows, std::uint32_t changed, const SweepNumbers& numbers);
     /// Gives bouncing contacts their rebound speed.
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
     /// Writes the impulses back for the next step.
