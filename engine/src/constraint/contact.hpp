@@ -44,13 +44,13 @@ struct AllLanes {
         return solved;
     }
 };
-/// or those that a mask names; the others keep what they have.
+/// or those that a mask names. In the others nothing changes, even where numbers have overflowed.
 template <class Mask>
 struct MaskedLanes {
     Mask mask;
     template <class F>
-    ISLET_LANE F pick(F solved, F old) const {
-        return select(mask, solved, old);
+    ISLET_LANE F pick(F solved, F other) const {
+        return select(mask, solved, other);
     }
 };
 
@@ -115,7 +115,7 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
             delta = zero - normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         }
         const F lambda = lanes.pick(max(old + delta, zero), old);
-        delta = lambda - old;
+        delta = lanes.pick(lambda - old, zero);
         L::store(p.normal_impulse, lambda);
         if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
         s.sum_n = s.sum_n + delta;
@@ -142,7 +142,7 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
         const F bound = mu * L::load(p.normal_impulse);
         const F speed = vt - (s.wb * rtb - s.wa * rta);
         const F lambda = lanes.pick(max(min(old - L::load(p.tangent_mass) * speed, bound), L::splat(0.0f) - bound), old);
-        const F delta = lambda - old;
+        const F delta = lanes.pick(lambda - old, L::splat(0.0f));
         L::store(p.tangent_impulse, lambda);
         s.sum_t = s.sum_t + delta;
         vt = vt + mass * delta;
@@ -159,7 +159,7 @@ ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, type
     const F resistance = L::load(r.rolling_resistance);
     const F bound = select(resistance > zero, resistance * normal_impulses, zero);  // even if the normal impulse has overflowed
     const F lambda = lanes.pick(max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound), old);
-    const F delta = lambda - old;
+    const F delta = lanes.pick(lambda - old, zero);
     L::store(r.rolling_impulse, lambda);
     s.wa = s.wa - s.ia * delta;
     s.wb = s.wb + s.ib * delta;
@@ -243,12 +243,10 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
         const F approach = L::load(r.approach[i]);
         const F old = L::load(p.normal_impulse);
         const F speed = vn + (s.wb * rnb - s.wa * rna);
-        F lambda = max(old - L::load(p.normal_mass) * (speed + e * approach), zero);
-        lambda = select(approach < threshold, lambda, old);
-        lambda = select(L::load(r.peak[i]) > zero, lambda, old);
-        lambda = select(e > zero, lambda, old);
-        if (k >= 2) lambda = select(second > zero, lambda, old);
-        const F delta = lambda - old;
+        auto bounces = (approach < threshold) & (L::load(r.peak[i]) > zero) & (e > zero);
+        if (k >= 2) bounces = bounces & (second > zero);
+        const F lambda = select(bounces, max(old - L::load(p.normal_mass) * (speed + e * approach), zero), old);
+        const F delta = select(bounces, lambda - old, zero);  // nothing of an impulse that overflowed is left as it is
         L::store(p.normal_impulse, lambda);
         s.sum_n = s.sum_n + delta;
         vn = vn + (s.ma + s.mb) * delta;
