@@ -245,6 +245,8 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
         const F speed = vn + (s.wb * rnb - s.wa * rna);
         auto bounces = (approach < threshold) & (L::load(r.peak[i]) > zero) & (e > zero);
         if (k >= 2) bounces = bounces & (second > zero);
+        if constexpr (L::width == 1)
+            if (!bounces) continue;
         const F lambda = select(bounces, max(old - L::load(p.normal_mass) * (speed + e * approach), zero), old);
         const F delta = select(bounces, lambda - old, zero);  // nothing of an impulse that overflowed is left as it is
         L::store(p.normal_impulse, lambda);
