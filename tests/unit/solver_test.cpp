@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "contact_problem.hpp"
 #include "support/test_world.hpp"
@@ -250,6 +251,35 @@ TEST(ContactKernel, ABallBouncesWithItsRestitution) {
             EXPECT_NEAR(s.bodies[1].v.y, rebound, 1e-5f);
             EXPECT_EQ(s.bodies[1].v.x, 1.0f);
         }
+    }
+}
+
+// Infinity less infinity is no number. A contact that does not bounce is left alone, whatever its neighbours in the block do, even if it has overflowed.
+TEST(ContactKernel, WhatDoesNotBounceIsLeftAlone) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    constexpr std::uint32_t still = 2;  // the lane whose impulse overflowed
+    for (const bool two_points : {false, true}) {
+        std::vector<SolverBody> bodies(5);
+        ContactRows<4> rows{};
+        rows.bouncy = true;
+        rows.two_points = two_points;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            bodies[i + 1].v = {0, -3};
+            bodies[i + 1].inv_mass = bodies[i + 1].inv_inertia = 1;
+            rows.body_b[i] = i + 1;
+            rows.ny[i] = 1;
+            rows.restitution[i] = i == still ? 0 : 0.5f;
+            for (std::uint32_t k = 0; k < (two_points ? 2u : 1u); ++k) {
+                rows.points[k].normal_mass[i] = 1;
+                rows.points[k].normal_impulse[i] = i == still ? infinity : 1;
+                rows.approach[k][i] = -3;
+                rows.peak[k][i] = rows.points[k].normal_impulse[i];
+            }
+        }
+        ContactKernel<4>::restitute(bodies.data(), &rows, 1, 1);
+        EXPECT_EQ(bodies[still + 1].v.y, -3);
+        EXPECT_EQ(rows.points[0].normal_impulse[still], infinity);
+        EXPECT_FLOAT_EQ(bodies[1].v.y, 1.5f) << "half of what it came with";
     }
 }
 

@@ -10,8 +10,6 @@
 // The relative velocity of the two bodies is projected onto the contact's frame once, and each row updates it there. The bodies get the summed impulse.
 #pragma once
 
-#include <cstddef>
-
 #include "../constraint/contact_prepare.hpp"
 #include "../constraint/kernels.hpp"
 #include "../constraint/lane_vectors.hpp"
@@ -37,6 +35,23 @@ struct SweepLanes {
           push(L::splat(-n.push_speed)),
           slop(L::splat(n.slop)),
           biased(n.bias_rate > 0) {}
+};
+
+/// Which lanes of a block a pass solves: all of them,
+struct AllLanes {
+    template <class F>
+    ISLET_LANE F pick(F solved, F) const {
+        return solved;
+    }
+};
+/// or those that a mask names. In the others nothing changes, even where numbers have overflowed.
+template <class Mask>
+struct MaskedLanes {
+    Mask mask;
+    template <class F>
+    ISLET_LANE F pick(F solved, F other) const {
+        return select(mask, solved, other);
+    }
 };
 
 /// A block of contacts while it is solved. An impulse along n does not change the centres' velocities along t, nor the other way round. So the impulses are
@@ -71,8 +86,8 @@ struct ContactBlock : BodyPair<L> {
 };
 
 /// The normal rows. Returns the sum of their impulses so far.
-template <class L>
-ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep) {
+template <class L, class Lanes>
+ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F mass = s.ma + s.mb;
@@ -99,8 +114,8 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
         } else {
             delta = zero - normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         }
-        const F lambda = max(old + delta, zero);
-        delta = lambda - old;
+        const F lambda = lanes.pick(max(old + delta, zero), old);
+        delta = lanes.pick(lambda - old, zero);
         L::store(p.normal_impulse, lambda);
         if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
         s.sum_n = s.sum_n + delta;
@@ -112,8 +127,8 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
 }
 
 /// The friction rows, with the normal impulses just found.
-template <class L>
-ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r) {
+template <class L, class Lanes>
+ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, const Lanes& lanes) {
     using F = typename L::F;
     const F mass = s.ma + s.mb;
     const F mu = L::load(r.friction);
@@ -126,8 +141,8 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r) {
         const F old = L::load(p.tangent_impulse);
         const F bound = mu * L::load(p.normal_impulse);
         const F speed = vt - (s.wb * rtb - s.wa * rta);
-        const F lambda = max(min(old - L::load(p.tangent_mass) * speed, bound), L::splat(0.0f) - bound);
-        const F delta = lambda - old;
+        const F lambda = lanes.pick(max(min(old - L::load(p.tangent_mass) * speed, bound), L::splat(0.0f) - bound), old);
+        const F delta = lanes.pick(lambda - old, L::splat(0.0f));
         L::store(p.tangent_impulse, lambda);
         s.sum_t = s.sum_t + delta;
         vt = vt + mass * delta;
@@ -136,68 +151,73 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r) {
 }
 
 /// The rolling row: wb - wa = 0, bounded by the sum of the normal impulses.
-template <class L>
-ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F normal_impulses) {
+template <class L, class Lanes>
+ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F normal_impulses, const Lanes& lanes) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F old = L::load(r.rolling_impulse);
     const F resistance = L::load(r.rolling_resistance);
     const F bound = select(resistance > zero, resistance * normal_impulses, zero);  // 0 * inf would be NaN if a normal impulse has overflowed
-    const F lambda = max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound);
-    const F delta = lambda - old;
+    const F lambda = lanes.pick(max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound), old);
+    const F delta = lanes.pick(lambda - old, zero);
     L::store(r.rolling_impulse, lambda);
     s.wa = s.wa - s.ia * delta;
     s.wb = s.wb + s.ib * delta;
 }
 
+/// One pass over all rows of a block. Returns the mask of the lanes whose impulses changed.
+template <class L, class Lanes>
+ISLET_PART auto solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
+    using F = typename L::F;
+    s.sum_n = s.sum_t = L::splat(0.0f);
+    const F normal_impulses = solve_normals<L>(s, r, sweep, lanes);
+    solve_friction<L>(s, r, lanes);
+    if (r.is_special()) solve_rolling<L>(s, r, normal_impulses, lanes);
+    s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
+    return s.sum_n * s.sum_n + s.sum_t * s.sum_t > L::splat(0.0f);
+}
+
 template <std::uint32_t W>
 void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
     using L = LaneOf<W>;
-    using F = typename L::F;
     const SweepLanes<L> sweep(numbers);
-    std::uint32_t more = 0;  // passes left over this block, for one lane
-    for (std::uint32_t block = 0; block < count;) {
+    for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
         ContactBlock<L> s(bodies, r);
-        const F normal_impulses = solve_normals<L>(s, r, sweep);
-        solve_friction<L>(s, r);
-        if (r.is_special()) solve_rolling<L>(s, r, normal_impulses);
-        s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
-        s.scatter(bodies, r.body_a, r.body_b);
-
-        // Contacts that land are solved again at once, each alone: a lane becomes a block of one.
-        std::uint64_t landing = 0;  // not 0 if any lane lands
-        std::memcpy(&landing, r.extra_passes, W);
-        if (landing != 0) {
-            float changed[W];  // 0 where this pass changed nothing: no further pass would
-            L::store(changed, select(s.sum_n * s.sum_n + s.sum_t * s.sum_t > L::splat(0.0f), L::splat(1.0f), L::splat(0.0f)));
-            if constexpr (W == 1) {
-                more = changed[0] == 0 ? 0 : more != 0 ? more - 1 : r.extra_passes[0];
-            } else {
-                land(bodies, r, changed, numbers);
-            }
+        // A contact that lands is solved again at once, alone, until a pass changes nothing.
+        if constexpr (W == 1) {
+            for (std::uint32_t more = r.extra_passes[0]; solve_rows<L>(s, r, sweep, AllLanes{}) && more != 0; --more) {}
+            s.scatter(bodies, r.body_a, r.body_b);
+        } else {
+            const auto changed = solve_rows<L>(s, r, sweep, AllLanes{});
+            s.scatter(bodies, r.body_a, r.body_b);
+            std::uint64_t landing = 0;  // not 0 if any lane lands
+            std::memcpy(&landing, r.extra_passes, W);
+            if (landing != 0) land(bodies, r, L::bits(changed), numbers);
         }
-        if (W > 1 || more == 0) ++block;
     }
 }
 
 template <std::uint32_t W>
-void ContactKernel<W>::land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers) {
-    if constexpr (W == 1) return;  // solve() itself repeats its one lane
-    // Up to the flags, a block is words of W lanes each.
-    constexpr std::uint32_t words = offsetof(Rows, two_points) / (4 * W);
-    for (std::uint32_t i = 0; i < W; ++i) {
-        if (rows.extra_passes[i] == 0 || changed[i] == 0) continue;
-        ContactRows<1> row;
-        std::byte* const lane = reinterpret_cast<std::byte*>(&rows) + 4 * i;
-        std::byte* const copy = reinterpret_cast<std::byte*>(&row);
-        for (std::uint32_t w = 0; w < words; ++w) std::memcpy(copy + 4 * w, lane + 4 * W * w, 4);
-        row.two_points = rows.two_points;
-        row.special = rows.special;
-        row.bouncy = rows.bouncy;
-        row.extra_passes[0] = static_cast<std::uint8_t>(rows.extra_passes[i] - 1);
-        ContactKernel<1>::solve(bodies, &row, 1, numbers);
-        for (std::uint32_t w = 0; w < words; ++w) std::memcpy(lane + 4 * W * w, copy + 4 * w, 4);
+void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, const SweepNumbers& numbers) {
+    using L = LaneOf<W>;
+    if constexpr (W > 1) {
+        float lands[W];
+        std::uint32_t most = 0;
+        for (std::uint32_t i = 0; i < W; ++i) {
+            const bool again = r.extra_passes[i] != 0 && (changed >> i & 1u) != 0;
+            lands[i] = again ? 1.0f : 0.0f;
+            most = again ? landing_passes : most;
+        }
+        if (most == 0) return;
+        const SweepLanes<L> sweep(numbers);
+        ContactBlock<L> s(bodies, r);
+        auto mask = L::load(lands) > L::splat(0.0f);
+        for (std::uint32_t pass = 0; pass < most && L::bits(mask) != 0; ++pass) {
+            const auto more = solve_rows<L>(s, r, sweep, MaskedLanes<decltype(mask)>{mask});
+            mask = mask & more;
+        }
+        s.scatter(bodies, r.body_a, r.body_b);
     }
 }
 
@@ -219,12 +239,12 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
         const F approach = L::load(r.approach[i]);
         const F old = L::load(p.normal_impulse);
         const F speed = vn + (s.wb * rnb - s.wa * rna);
-        F lambda = max(old - L::load(p.normal_mass) * (speed + e * approach), zero);
-        lambda = select(approach < threshold, lambda, old);
-        lambda = select(L::load(r.peak[i]) > zero, lambda, old);
-        lambda = select(e > zero, lambda, old);
-        if (k >= 2) lambda = select(second > zero, lambda, old);
-        const F delta = lambda - old;
+        auto bounces = (approach < threshold) & (L::load(r.peak[i]) > zero) & (e > zero);
+        if (k >= 2) bounces = bounces & (second > zero);
+        if constexpr (L::width == 1)
+            if (!bounces) continue;
+        const F lambda = select(bounces, max(old - L::load(p.normal_mass) * (speed + e * approach), zero), old);
+        const F delta = select(bounces, lambda - old, zero);  // an overflowed impulse less itself would be NaN
         L::store(p.normal_impulse, lambda);
         s.sum_n = s.sum_n + delta;
         vn = vn + (s.ma + s.mb) * delta;

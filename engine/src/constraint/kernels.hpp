@@ -35,8 +35,8 @@ struct ContactKernel {
     static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
     /// One sweep.
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
-    /// Solves those lanes of a block again, one by one, that land and that the last pass changed.
-    static void land(SolverBody* bodies, Rows& rows, const float* changed, const SweepNumbers& numbers);
+    /// Solves those lanes of a block again that land and that the last pass changed. `changed`: a bit a lane.
+    static void land(SolverBody* bodies, Rows& rows, std::uint32_t changed, const SweepNumbers& numbers);
     /// Gives bouncing contacts their rebound speed.
     static void restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold);
     /// Writes the impulses back to the manifolds, for the next step.
