@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <span>
 
+#include "islet/version.hpp"
+
 namespace islet::lcp {
 
 /// No friction: what Problem::friction holds for rows whose bounds are their own. In Result::row: no row in particular.
