@@ -47,6 +47,9 @@ try() {
     # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.
     'cmake -S samples/firmware'*) [ -e "$(sed -n 's/.*toolchain "$PWD\/\([^"]*\)".*/\1/p' <<<"$command")" ] ;;
     'cmake --build build/m4'*) ;;
+    # tests/package/one_file_test.sh compiles what the first writes as the second does.
+    ./tools/amalgamate.sh*) eval "$command" && [ -s "${words[1]}/islet.cpp" ] ;;
+    'g++ -std=c++20 islet.cpp '*) grep -q '"$compiler" -std=c++20 islet.cpp hello.cpp' "$root/tests/package/one_file_test.sh" ;;
     'g++ -std=c++20 -O2 -I engine/include -c engine/src/'*) grep -q 'as_manual' "$root/tests/determinism/by_hand.sh" ;;
     *)
         printf 'no rule for: %s\n' "$command"

@@ -11,4 +11,5 @@
 #include "islet/snapshot.hpp"
 #include "islet/tasks.hpp"
 #include "islet/types.hpp"
+#include "islet/version.hpp"
 #include "islet/world.hpp"

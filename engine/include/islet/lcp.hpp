@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <span>
 
+#include "islet/version.hpp"
+
 namespace islet::lcp {
 
 /// In Problem::friction: the row has bounds of its own. In Result::row: no row in particular.

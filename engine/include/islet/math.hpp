@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "islet/version.hpp"
+
 #define ISLET_INLINE [[gnu::always_inline]] constexpr inline
 
 namespace islet {

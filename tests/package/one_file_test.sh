@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# one_file_test.sh ISLET BUILD PROGRAM LIBRARY...: what tools/amalgamate.sh writes compiles by one command without flags, by each compiler there is; the
+# README's program prints the same as PROGRAM, which CMake built; and scenes come to the golden hashes, also by g++ with the flags that ruin bits elsewhere.
+# AVX2 stays in the copies that only processors with AVX2 run. The LIBRARYs are those of the scenes. BUILD is a folder for it all.
+set -euo pipefail
+
+islet=$1 build=$2 program=$3
+libraries=("${@:4}")
+failed=false
+fail() {
+    printf 'FAILED: %s\n' "$*"
+    failed=true
+}
+
+rm -rf "$build" && mkdir -p "$build"
+"$islet/tools/amalgamate.sh" "$build" >/dev/null
+cp -r "$build" "$build.again" && "$islet/tools/amalgamate.sh" "$build.again" >/dev/null
+diff -r "$build" "$build.again" || fail "a second run writes something else"
+rm -r "$build.again"
+cd "$build"
+sed 's|#include <islet/islet.hpp>|#include "islet.hpp"|' "$islet/samples/programs/hello_world.cpp" >hello.cpp
+sed 's|#include <islet/lcp.hpp>|#include "islet.hpp"|' "$islet/samples/programs/lcp.cpp" >lcp.cpp
+grep -q '#include <islet/' hello.cpp lcp.cpp && fail "a program still includes a header of the tree"
+grep -n '#include "' islet.hpp islet.cpp islet_lcp.cpp | grep -v -F ':#include "islet.hpp"' && fail "an include of the tree is left"
+g++ -std=c++20 -O0 -I "$islet/engine/include" -I "$islet/samples" -c "$islet/tests/determinism/hashes.cpp" -o hashes.o
+
+# compare_hashes NAME OBJECT: of scenes that use all of the kernels.
+compare_hashes() {
+    local scenes=() scene result
+    for scene in hello pyramid card_house car ragdoll bullets hourglass joint_grid; do scenes+=(--scene "$scene"); done
+    g++ hashes.o "$2" -Wl,--start-group "${libraries[@]}" -Wl,--end-group -pthread -o "$2.hashes"
+    result=$("./$2.hashes" "$islet/tests/determinism/golden.txt" --most-steps 60 --large-steps 10 --lanes 1,4,8 "${scenes[@]}") || fail "$1: other hashes"
+    printf '%-8s %s\n' "$1" "$(tail -n 1 <<<"$result")"
+}
+
+# Functions that use wide registers: the copies for eight lanes must, and no others may.
+wide_functions() { objdump -d --no-show-raw-insn "$1" | awk '/^[0-9a-f]+ </ { name = $2 } /%ymm/ { print name }' | sort -u; }
+
+for compiler in g++ clang++; do
+    command -v "$compiler" >/dev/null || { printf '%s: left out, there is none\n' "$compiler" && continue; }
+    # The command of the manual.
+    "$compiler" -std=c++20 islet.cpp hello.cpp -o "hello-$compiler"
+    diff <("$program") <("./hello-$compiler") || fail "$compiler: the program prints something else"
+    "$compiler" -std=c++20 islet_lcp.cpp lcp.cpp -o "lcp-$compiler"
+    "./lcp-$compiler" >/dev/null || fail "$compiler: the matrix solvers find no solution"
+    "$compiler" -std=c++20 -c islet.cpp -o "$compiler.o"
+    compare_hashes "$compiler" "$compiler.o"
+    if [ "$(uname -m)" = x86_64 ]; then
+        wide_functions "$compiler.o" >wide.txt
+        grep -q eight_lanes wide.txt || fail "$compiler: no AVX2 anywhere"
+        grep -v eight_lanes wide.txt && fail "$compiler: AVX2 where every processor runs it"
+    fi
+done
+
+# (Not -O3, which takes three times as long; tests/determinism/by_hand.sh has it.)
+g++ -std=c++20 -O1 -march=native -ffast-math -c islet.cpp -o fast.o
+compare_hashes fast fast.o
+
+if $failed; then exit 1; fi

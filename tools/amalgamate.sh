@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# Writes the engine as one header and one source.
+#   tools/amalgamate.sh [FOLDER]   islet.hpp, islet.cpp and islet_lcp.cpp into FOLDER (build/amalgamation unless given)
+# They need nothing else and no flags but -std=c++20:
+#   g++ -std=c++20 islet.cpp game.cpp
+# islet.hpp holds all the public headers. islet.cpp is the engine, islet_lcp.cpp the matrix solvers, for programs that use them.
+set -euo pipefail
+
+case ${1:-} in
+-h | --help)
+    sed -n '2,6s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+-*)
+    printf '%s: unknown option %s; there is --help\n' "$0" "$1" >&2
+    exit 2
+    ;;
+esac
+root=$(cd "$(dirname "$0")/.." && pwd)
+engine=$root/engine
+parts=$root/tools/amalgamate
+out=${1:-$root/build/amalgamation}
+mkdir -p "$out"
+
+# Paths from engine/, sorted in the same way everywhere.
+listed() { (cd "$engine" && find "$@" | LC_ALL=C sort); }
+
+# flatten ROOTS GIVEN [NAMESPACE]
+flatten() { awk -v engine="$engine" -v roots="${1//$'\n'/\\n}" -v given="${2//$'\n'/\\n}" -v inner="${3:-}" -f "$parts/flatten.awk"; }
+
+version=$(sed -n 's/^#define ISLET_VERSION_STRING "\(.*\)".*/\1/p' "$engine/include/islet/version.hpp")
+head() {
+    printf '// Islet %s: %s\n// Made by tools/amalgamate.sh; edit the files it is made of, not this one.\n//\n' "$version" "$1"
+    sed 's/^/\/\/ /; s/ *$//' "$root/LICENSE"
+}
+
+headers=$(listed include -name '*.hpp')
+avx2=$(listed src -name '*_avx2.cpp')
+sources=$(listed src -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp')
+lcp=$(listed src/lcp -name '*.cpp')
+before=$headers$'\nsrc/exact.hpp\nsrc/math/avx2.hpp'
+
+{
+    head "all the public headers as one."
+    printf '#pragma once\n'
+    flatten "$headers" ''
+} >"$out/islet.hpp.new"
+{
+    head "the engine as one source. Compile it with -std=c++20 beside your program."
+    flatten src/exact.hpp ''
+    printf '\n#include "islet.hpp"\n'
+    flatten "$sources" "$before"
+    # What runs with eight lanes, once more: the compiler may use AVX2 here, and nowhere else.
+    printf '\n#if defined(__x86_64__) && ISLET_MAX_LANES >= 8\n'
+    printf '#if !defined(__clang__)\n#pragma GCC push_options\n#endif\n'
+    grep -v '^#pragma once' "$engine/src/math/avx2.hpp"
+    flatten "$avx2" "$before" eight_lanes | grep -v '^ISLET_AVX2_END'
+    printf '\nISLET_AVX2_END\n#if !defined(__clang__)\n#pragma GCC pop_options\n#endif\n\n'
+    cat "$parts/eight_lanes.inc"
+    printf '#endif\n'
+} >"$out/islet.cpp.new"
+{
+    head "the matrix solvers as one source. A program that calls islet::lcp needs it beside islet.hpp."
+    flatten src/exact.hpp ''
+    printf '\n#include "islet.hpp"\n'
+    flatten "$lcp" "$before"
+} >"$out/islet_lcp.cpp.new"
+
+# Only now, so that no half-written file stays, and what did not change need not be compiled anew.
+for name in islet.hpp islet.cpp islet_lcp.cpp; do
+    if cmp -s "$out/$name.new" "$out/$name"; then rm "$out/$name.new"; else mv "$out/$name.new" "$out/$name"; fi
+    printf '%s\n' "$out/$name"
+done

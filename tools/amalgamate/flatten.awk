@@ -1,0 +1,90 @@
+# Writes sources and all that they include as one text. Called by tools/amalgamate.sh, which sets:
+#   engine   the folder engine/
+#   roots    what to write, one path a line, from engine/
+#   given    headers that the text gets elsewhere (they are in a file that it includes), one path a line
+#   inner    if set, the namespace within islet::detail into which everything goes: a second copy, compiled for other instructions
+#
+# An include is replaced by the file, once; system headers are left as they are. The files must be as the engine's are: an include of a header by its path
+# from the file's own folder or as islet/..., and never for the first time under a condition.
+
+function fail(words) {
+    print "amalgamate: " words > "/dev/stderr"
+    failed = 1
+    exit 1
+}
+
+# The path without its x/../ parts.
+function plain(path) {
+    while (sub(/[^\/.]+\/\.\.\//, "", path)) {}
+    return path
+}
+
+function resolved(name, from) {
+    if (name ~ /^islet\//) return "include/" name
+    sub(/[^\/]*$/, "", from)
+    return plain(from name)
+}
+
+# The text of a class template, for its specialisation of 8 lanes: declared here, defined with the copy for AVX2.
+function specialised(name, line, text) {
+    text = class_text[name]
+    if (text == "") fail("there is no class " name " to specialise")
+    gsub(/ = lanes;/, " = 8;", text)
+    return "template <>\n" text
+}
+
+function emit(path, depth, line, name, quoted, class, words) {
+    if (path in done) return
+    if (depth > 0) fail(path " is first included under a condition")
+    done[path] = 1
+    print "\n// ---- engine/" path "\n"
+    while ((getline line < (engine "/" path)) > 0) {
+        if (line ~ /^#pragma once/) continue
+        if (line ~ /^# *if/) ++level[path]
+        if (line ~ /^# *endif/) --level[path]
+        if (line ~ /^# *include *"/) {
+            split(line, quoted, "\"")
+            emit(resolved(quoted[2], path), level[path] + 0)
+            continue
+        }
+        if (inner != "") {
+            if (line ~ /^extern template /) continue
+            if (line ~ /^namespace / && line !~ /^namespace islet::detail \{/) fail(path " opens another namespace: " line)
+            gsub(/detail::/, "detail::" inner "::", line)
+            sub(/^namespace islet::detail \{/, "namespace islet::detail::" inner " {", line)
+            sub(/^}  \/\/ namespace islet::detail/, "}  // namespace islet::detail::" inner, line)
+        } else {
+            # Class templates are remembered, for their specialisations.
+            if (line ~ /^struct [A-Za-z]+ \{/) {
+                split(line, words, " ")
+                class = words[2]
+                class_text[class] = "#if ISLET_MAX_LANES >= 8\nstruct " class "<8> {"
+            } else if (class != "") {
+                class_text[class] = class_text[class] "\n" line
+                if (line ~ /^};/) class = ""
+            }
+            if (line ~ /^extern template struct [A-Za-z]+<8>;/) {
+                name = line
+                gsub(/^extern template struct |<8>;$/, "", name)
+                line = specialised(name)
+                sub(/template <>\n#if ISLET_MAX_LANES >= 8\n/, "#if ISLET_MAX_LANES >= 8\ntemplate <>\n", line)
+                line = line "\n#endif"
+            }
+            if (line ~ /^extern template [a-z]+ [a-z_]+<8>/) {
+                sub(/^extern template/, "template <>", line)
+                line = "#if ISLET_MAX_LANES >= 8\n" line "\n#endif"
+            }
+        }
+        print line
+    }
+    close(engine "/" path)
+    if (level[path] != 0) fail(path " has conditions that do not end")
+}
+
+BEGIN {
+    count = split(given, list, "\n")
+    for (i = 1; i <= count; ++i) done[list[i]] = 1
+    count = split(roots, list, "\n")
+    for (i = 1; i <= count; ++i) emit(list[i], 0)
+}
+END { if (failed) exit 1 }
