@@ -53,7 +53,7 @@ const std::map<std::string, Ask>& asks() {
          [](Attempt& a) {
              return !a.world.create_shape(a.body, Segment{{0, 0}, {1, 0}});
          }},
-        {"half_spaces", [](Attempt& a) { return !a.world.create_shape(a.world.create_body({}), HalfSpace{}); }},
+        {"half_spaces", [](Attempt& a) { return !a.world.create_shape(a.body, HalfSpace{}); }},
         {"chains",
          [](Attempt& a) {
              return !a.world.create_shape(a.body, ChainSegment{{-1, 0}, {{0, 0}, {1, 0}}, {2, 0}});

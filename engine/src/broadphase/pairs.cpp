@@ -24,10 +24,9 @@ bool is_over(const Core& core) { return core.report.dropped_contacts == core.cap
 void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, [[maybe_unused]] float dt) {
     if (is_over(core)) return;
     if (core.pairs.contains(PairSet::key(shape_1, shape_2)) || !may_collide(core, shape_1, shape_2)) return;
-    if constexpr (has_endless) {
-        const bool in_order = in_contact_order(core, shape_1, shape_2);
-        if (keeps_from_endless(core, in_order ? shape_1 : shape_2, in_order ? shape_2 : shape_1, dt)) return;
-    }
+    const auto is_endless_shape = [&](std::uint32_t shape) { return is_endless(core.geometries[core.shapes[shape].geometry]); };
+    if (is_endless_shape(shape_1) && keeps_from_endless(core, shape_1, shape_2, dt)) return;
+    if (is_endless_shape(shape_2) && keeps_from_endless(core, shape_2, shape_1, dt)) return;
     if (!is_allowed(core, shape_1, shape_2)) return;
     if (!create_contact(core, shape_1, shape_2)) ++core.report.dropped_contacts;
 }
