@@ -30,7 +30,8 @@ struct alignas(W * 4) ContactRows {
     Point points[2];
     float rolling_mass[W], rolling_impulse[W], rolling_resistance[W], tangent_speed[W];  // if special
     float restitution[W], approach[2][W], peak[2][W];  // if bouncy (or to tell of hits): normal velocity as the surfaces meet, largest impulse
-    bool two_points, special, bouncy;                  // ask the last two by is_special and is_bouncy
+    std::uint8_t two_points;                           // 0: no contact of the block has two; 1: some have; 2: the same, and the second is solved first
+    bool special, bouncy;                              // ask by is_special and is_bouncy
     std::uint8_t ahead[W * 4 - 3];                     // of W lanes: 1 if the shapes come together fast
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }
