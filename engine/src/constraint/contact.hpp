@@ -90,7 +90,7 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
     const std::uint32_t points = r.two_points ? 2 : 1;
     std::uint32_t i = r.two_points >> 1;
     F lean = zero;  // N s, of what the points' impulses differ by; none in lanes of one point
-    if (r.two_points) {
+    if (sweep.biased && r.two_points) {
         const F first = L::load(r.points[i].normal_impulse), second = L::load(r.points[1 - i].normal_impulse);
         lean = select(L::load(r.points[1].normal_mass) > zero, L::splat(lean_share) * (second - first), zero);
     }

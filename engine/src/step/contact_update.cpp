@@ -58,11 +58,11 @@ bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
     const float reach = recycle_distance - 2.0f * size * turn;
     if (reach <= 0) return false;
     // Faces of moving bodies that are pressed into each other do not slip: separations follow.
-    const float most_sunk = count == 2 && !has_floor(a, b) ? 0.5f * size : 0.0f;
     for (std::uint32_t i = 0; i < count; ++i) {
         const Vec2 slip = slip_of(m, i, a, b);
-        const float sunk = clamp(dot(slip, m.normal), -most_sunk, 0.0f);
-        if (length_squared(slip) - sunk * sunk > reach * reach) return false;
+        if (length_squared(slip) <= reach * reach) continue;
+        const float sunk = clamp(dot(slip, m.normal), -0.5f * size, 0.0f);
+        if (count != 2 || has_floor(a, b) || length_squared(slip) - sunk * sunk > reach * reach) return false;
     }
     return true;
 }
