@@ -135,6 +135,19 @@ TEST_P(Continuous, NoneOfManyBulletsThatHitEachOtherPassesAWall) {
     EXPECT_EQ(outside, 0u);
 }
 
+// One that another one carries, step by step deeper into a wall, by less than half its thickness each time. (In these rooms it was beyond the wall then.)
+TEST(ContinuousCollision, ABulletThatAnotherPressesAgainstAWallStaysBeforeIt) {
+    for (const std::uint64_t seed : {855u, 1182u, 2450u}) {
+        Room room(Walls::segments, 30, true, seed);
+        for (int i = 0; i < room_steps; ++i) room.step(i);
+        for (const BodyId body : room.bodies) {
+            const Vec2 p = room.world->center_of_mass(body);
+            EXPECT_LE(std::abs(p.x), half_width) << "seed " << seed;
+            EXPECT_LE(std::abs(p.y), half_height) << "seed " << seed;
+        }
+    }
+}
+
 TEST_P(Continuous, WithoutItBulletsPass) {
     // What the test above would say of an engine that has none of it.
     std::uint32_t passed = 0;

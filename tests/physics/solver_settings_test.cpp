@@ -120,7 +120,7 @@ TEST(BlockContacts, APointThatWouldHaveToPullLetsGo) {
     for (const ContactPoint& p : contact.points) EXPECT_NEAR(double(p.normal_impulse), p.point.x < 0 ? 0 : alone, 1e-3 * alone);
 }
 
-TEST(BlockContacts, ATowerOfSixtyBoxesSwaysLess) {
+TEST(BlockContacts, ATowerOfSixtyBoxesStandsStraight) {
     const auto sway = [](bool block) {
         WorldDef def = sleepless();
         def.solver.block_contacts = block;
@@ -134,9 +134,9 @@ TEST(BlockContacts, ATowerOfSixtyBoxesSwaysLess) {
         }
         return most;
     };
-    const double swept = sway(false), block = sway(true);
-    EXPECT_LT(swept, 2.0) << "60 m high, it stands for 60 s";
-    EXPECT_LT(block, 0.5 * swept);
+    // 60 m high, for 60 s; a hundredth of a box is what nobody sees.
+    EXPECT_LT(sway(false), 0.01);
+    EXPECT_LT(sway(true), 0.01);
 }
 
 // -- hard cases at the default ---------------------------------------------------------------------------------------------------
@@ -158,14 +158,14 @@ TEST(HardCases, ThreeHundredToOneStandsForAMinute) {
 
 // -- shock propagation -----------------------------------------------------------------------------------------------------------
 
-// 300 kg on a column of five boxes of 1 kg. Soft contacts, solved with the masses as they are, let the column buckle.
-TEST(Shock, KeepsAColumnFromBucklingUnderThreeHundredTimesItsBoxes) {
+// 3000 kg on a column of five boxes of 1 kg. Soft contacts, solved with the masses as they are, let the column buckle.
+TEST(Shock, KeepsAColumnFromBucklingUnderThreeThousandTimesItsBoxes) {
     const auto sideways = [](float shock) {
         WorldDef def = sleepless();
         def.solver.shock = shock;
         TestWorld w(roomy, def);
         w.add_ground();
-        const std::vector<BodyId> tower = add_tower(w, 0, 6, 300);
+        const std::vector<BodyId> tower = add_tower(w, 0, 6, 3000);
         double most = 0;
         for (int i = 0; i < (slow_build ? 600 : 3600); ++i) {
             w->step(step_time);

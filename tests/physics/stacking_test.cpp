@@ -1,13 +1,15 @@
-// Things at rest on one another: pyramids at every time step, how far they sink, what tips and what stays.
+// Things at rest on one another: pyramids at every time step, how far they sink, what tips and what stays, columns.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "harness/checks.hpp"
 #include "harness/engine.hpp"
 #include "measure.hpp"
 #include "scenes/catalogue.hpp"
+#include "support/random.hpp"
 
 namespace islet::test {
 namespace {
@@ -158,6 +160,82 @@ TEST(Stacking, WarmStartingIsWhatHoldsATallStack) {
     }
     EXPECT_GT(height[1], height[0]);
     EXPECT_GT(height[1], 19.3);
+}
+
+// -- columns -----------------------------------------------------------------------------------------------------------------
+
+constexpr double fallen = 3;  // m to the side: no column gets there that stands
+
+/// Boxes of 1 m and 1 kg, one on another, each up to `offset` m off the middle; on top one of `load` kg, if any.
+struct Column {
+    TestWorld world;
+    std::vector<BodyId> boxes;
+    std::vector<Vec2> places;
+
+    Column(int count, float offset, std::uint64_t seed, float load = 0) : world({.bodies = 128, .shapes = 128, .contacts = 1024}, sleepless()) {
+        world.add_ground();
+        Random random(seed);
+        const int total = load > 0 ? count + 1 : count;
+        for (int i = 0; i < total; ++i) {
+            places.push_back({offset > 0 ? random.between(-offset, offset) : 0, 0.5f + static_cast<float>(i)});
+            boxes.push_back(world.add_box(places.back(), 0.5f, 0.5f, dense(i < count ? 1 : load)));
+        }
+    }
+
+    /// Steps for so long, or until it has fallen. The farthest that any box got to the side of where it began, m.
+    double sway(float time) {
+        double farthest = 0;
+        for (float t = 0; t < time && farthest < fallen; t += step_time) {
+            world.step();
+            for (std::size_t i = 0; i < boxes.size(); ++i)
+                farthest = std::fmax(farthest, std::fabs(double(world->position(boxes[i]).x - places[i].x)));
+        }
+        return farthest;
+    }
+    /// Every box lies on the one below it: neither beside it nor half in it.
+    bool stands() const {
+        for (std::size_t i = 1; i < boxes.size(); ++i) {
+            const Vec2 step = world->position(boxes[i]) - world->position(boxes[i - 1]);
+            if (std::fabs(step.x) > 0.5f || step.y < 0.5f) return false;
+        }
+        return true;
+    }
+};
+
+TEST(Columns, OfUpToAHundredBoxesStandStraight) {
+    // No force acts to a side, so none moves there; a hundredth of a box is what nobody sees.
+    for (const int count : {10, 30, 60, 100}) {
+        Column column(count, 0, 0);
+        EXPECT_LT(column.sway(slow_build ? 10 : 60), 0.01) << count << " boxes";
+        EXPECT_TRUE(column.stands()) << count << " boxes";
+    }
+}
+
+TEST(Columns, OfSixtyBoxesOffTheMiddleStand) {
+    // Statics: the boxes above box i may have their centre anywhere over it. With up to 5 cm either way it is within 10 cm, and half a box is 50 cm.
+    for (const float offset : {0.005f, 0.02f, 0.05f}) {
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            Column column(60, offset, seed);
+            EXPECT_LT(column.sway(slow_build ? 5 : 20), fallen);
+            EXPECT_TRUE(column.stands()) << "up to " << offset << " m off the middle, seed " << seed;
+        }
+    }
+}
+
+TEST(Columns, BearHundredsOfTimesTheWeightOfABox) {
+    // Each box up to 2 cm off the middle, or 1 cm: the load's centre is over all boxes. (Contacts are soft: under 300 kg each gives way by a fifth of a box,
+    // and of ten columns of boxes up to 2 cm off the middle one falls.)
+    struct Case {
+        int count;
+        float load, offset;
+    };
+    for (const Case& c : {Case{10, 100, 0.02f}, Case{5, 300, 0.01f}}) {
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            Column column(c.count, 0.1f * c.offset * static_cast<float>(seed), seed, c.load);
+            EXPECT_LT(column.sway(slow_build ? 10 : 60), fallen);
+            EXPECT_TRUE(column.stands()) << c.load << " kg on " << c.count << ", seed " << seed;
+        }
+    }
 }
 
 }  // namespace

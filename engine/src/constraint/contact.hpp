@@ -20,6 +20,12 @@ namespace islet::detail {
 
 inline constexpr std::uint32_t restitution_passes = 6;
 
+/// Softness lets the impulses of a contact decay a little in each biased sweep. Of its two points the mean decays at the full rate, and the difference at
+/// 1 - 2 lean_share of it: a contact is stiffer against leaning than against weight. Equally soft contacts let columns buckle as Euler's do: 300 kg brings
+/// down five boxes of 1 kg. The weight needs its softness: with 0.6 of it pyramids of 30 rows never rest, since one sweep a substep is too few to damp the slow
+/// motions of a large pile. Leaning bears less: down to a quarter columns of 30 stand, at a fifth they begin to swing.
+inline constexpr float lean_share = 0.3f;
+
 /// How one sweep treats contacts, in all lanes.
 template <class L>
 struct SweepLanes {
@@ -97,7 +103,13 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
     const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
     F total = zero;
     const std::uint32_t points = r.two_points ? 2 : 1;
-    for (std::uint32_t i = 0; i < points; ++i) {
+    std::uint32_t i = r.two_points >> 1;
+    F lean = zero;  // N s, of what the points' impulses differ by; none in lanes of one point
+    if (sweep.biased && r.two_points) {
+        const F first = L::load(r.points[i].normal_impulse), second = L::load(r.points[1 - i].normal_impulse);
+        lean = select(L::load(r.points[1].normal_mass) > zero, L::splat(lean_share) * (second - first), zero);
+    }
+    for (std::uint32_t k = 0; k < points; ++k, i = 1 - i, lean = zero - lean) {
         typename ContactRows<L::width>::Point& p = r.points[i];
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
         const F separation = L::load(p.separation) + moved + rna * turned;
@@ -110,7 +122,7 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
             const auto apart = separation > zero;
             const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
             const F mass_scale = select(apart, L::splat(1.0f), sweep.mass_scale);
-            delta = zero - normal_mass * (mass_scale * speed + bias) - select(apart, zero, sweep.impulse_scale) * old;
+            delta = zero - normal_mass * (mass_scale * speed + bias) - select(apart, zero, sweep.impulse_scale) * (old + lean);
         } else {
             delta = zero - normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         }
@@ -195,6 +207,7 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
             std::memcpy(&landing, r.extra_passes, W);
             if (landing != 0) land(bodies, r, L::bits(changed), numbers);
         }
+        if (!sweep.biased && r.two_points) r.two_points ^= 3;  // the next substep begins with the other point
     }
 }
 

@@ -43,7 +43,8 @@ ISLET_PART void prefetch_manifolds(const PrepareInput& in, const ContactRows<W>&
 /// Fills in the block's bodies, and the flags that say what any of its lanes has.
 template <std::uint32_t W>
 ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLanes<W>& lanes) {
-    r.two_points = r.special = r.bouncy = false;
+    bool two_points = false;
+    r.special = r.bouncy = false;
     for (std::uint32_t i = 0; i < W; ++i) {
         const bool is_live = W == 1 || r.contact[i] != null_index;  // single rows need no padding
         lanes.contact[i] = is_live ? r.contact[i] : r.contact[0];
@@ -54,7 +55,7 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         r.body_b[i] = is_live ? in.slot_of[m.body_b] : 0;
         lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
         lanes.has_point[1][i] = is_live && m.count() == 2 ? 1.0f : 0.0f;
-        r.two_points |= lanes.has_point[1][i] != 0;
+        two_points |= lanes.has_point[1][i] != 0;
         r.special |= is_live && (m.flags & contact_special) != 0;
         r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
         r.extra_passes[i] =
@@ -62,6 +63,7 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
                 ? landing_passes
                 : 0;
     }
+    r.two_points = two_points ? 1 : 0;
 }
 
 /// The manifolds of a block.

@@ -30,7 +30,8 @@ struct alignas(W * 4) ContactRows {
     Point points[2];
     float rolling_mass[W], rolling_impulse[W], rolling_resistance[W], tangent_speed[W];  // if special
     float restitution[W], approach[2][W], peak[2][W];  // if bouncy or reporting hits: m/s, normal velocity as the surfaces meet; N s, largest impulse
-    bool two_points, special, bouncy;                  // of any lane; is_special() and is_bouncy() read the last two
+    std::uint8_t two_points;                           // 0: no contact of the block has two; 1: some have; 2: the same, and the second is solved first
+    bool special, bouncy;                              // of any lane; is_special() and is_bouncy() read them
     std::uint8_t extra_passes[W * 4 - 3];              // of W lanes: landing_passes if the shapes come together fast, else 0
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }

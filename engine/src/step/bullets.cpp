@@ -94,8 +94,7 @@ void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_c
             const WayImpact impact = first_impact(core, body, way, body_of, slot_count, bodies, slot, round + 1 == bullet_rounds);
             if (impact.fraction >= 1) continue;
             place_at_end(core, body, carried(way, impact), bodies[slot]);
-            if (length(bodies[slot].dp) + abs(bodies[slot].dq) * core.poses[body].max_extent > swept_fraction * core.bodies[body].min_extent)
-                stop_at_static(core, body, bodies[slot]);
+            stop_at_static(core, body, bodies[slot]);  // however short its way: what carries it may press it deeper in step by step
             core.bodies[body].origin = core.poses[body].center - rotate(core.poses[body].q, core.bodies[body].local_center);
             update_boxes(core, body, false);
             again = true;

@@ -98,9 +98,8 @@ struct Floor {
         const Vec2 start = piece.vertices[face] + (piece.radius + gap_width) * side;
         const float length = dot(piece.vertices[next(face, piece.count)] - piece.vertices[face], along);
         const float inset = min(linear_slop, 0.5f * length);
-        Span reach = {dot(corners[0] - start, along), 0};
-        reach.high = reach.low;
-        for (std::uint32_t i = 1; i < count; ++i) {
+        Span reach = {3.0e38f, -3.0e38f};
+        for (std::uint32_t i = 0; i < count; ++i) {
             const float place = dot(corners[i] - start, along);
             reach = {min(reach.low, place), max(reach.high, place)};
         }
@@ -135,18 +134,18 @@ struct Floor {
     // The manifold along that uncovered face in which the other shape is least deep, with the piece as A.
     Manifold along_bare_face(float margin) const {
         std::uint32_t best = null_index, deepest = 0;
-        float gap = 0;
+        float gap = -3.0e38f;
         for (std::uint32_t i = 0; i < piece.count; ++i) {
             std::uint32_t lowest = 0;
-            float sum = 0;
+            float sum = 0, height = 3.0e38f;
             for (std::uint32_t k = 0; k < count; ++k) {
-                sum += height_over(piece, i, corners[k]);
-                if (height_over(piece, i, corners[k]) < height_over(piece, i, corners[lowest])) lowest = k;
+                const float over = height_over(piece, i, corners[k]);
+                sum += over;
+                if (!(over < height)) continue;
+                height = over;
+                lowest = k;
             }
-            const float height = height_over(piece, i, corners[lowest]);
-            if (sum < 0 || (best != null_index && height <= gap) ||
-                is_covered(i, corners[lowest] - (height - piece.radius) * piece.normals[i], piece.normals[i]))
-                continue;
+            if (sum < 0 || height <= gap || is_covered(i, corners[lowest] - (height - piece.radius) * piece.normals[i], piece.normals[i])) continue;
             best = i;
             deepest = lowest;
             gap = height;
