@@ -19,6 +19,7 @@
 namespace islet::detail {
 
 inline constexpr std::uint32_t restitution_passes = 6;
+inline constexpr float settled_share = 0.003f;  // of a contact's impulses: a pass over what lands that changes less is the last
 
 /// How one sweep treats contacts, in all lanes.
 template <class L>
@@ -165,7 +166,7 @@ ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, type
     s.wb = s.wb + s.ib * delta;
 }
 
-/// One pass over all rows of a block. Returns the mask of the lanes whose impulses changed.
+/// One pass over all rows of a block. Returns the mask of the lanes whose impulses it changed by more than a little.
 template <class L, class Lanes>
 ISLET_PART auto solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
     using F = typename L::F;
@@ -174,7 +175,8 @@ ISLET_PART auto solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const S
     solve_friction<L>(s, r, lanes);
     if (r.is_special()) solve_rolling<L>(s, r, normal_impulses, lanes);
     s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
-    return s.sum_n * s.sum_n + s.sum_t * s.sum_t > L::splat(0.0f);
+    const F small = L::splat(settled_share) * normal_impulses;
+    return s.sum_n * s.sum_n + s.sum_t * s.sum_t > small * small;
 }
 
 template <std::uint32_t W>
@@ -189,7 +191,7 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
         ContactBlock<L> s(bodies, r);
-        // What lands is solved again at once, alone, until a pass changes nothing.
+        // What lands is solved again at once, alone, until a pass changes little.
         if constexpr (W == 1) {
             for (std::uint32_t more = r.ahead[0]; solve_rows<L>(s, r, sweep, AllLanes{}) && more != 0; --more) {}
             s.scatter(bodies, r.body_a, r.body_b);
