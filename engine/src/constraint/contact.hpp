@@ -19,6 +19,7 @@
 namespace islet::detail {
 
 inline constexpr std::uint32_t restitution_passes = 6;
+inline constexpr float settled_share = 0.003f;  // of a contact's impulses: a pass over what lands that changes less is the last
 
 /// Softness lets the impulses of a contact decay a little in each biased sweep. Of its two points the mean decays at the full rate, and the difference at
 /// 1 - 2 lean_share of it: a contact is stiffer against leaning than against weight. Equally soft contacts let columns buckle as Euler's do: 300 kg brings
@@ -177,7 +178,7 @@ ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, type
     s.wb = s.wb + s.ib * delta;
 }
 
-/// One pass over all rows of a block. Returns the mask of the lanes whose impulses changed.
+/// One pass over all rows of a block. Returns the mask of the lanes whose impulses it changed by more than a little.
 template <class L, class Lanes>
 ISLET_PART auto solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
     using F = typename L::F;
@@ -186,7 +187,8 @@ ISLET_PART auto solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const S
     solve_friction<L>(s, r, lanes);
     if (r.is_special()) solve_rolling<L>(s, r, normal_impulses, lanes);
     s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
-    return s.sum_n * s.sum_n + s.sum_t * s.sum_t > L::splat(0.0f);
+    const F small = L::splat(settled_share) * normal_impulses;
+    return s.sum_n * s.sum_n + s.sum_t * s.sum_t > small * small;
 }
 
 template <std::uint32_t W>
@@ -196,7 +198,7 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
         ContactBlock<L> s(bodies, r);
-        // A contact that lands is solved again at once, alone, until a pass changes nothing.
+        // A contact that lands is solved again at once, alone, until a pass changes little.
         if constexpr (W == 1) {
             for (std::uint32_t more = r.extra_passes[0]; solve_rows<L>(s, r, sweep, AllLanes{}) && more != 0; --more) {}
             s.scatter(bodies, r.body_a, r.body_b);
