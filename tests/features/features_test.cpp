@@ -26,7 +26,7 @@ std::set<std::string> listed_features() {
 #define ISLET_NAME(name, needs) names.insert(#name);
     ISLET_FEATURES(ISLET_NAME)
 #undef ISLET_NAME
-#define ISLET_NAME(type) names.insert(#type "_joints");
+#define ISLET_NAME(type, definition) names.insert(#type "_joints");
     ISLET_JOINT_TYPES(ISLET_NAME)
 #undef ISLET_NAME
     return names;

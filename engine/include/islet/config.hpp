@@ -44,17 +44,30 @@
     FEATURE(profile, engine)     /* what the stages of a step took, where a program asks for it */                                 \
     FEATURE(shortcuts, engine)   /* ways round work that a fast body can be spared: time, never a bit; nothing is refused without */
 
-/// The types of joints, a line each: JOINT(type). Each is a feature too, <type>_joints; the name "joints" stands for all of them.
+/// The types of joints, a line each: JOINT(type, its definition without JointDef). Each is a feature too, <type>_joints; the name "joints" stands for all
+/// of them. What there is to know of a type stands in src/constraint/<type>_joint.hpp.
 #define ISLET_JOINT_TYPES(JOINT) \
-    JOINT(revolute)              \
-    JOINT(prismatic)             \
-    JOINT(distance)              \
-    JOINT(weld)                  \
-    JOINT(wheel)                 \
-    JOINT(motor)                 \
-    JOINT(mouse)                 \
-    JOINT(pulley)                \
-    JOINT(gear)
+    JOINT(revolute, Revolute)    \
+    JOINT(prismatic, Prismatic)  \
+    JOINT(distance, Distance)    \
+    JOINT(weld, Weld)            \
+    JOINT(wheel, Wheel)          \
+    JOINT(motor, Motor)          \
+    JOINT(mouse, Mouse)          \
+    JOINT(pulley, Pulley)        \
+    JOINT(gear, Gear)
+
+/// Which kernels solve them, a line each: KERNEL(name, its rows, the types it is for, as has_joint(type) of each).
+#define ISLET_JOINT_KERNELS(KERNEL)                                                                                             \
+    KERNEL(point, PointRows, has_joint(JointType::revolute))    /* revolute joints without spring, limit, motor and friction */ \
+    KERNEL(hinge, HingeRows, has_joint(JointType::revolute))    /* other revolute joints */                                     \
+    KERNEL(slider, SliderRows, has_joint(JointType::prismatic)) /* prismatic joints */                                          \
+    KERNEL(distance, DistanceRows, has_joint(JointType::distance))                                                              \
+    KERNEL(weld, WeldRows, has_joint(JointType::weld))                                                                          \
+    KERNEL(wheel, WheelRows, has_joint(JointType::wheel))                                                                       \
+    KERNEL(drive, DriveRows, has_joint(JointType::motor) || has_joint(JointType::mouse)) /* motor and mouse joints */           \
+    KERNEL(pulley, PulleyRows, has_joint(JointType::pulley))                                                                    \
+    KERNEL(gear, LoneGearRows, has_joint(JointType::gear))
 
 /// The types of shapes, a line each, in the order in which contacts have them: SHAPE(type, the feature it is).
 #define ISLET_SHAPE_TYPES(SHAPE) \

@@ -20,6 +20,7 @@
 
 #include <cstdint>
 
+#include "islet/config.hpp"
 #include "islet/types.hpp"
 
 namespace islet {
@@ -32,8 +33,15 @@ struct JointId {
     explicit constexpr operator bool() const { return index1 != 0; }
 };
 
-enum class JointType : std::uint8_t { revolute, prismatic, distance, weld, wheel, motor, mouse, pulley, gear };
-inline constexpr std::uint32_t joint_type_count = 9;
+/// revolute, prismatic and so on: the names in ISLET_JOINT_TYPES (islet/config.hpp), in that order.
+enum class JointType : std::uint8_t {
+#define ISLET_NAME(type, definition) type,
+    ISLET_JOINT_TYPES(ISLET_NAME)
+#undef ISLET_NAME
+};
+#define ISLET_ONE(...) +1
+inline constexpr std::uint32_t joint_type_count = 0 ISLET_JOINT_TYPES(ISLET_ONE);
+#undef ISLET_ONE
 
 /// Ratios of pulleys and gears go up to this.
 inline constexpr float max_ratio = 1.0e6f;

@@ -62,7 +62,9 @@ inline constexpr std::size_t solver_motion_bytes = 32;
 inline constexpr std::size_t row_bytes = 128;  // per contact, in a block of rows
 inline constexpr std::size_t joint_bytes = 232;
 inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
-inline constexpr std::uint32_t joint_kernel_count = 9;
+#define ISLET_ONE(...) +1
+inline constexpr std::uint32_t joint_kernel_count = 0 ISLET_JOINT_KERNELS(ISLET_ONE);
+#undef ISLET_ONE
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t tree_link_bytes = 140;  // per body of a tree of joints
 inline constexpr std::size_t batch_bytes = 168;

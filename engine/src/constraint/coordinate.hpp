@@ -14,9 +14,21 @@
 // (Catto, "Solver2D", 2024).
 #pragma once
 
+#include "../constraint/joint_parts.hpp"
 #include "../constraint/joint_rows.hpp"
 
 namespace islet::detail {
+
+/// How far x is outside the joint's limits, if they are enabled.
+inline float beyond_limit(const Joint& j, float x) { return (j.flags & joint_limit) != 0 ? max(0.0f, max(j.lower - x, x - j.upper)) : 0.0f; }
+
+/// Limits along an axis through A's point, for JointKind::reach.
+template <class Add>
+void reach_limits(Add&& add, const Joint& j, const JointPlace& at, Vec2 axis) {
+    if ((j.flags & joint_limit) == 0) return;
+    add(at.a + clamp(j.lower, -max_position, max_position) * axis);
+    add(at.a + clamp(j.upper, -max_position, max_position) * axis);
+}
 
 /// Which rows a block has in any of its lanes.
 enum CoordinateParts : std::uint32_t { part_spring = 1u, part_motor = 2u, part_friction = 4u, part_limit = 8u };
@@ -46,6 +58,22 @@ inline std::uint32_t coordinate_parts(const Joint& j) {
 /// What the joint's own motor put on its limits in the last substep. (A wheel's motor turns it, and its limits are the strut's.)
 inline float own_drive(const Joint& j) { return j.joint_type() == JointType::wheel ? 0 : j.motor_impulse; }
 
+/// Fills the limits' part of rows that have none yet.
+template <std::uint32_t W>
+ISLET_PART void hold_between(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n, float lower, float upper) {
+    r.lower[lane] = within_bound(lower);
+    r.upper[lane] = within_bound(upper);
+    r.low[lane] = n.warm * j.lower_impulse;
+    r.high[lane] = n.warm * j.upper_impulse;
+    r.load[lane] = n.warm * (j.limit_load - own_drive(j));
+}
+/// The load that the limits bore, after a step.
+template <std::uint32_t W>
+ISLET_PART void keep_load(const CoordinateRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+    const float before = out.warm * j.limit_load;  // in this step's substeps
+    j.limit_load = before + load_rate * out.dt * (r.low[lane] - r.high[lane] + own_drive(j) - before);
+}
+
 /// Fills rows that hold zeros. Returns the sum of the impulses, which warm starting applies.
 template <std::uint32_t W>
 float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n) {
@@ -72,13 +100,7 @@ float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, c
         r.max_friction[lane] = n.h * j.friction;
         r.friction[lane] = n.warm * j.friction_impulse;
     }
-    if ((parts & part_limit) != 0) {
-        r.lower[lane] = within_bound(j.lower);
-        r.upper[lane] = within_bound(j.upper);
-        r.low[lane] = n.warm * j.lower_impulse;
-        r.high[lane] = n.warm * j.upper_impulse;
-        r.load[lane] = n.warm * (j.limit_load - own_drive(j));
-    }
+    if ((parts & part_limit) != 0) hold_between(r, lane, j, n, j.lower, j.upper);
     return r.spring[lane] + r.motor[lane] + r.friction[lane] + r.low[lane] - r.high[lane];
 }
 
@@ -89,9 +111,7 @@ ISLET_SHARED void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane,
     j.friction_impulse = r.friction[lane];
     j.lower_impulse = r.low[lane];
     j.upper_impulse = r.high[lane];
-    if ((j.flags & joint_limit) == 0) return;
-    const float before = out.warm * j.limit_load;  // in this step's substeps
-    j.limit_load = before + load_rate * out.dt * (r.low[lane] - r.high[lane] + own_drive(j) - before);
+    if ((j.flags & joint_limit) != 0) keep_load(r, lane, j, out);
 }
 
 /// The sum of the impulses so far.

@@ -8,6 +8,7 @@
 // Source: as revolute_joint.hpp.
 #pragma once
 
+#include "../calls/checks.hpp"
 #include "../constraint/coordinate.hpp"
 
 namespace islet::detail {
@@ -75,5 +76,49 @@ void store(const DistanceRows<W>& r, std::uint32_t lane, Joint& j, const JointOu
     j.impulse = {r.rod[lane], 0};
     j.torque_impulse = 0;
 }
+
+template <>
+struct JointKind<JointType::distance> : AnyJoint {
+    static constexpr bool has_coordinate = true, has_length = true;
+
+    static bool take(const Core& core, Joint& j, const DistanceJointDef& def) {
+        fill_coordinate(j, def.spring, def.limit, def.motor);
+        j.length = def.length;
+        return check_range(core, def.length, linear_slop, max_position);
+    }
+    static const char* fault(const Joint& j) { return j.length >= linear_slop && j.length <= max_position ? nullptr : "a rod's length is out of range"; }
+    static JointKernel kernel(const Joint&) { return JointKernel::distance; }
+    static float coordinate(const Joint&, const JointPose& p) { return length(gap_of(p)); }
+    static float speed(const JointPose& p, const JointMotion& m) { return dot(normalize(gap_of(p)), m.d_dot); }
+    static JointError error(const Core&, const Joint& j, const JointPose& p) {
+        const float x = length(gap_of(p));
+        return {is_rod(j) ? abs(x - j.length) : beyond_limit(j, x), 0};
+    }
+
+    template <class Rows>
+    static void add_rows(Rows& rows) {
+        const Vec2 d = gap_of(rows.p);
+        const float x = length(d);
+        if (!(x > least_distance)) return;  // no direction
+        const auto free = rows.along({d.x / x, d.y / x}, rows.p.ra);
+        rows.motor_and_friction(free);
+        rows.spring_and_limits(free, x, rows.j.length);
+        if (is_rod(rows.j)) rows.add_rigid(free, rows.j.impulse.x);
+    }
+    /// A line from point to point, or with a spring a zigzag; limits are bars across it.
+    template <class Pen>
+    static void draw(const Pen& pen, const Joint& j) {
+        if ((j.flags & joint_spring) != 0) {
+            pen.zigzag(pen.at.a, pen.at.b);
+        } else {
+            pen.segment(pen.at.a, pen.at.b);
+        }
+        pen.limits_along(j, normalize(pen.at.b - pen.at.a));
+    }
+    template <class Add>
+    static void reach(Add&& add, const Joint& j, const JointPlace& at) {
+        reach_limits(add, j, at, normalize(at.b - at.a));
+    }
+};
 
 }  // namespace islet::detail

@@ -7,7 +7,7 @@
 // The Jacobian is taken at the start of the step. Gears are few and hold more than two bodies, so they are solved one by one, without a colour.
 #pragma once
 
-#include "../constraint/joint_rows.hpp"
+#include "../constraint/revolute_joint.hpp"
 #include "../math/inlining.hpp"
 
 namespace islet::detail {
@@ -30,19 +30,10 @@ struct GearSide {
     float sa, sb;
 };
 
-ISLET_SHARED float coordinate_of(const Joint& j, const JointPose& p) {
-    const auto type = j.joint_type();
-    if (type == JointType::revolute) return unwrap(angle_of(p), j.coordinate);
-    const Vec2 d = gap_of(p);
-    if (type == JointType::distance) return length(d);
-    return dot({p.qa.c, p.qa.s}, d);
-}
-
-inline GearSide gear_side(const Joint& j, const JointPose& p) {
-    const float c = coordinate_of(j, p);
-    if (j.joint_type() == JointType::revolute) return {c, {0, 0}, 1, 1};
+ISLET_SHARED GearSide gear_side(const Joint& j, const JointPose& p) {
+    if (j.joint_type() == JointType::revolute) return {JointKind<JointType::revolute>::coordinate(j, p), {0, 0}, 1, 1};
     const Vec2 u = {p.qa.c, p.qa.s};
-    return {c, u, cross(gap_of(p) + p.ra, u), cross(p.rb, u)};
+    return {dot(u, gap_of(p)), u, cross(gap_of(p) + p.ra, u), cross(p.rb, u)};
 }
 
 inline WarmStart prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const JointPose&, const JointInput& in) {
@@ -112,5 +103,43 @@ inline void store(const GearRows<1>& r, std::uint32_t, Joint& j, const JointOutp
     j.force_impulse = {0, 0};
     j.torque_impulse = r.impulse;
 }
+
+template <std::uint32_t>
+using LoneGearRows = GearRows<1>;
+
+template <>
+struct JointKind<JointType::gear> : AnyJoint {
+    static constexpr bool has_frames = false, has_base = false;
+
+    static const char* fault(const Joint& j) { return j.ratio != 0 && abs(j.ratio) <= max_ratio ? nullptr : "a joint's ratio is out of range"; }
+    static JointKernel kernel(const Joint&) { return JointKernel::gear; }
+    static JointError error(const Core& core, const Joint& j, const JointPose&) {
+        const auto side = [&](std::uint32_t joint) { return gear_side(core.joints[joint], pose_of(core.joints[joint], core.poses, core.bodies)).c; };
+        const float error = abs(side(j.joint1) + j.ratio * side(j.joint2) - j.length);
+        const bool linear = core.joints[j.joint1].joint_type() == JointType::prismatic;
+        return linear ? JointError{error, 0} : JointError{0, error};
+    }
+
+    template <class Rows>
+    static void add_rows(Rows& rows) {
+        auto row = rows.none();
+        float ratio = 1;
+        for (const std::uint32_t joint : {rows.j.joint1, rows.j.joint2}) {
+            const Joint& geared = rows.to.core.joints[joint];
+            const GearSide side = gear_side(geared, pose_of(geared, rows.to.core.poses, rows.to.core.bodies));
+            rows.to.add_end(row, geared.body_a, -ratio * side.u, -ratio * side.sa);
+            rows.to.add_end(row, geared.body_b, ratio * side.u, ratio * side.sb);
+            ratio = rows.j.ratio;
+        }
+        rows.add_rigid(row, rows.j.impulse.x);
+    }
+    /// A toothed ring around B's point of each of its two joints, and dashes between them.
+    template <class Pen>
+    static void draw(const Pen& pen, const Joint&) {
+        pen.toothed_ring(pen.at.a, pen.at.qa);
+        pen.toothed_ring(pen.at.b, pen.at.qb);
+        pen.dashes(pen.at.a, pen.at.b);
+    }
+};
 
 }  // namespace islet::detail

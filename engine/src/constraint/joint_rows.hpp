@@ -24,35 +24,22 @@
 #include "../constraint/lane_vectors.hpp"
 #include "../constraint/softness.hpp"
 #include "../constraint/solver_body.hpp"
+#include "../data/core.hpp"
 
 namespace islet::detail {
 
-/// Which kernel solves a joint.
+/// Which kernel solves a joint (ISLET_JOINT_KERNELS in islet/config.hpp).
 enum class JointKernel : std::uint32_t {
-    point,   ///< revolute joints without spring, limit, motor and friction
-    hinge,   ///< other revolute joints
-    slider,  ///< prismatic joints
-    distance,
-    weld,
-    wheel,
-    drive,  ///< motor and mouse joints
-    pulley,
-    gear,
+#define ISLET_NAME(name, ...) name,
+    ISLET_JOINT_KERNELS(ISLET_NAME)
+#undef ISLET_NAME
 };
-static_assert(static_cast<std::uint32_t>(JointKernel::gear) + 1 == joint_kernel_count);
 
 constexpr bool has_kernel(JointKernel kernel) {
-    switch (kernel) {
-        case JointKernel::point:
-        case JointKernel::hinge: return has_joint(JointType::revolute);
-        case JointKernel::slider: return has_joint(JointType::prismatic);
-        case JointKernel::distance: return has_joint(JointType::distance);
-        case JointKernel::weld: return has_joint(JointType::weld);
-        case JointKernel::wheel: return has_joint(JointType::wheel);
-        case JointKernel::drive: return has_joint(JointType::motor) || has_joint(JointType::mouse);
-        case JointKernel::pulley: return has_joint(JointType::pulley);
-        case JointKernel::gear: return has_joint(JointType::gear);
-    }
+#define ISLET_HAS(name, rows, there) \
+    if (kernel == JointKernel::name) return there;
+    ISLET_JOINT_KERNELS(ISLET_HAS)
+#undef ISLET_HAS
     return false;
 }
 
@@ -116,6 +103,48 @@ inline JointPose pose_of(const Joint& j, const Pose* poses, const Body* bodies) 
     p.d = b.center - a.center;
     return p;
 }
+
+/// How its bodies move: for the speed of its coordinate.
+struct JointMotion {
+    Vec2 d_dot;    // m/s, of B's anchor as A's sees it
+    float wa, wb;  // rad/s
+};
+
+/// Where a joint is drawn, in the world.
+struct JointPlace {
+    Vec2 a, b;                // m, its points
+    Rot qa, qb;               // its frames
+    Vec2 center_a, center_b;  // m, of mass
+    bool moves_a, moves_b;
+};
+
+/// All that there is to know of a type of joints but its kernel: a specialisation in the type's own file says what differs from AnyJoint. Other files
+/// reach it through joint_kinds.hpp.
+template <JointType type>
+struct JointKind;
+
+struct AnyJoint {
+    static constexpr bool has_coordinate = false;  // a spring, a limit and a motor act on it
+    static constexpr bool has_friction = false;
+    static constexpr bool has_length = false;    // the coordinate is a distance, never below 0
+    static constexpr bool has_frames = true;     // they may be set anew
+    static constexpr bool has_base = true;       // its definition has a JointBase
+    static constexpr bool counts_turns = false;  // Joint::coordinate is its angle
+
+    /// The joint's own part of what an image must keep: null, or what is wrong.
+    static const char* fault(const Joint&) { return nullptr; }
+    /// How far it is from what it locks; `p` is its pose.
+    static JointError error(const Core&, const Joint&, const JointPose&) { return {}; }
+    /// Calls add(point) for what is drawn beyond its points and its bodies' centres.
+    template <class Add>
+    static void reach(Add&&, const Joint&, const JointPlace&) {}
+    // static bool take(const Core&, Joint&, const Def&)    fills the record from the definition; what all joints have, and its numbers' ranges, are the
+    //                                                      caller's. False with the error recorded if the definition is no good. Not where has_base is false
+    // static JointKernel kernel(const Joint&)
+    // static float coordinate(const Joint&, const JointPose&), speed(const JointPose&, const JointMotion&)     where has_coordinate
+    // static void add_rows(rows)                           its rows as they stand, in the kernel's order: export/island_joints.cpp says what `rows` can
+    // static void draw(pen, const Joint&)                  its mark: draw/draw_joints.cpp says what `pen` can
+};
 
 /// From A's anchor to B's.
 inline Vec2 gap_of(const JointPose& p) { return p.d + p.rb - p.ra; }

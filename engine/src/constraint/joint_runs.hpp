@@ -1,31 +1,13 @@
 // Runs: blocks of joints of one kernel, side by side. Here a run is handed to the kernel of its joints.
 #pragma once
 
-#include "../constraint/distance_joint.hpp"
-#include "../constraint/gear_joint.hpp"
+#include "../constraint/joint_kinds.hpp"
 #include "../constraint/kernels.hpp"
-#include "../constraint/motor_joint.hpp"
-#include "../constraint/prismatic_joint.hpp"
-#include "../constraint/pulley_joint.hpp"
-#include "../constraint/revolute_joint.hpp"
-#include "../constraint/weld_joint.hpp"
-#include "../constraint/wheel_joint.hpp"
 
 namespace islet::detail {
 
 inline JointKernel kernel_of(const Joint& j) {
-    switch (j.joint_type()) {
-        case JointType::revolute: return revolute_kernel(j);
-        case JointType::prismatic: return JointKernel::slider;
-        case JointType::distance: return JointKernel::distance;
-        case JointType::weld: return JointKernel::weld;
-        case JointType::wheel: return JointKernel::wheel;
-        case JointType::motor:
-        case JointType::mouse: return JointKernel::drive;
-        case JointType::pulley: return JointKernel::pulley;
-        case JointType::gear: break;
-    }
-    return JointKernel::gear;
+    return with_kind(j.joint_type(), [&](auto kind) { return kind.kernel(j); });
 }
 
 /// Calls visit(rows) with a pointer to the blocks of the run's kind.
@@ -33,33 +15,13 @@ template <std::uint32_t W, class Visit>
 ISLET_LANE auto visit_rows(JointKernel kernel, std::byte* rows, Visit&& visit) {
     // A kernel whose joints are left out of the build is not even compiled.
     switch (kernel) {
-        case JointKernel::point:
-            if constexpr (has_kernel(JointKernel::point)) return visit(reinterpret_cast<PointRows<W>*>(rows));
-            break;
-        case JointKernel::hinge:
-            if constexpr (has_kernel(JointKernel::hinge)) return visit(reinterpret_cast<HingeRows<W>*>(rows));
-            break;
-        case JointKernel::slider:
-            if constexpr (has_kernel(JointKernel::slider)) return visit(reinterpret_cast<SliderRows<W>*>(rows));
-            break;
-        case JointKernel::distance:
-            if constexpr (has_kernel(JointKernel::distance)) return visit(reinterpret_cast<DistanceRows<W>*>(rows));
-            break;
-        case JointKernel::weld:
-            if constexpr (has_kernel(JointKernel::weld)) return visit(reinterpret_cast<WeldRows<W>*>(rows));
-            break;
-        case JointKernel::wheel:
-            if constexpr (has_kernel(JointKernel::wheel)) return visit(reinterpret_cast<WheelRows<W>*>(rows));
-            break;
-        case JointKernel::drive:
-            if constexpr (has_kernel(JointKernel::drive)) return visit(reinterpret_cast<DriveRows<W>*>(rows));
-            break;
-        case JointKernel::pulley:
-            if constexpr (has_kernel(JointKernel::pulley)) return visit(reinterpret_cast<PulleyRows<W>*>(rows));
-            break;
-        case JointKernel::gear: break;
+#define ISLET_CASE(name, Rows, there)                                                                               \
+    case JointKernel::name:                                                                                         \
+        if constexpr (has_kernel(JointKernel::name) || !has_joints) return visit(reinterpret_cast<Rows<W>*>(rows)); \
+        break;
+        ISLET_JOINT_KERNELS(ISLET_CASE)
+#undef ISLET_CASE
     }
-    if constexpr (has_kernel(JointKernel::gear) || !has_joints) return visit(reinterpret_cast<GearRows<1>*>(rows));
     __builtin_unreachable();
 }
 

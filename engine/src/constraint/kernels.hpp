@@ -8,7 +8,6 @@
 // A world's width is chosen when it is made (Core::lanes); with_lanes turns it into a constant.
 #pragma once
 
-
 #include "../constraint/contact_rows.hpp"
 #include "../constraint/joint_rows.hpp"
 #include "../math/inlining.hpp"

@@ -82,4 +82,66 @@ void store(const DriveRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
     j.angular_impulse = j.torque_impulse = r.turning[lane];
 }
 
+/// The rows of motor and mouse joints. The engine's softness of the point is a multiple of its K, a matrix: along K's principal axes it is diagonal. A
+/// rigid drive has its first row along the impulse it gives, so that one that gives all it has is at the bound of that row alone, as the engine bounds the
+/// impulse's length.
+struct DriveJoint : AnyJoint {
+    static JointKernel kernel(const Joint&) { return JointKernel::drive; }
+
+    template <class Rows>
+    static void add_point_rows(Rows& rows) {
+        const Joint& j = rows.j;
+        const JointPose& p = rows.p;
+        const Softness soft = drive_softness(j.linear_hertz, j.linear_damping_ratio, rows.to.h);
+        const Vec2 velocity = rotate(p.qa, {within_bound(j.velocity.x), within_bound(j.velocity.y)});
+        Vec2 e = normalize(j.impulse);
+        if (j.linear_hertz > 0) {
+            const auto x = rows.along({1, 0}, p.ra), y = rows.along({0, 1}, p.ra);
+            const Rot axis = make_rot(0.5f * islet::atan2(2.0f * rows.to.coupling(x, y), rows.to.coupling(x, x) - rows.to.coupling(y, y)));
+            e = {axis.c, axis.s};
+        } else if (e == Vec2{}) {
+            e = {1, 0};
+        }
+        for (const Vec2 axis : {e, left_perp(e)}) {
+            auto row = rows.along(axis, p.ra);
+            row.bias -= dot(axis, velocity);
+            rows.soften(row, soft, dot(axis, gap_of(p)), rows.to.coupling(row, row));
+            rows.add_within(row, Rows::motor_row, rows.to.h * j.motor_max, dot(axis, j.impulse));
+        }
+    }
+};
+
+template <>
+struct JointKind<JointType::motor> : DriveJoint {
+    static bool take(const Core&, Joint& j, const MotorJointDef& def) {
+        fill_softness(j, def);
+        j.velocity = def.linear_velocity;
+        j.motor_speed = def.angular_velocity;
+        j.motor_max = def.max_force;
+        j.max_torque = def.max_torque;
+        return true;
+    }
+
+    template <class Rows>
+    static void add_rows(Rows& rows) {
+        const Joint& j = rows.j;
+        const Softness soft = drive_softness(j.angular_hertz, j.angular_damping_ratio, rows.to.h);
+        auto row = rows.turning();
+        row.bias -= within_bound(j.motor_speed);
+        rows.soften(row, soft, angle_of(rows.p), rows.to.coupling(row, row));
+        rows.add_within(row, Rows::motor_row, rows.to.h * j.max_torque, j.angular_impulse);
+        add_point_rows(rows);
+    }
+    /// The two frames as corners, and an arrow from A's to B's.
+    template <class Pen>
+    static void draw(const Pen& pen, const Joint&) {
+        pen.frame(pen.at.a, pen.at.qa);
+        pen.frame(pen.at.b, pen.at.qb);
+        pen.segment(pen.at.a, pen.at.b);
+        const Vec2 back = -0.5f * pen.size * normalize(pen.at.b - pen.at.a), across = 0.5f * left_perp(back);
+        pen.segment(pen.at.b, pen.at.b + back + across);
+        pen.segment(pen.at.b, pen.at.b + back - across);
+    }
+};
+
 }  // namespace islet::detail

@@ -20,4 +20,24 @@ inline void set_mouse(Joint& j, const Pose& b, Vec2 local_center, Vec2 target, f
     j.motor_max = max_force;
 }
 
+template <>
+struct JointKind<JointType::mouse> : DriveJoint {
+    static constexpr bool has_frames = false, has_base = false;
+
+    static const char* fault(const Joint& j) { return j.linear_hertz > 0 ? nullptr : "a mouse joint has no spring"; }
+
+    template <class Rows>
+    static void add_rows(Rows& rows) {
+        add_point_rows(rows);
+    }
+    /// A crosshair at the target, and dashes to the point it pulls.
+    template <class Pen>
+    static void draw(const Pen& pen, const Joint&) {
+        pen.bar(pen.at.a, {pen.size, 0});
+        pen.bar(pen.at.a, {0, pen.size});
+        pen.circle(pen.at.a, 0.5f * pen.size, {1, 0});
+        pen.dashes(pen.at.a, pen.at.b);
+    }
+};
+
 }  // namespace islet::detail

@@ -92,4 +92,55 @@ void store(const SliderRows<W>& r, std::uint32_t lane, Joint& j, const JointOutp
     j.angular_impulse = j.torque_impulse = r.turning[lane];
 }
 
+/// A slide along A's x axis: of prismatic and wheel joints.
+struct LineJoint : AnyJoint {
+    static constexpr bool has_coordinate = true, has_friction = true;
+
+    template <class Def>
+    static bool take(const Core&, Joint& j, const Def& def) {
+        fill_coordinate(j, def.spring, def.limit, def.motor);
+        j.friction = def.friction;
+        return true;
+    }
+    static Vec2 axis(const JointPose& p) { return {p.qa.c, p.qa.s}; }
+    static float coordinate(const Joint&, const JointPose& p) { return dot(axis(p), gap_of(p)); }
+    static float speed(const JointPose& p, const JointMotion& m) { return dot(axis(p), m.d_dot) + m.wa * dot(left_perp(axis(p)), gap_of(p)); }
+    static JointError error(const Core&, const Joint& j, const JointPose& p) {
+        return {max(abs(dot(left_perp(axis(p)), gap_of(p))), beyond_limit(j, coordinate(j, p))), 0};
+    }
+    template <class Add>
+    static void reach(Add&& add, const Joint& j, const JointPlace& at) {
+        reach_limits(add, j, at, {at.qa.c, at.qa.s});
+    }
+};
+
+template <>
+struct JointKind<JointType::prismatic> : LineJoint {
+    static JointKernel kernel(const Joint&) { return JointKernel::slider; }
+    static JointError error(const Core& core, const Joint& j, const JointPose& p) { return {LineJoint::error(core, j, p).linear, abs(angle_of(p))}; }
+
+    template <class Rows>
+    static void add_rows(Rows& rows) {
+        const Vec2 u = axis(rows.p);
+        const auto free = rows.along_line(u);
+        rows.motor_and_friction(free);
+        rows.spring_and_limits(free, coordinate(rows.j, rows.p), rows.j.target);
+        rows.add_rigid(rows.along_line(left_perp(u)), rows.j.impulse.x);
+        rows.add_rigid(rows.turning(), rows.j.angular_impulse);
+    }
+    /// A rail along the axis and a square that slides on it with B; limits are bars across the rail. The rail reaches from limit to limit, or a little
+    /// past what slides on it.
+    template <class Pen>
+    static void draw(const Pen& pen, const Joint& j) {
+        const Vec2 u = pen.direction(pen.at.qa);
+        const float x = dot(pen.at.b - pen.at.a, u);
+        const bool limited = (j.flags & joint_limit) != 0;
+        const float low = limited ? max(j.lower, -max_position) : min(0.0f, x) - 2 * pen.size;
+        const float high = limited ? min(j.upper, max_position) : max(0.0f, x) + 2 * pen.size;
+        pen.segment(pen.at.a + low * u, pen.at.a + high * u);
+        pen.limits_along(j, u);
+        pen.square(pen.at.b, pen.at.qa, 0.25f * pen.size);
+    }
+};
+
 }  // namespace islet::detail

@@ -8,6 +8,7 @@
 // lambda > 0 is the rope's tension; it may push as well. Source: Catto's Box2D 2 (b2PulleyJoint) for the constraint.
 #pragma once
 
+#include "../calls/checks.hpp"
 #include "../constraint/joint_rows.hpp"
 
 namespace islet::detail {
@@ -131,5 +132,50 @@ void store(const PulleyRows<W>& r, std::uint32_t lane, Joint& j, const JointOutp
     j.force_impulse = {r.b.px[lane], r.b.py[lane]};
     j.torque_impulse = 0;
 }
+
+template <>
+struct JointKind<JointType::pulley> : AnyJoint {
+    static constexpr bool has_frames = false;
+
+    static bool take(const Core& core, Joint& j, const PulleyJointDef& def) {
+        j.ground_a = def.ground_a;
+        j.ground_b = def.ground_b;
+        j.ratio = def.ratio;
+        return check_position(core, def.ground_a) && check_position(core, def.ground_b) && check_range(core, def.ratio, 0, max_ratio) &&
+               check(core, def.ratio > 0, Error::out_of_range);
+    }
+    static const char* fault(const Joint& j) { return j.ratio > 0 && j.ratio <= max_ratio ? nullptr : "a joint's ratio is out of range"; }
+    static JointKernel kernel(const Joint&) { return JointKernel::pulley; }
+    static JointError error(const Core& core, const Joint& j, const JointPose& p) {
+        const float a = length(core.poses[j.body_a].center + p.ra - j.ground_a);
+        const float b = length(core.poses[j.body_b].center + p.rb - j.ground_b);
+        return {abs(a + j.ratio * b - j.length), 0};
+    }
+
+    template <class Rows>
+    static void add_rows(Rows& rows) {
+        const Joint& j = rows.j;
+        const Vec2 ua = normalize(rows.to.core.poses[j.body_a].center + rows.p.ra - j.ground_a);
+        const Vec2 ub = normalize(rows.to.core.poses[j.body_b].center + rows.p.rb - j.ground_b);
+        auto row = rows.none();
+        rows.to.add_end(row, j.body_a, -ua, -cross(rows.p.ra, ua));
+        rows.to.add_end(row, j.body_b, -j.ratio * ub, -j.ratio * cross(rows.p.rb, ub));
+        rows.add_rigid(row, j.impulse.x);
+    }
+    /// The rope over two rings.
+    template <class Pen>
+    static void draw(const Pen& pen, const Joint& j) {
+        pen.segment(pen.at.a, j.ground_a);
+        pen.segment(j.ground_a, j.ground_b);
+        pen.segment(j.ground_b, pen.at.b);
+        pen.circle(j.ground_a, 0.5f * pen.size, {1, 0});
+        pen.circle(j.ground_b, 0.5f * pen.size, {1, 0});
+    }
+    template <class Add>
+    static void reach(Add&& add, const Joint& j, const JointPlace&) {
+        add(j.ground_a);
+        add(j.ground_b);
+    }
+};
 
 }  // namespace islet::detail

@@ -29,8 +29,6 @@ struct alignas(W * 4) HingeRows {
     CoordinateRows<W> free;
 };
 
-inline JointKernel revolute_kernel(const Joint& j) { return coordinate_parts(j) == 0 ? JointKernel::point : JointKernel::hinge; }
-
 /// The angle of q to 0.08 rad, without a branch.
 inline float rough_angle(Rot q) {
     const float quarter = q.s / (abs(q.c) + abs(q.s));  // of a turn, from the x axis
@@ -94,5 +92,35 @@ void store(const HingeRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
     j.torque_impulse = coordinate_impulse(j);
     j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
 }
+
+template <>
+struct JointKind<JointType::revolute> : AnyJoint {
+    static constexpr bool has_coordinate = true, has_friction = true, counts_turns = true;
+
+    static bool take(const Core&, Joint& j, const RevoluteJointDef& def) {
+        fill_coordinate(j, def.spring, def.limit, def.motor);
+        j.friction = def.friction;
+        return true;
+    }
+    static JointKernel kernel(const Joint& j) { return coordinate_parts(j) == 0 ? JointKernel::point : JointKernel::hinge; }
+    static float coordinate(const Joint& j, const JointPose& p) { return unwrap(angle_of(p), j.coordinate); }
+    static float speed(const JointPose&, const JointMotion& m) { return m.wb - m.wa; }
+    static JointError error(const Core&, const Joint& j, const JointPose& p) { return {length(gap_of(p)), beyond_limit(j, coordinate(j, p))}; }
+
+    template <class Rows>
+    static void add_rows(Rows& rows) {
+        const auto free = rows.turning();
+        rows.motor_and_friction(free);
+        rows.spring_and_limits(free, coordinate(rows.j, rows.p), rows.j.target);
+        rows.point();
+    }
+    /// A ring around A's point. With a limit, spring or motor a hand that turns with B, and the limits' directions in A.
+    template <class Pen>
+    static void draw(const Pen& pen, const Joint& j) {
+        pen.circle(pen.at.a, 0.5f * pen.size, pen.direction(pen.at.qb));
+        if (coordinate_parts(j) != 0) pen.segment(pen.at.a, pen.at.a + pen.size * pen.direction(pen.at.qb));
+        pen.limits_around(j);
+    }
+};
 
 }  // namespace islet::detail

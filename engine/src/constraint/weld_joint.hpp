@@ -7,6 +7,7 @@
 // spring of softness.hpp with G = K / a2, where K stands for the mean of A's diagonal, or c. Rigid rows have the joints' common softness.
 #pragma once
 
+#include "../constraint/joint_parts.hpp"
 #include "../constraint/joint_rows.hpp"
 
 namespace islet::detail {
@@ -74,5 +75,43 @@ void store(const WeldRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput
     j.impulse = j.force_impulse;
     j.angular_impulse = j.torque_impulse = r.turning[lane];
 }
+
+template <>
+struct JointKind<JointType::weld> : AnyJoint {
+    static bool take(const Core&, Joint& j, const WeldJointDef& def) {
+        fill_softness(j, def);
+        return true;
+    }
+    static JointKernel kernel(const Joint&) { return JointKernel::weld; }
+    static JointError error(const Core&, const Joint& j, const JointPose& p) {
+        return {j.linear_hertz > 0 ? 0 : length(gap_of(p)), j.angular_hertz > 0 ? 0 : abs(angle_of(p))};
+    }
+
+    template <class Rows>
+    static void add_rows(Rows& rows) {
+        const Joint& j = rows.j;
+        auto x = rows.along({1, 0}, rows.p.ra), y = rows.along({0, 1}, rows.p.ra);
+        const bool soft_point = j.linear_hertz > 0, soft_angle = j.angular_hertz > 0;
+        if (soft_point) {
+            const Softness soft = make_soft(j.linear_hertz, j.linear_damping_ratio, rows.to.h);
+            const float k = 0.5f * (rows.to.coupling(x, x) + rows.to.coupling(y, y));
+            rows.soften(x, soft, gap_of(rows.p).x, k);
+            rows.soften(y, soft, gap_of(rows.p).y, k);
+        }
+        rows.add_unbounded(x, soft_point ? Rows::spring_row : Rows::joint_row, j.impulse.x);
+        rows.add_unbounded(y, soft_point ? Rows::spring_row : Rows::joint_row, j.impulse.y);
+        auto angle = rows.turning();
+        if (soft_angle) rows.soften(angle, make_soft(j.angular_hertz, j.angular_damping_ratio, rows.to.h), angle_of(rows.p), rows.to.coupling(angle, angle));
+        rows.add_unbounded(angle, soft_angle ? Rows::spring_row : Rows::joint_row, j.angular_impulse);
+    }
+    /// A square with its diagonals, fixed to A.
+    template <class Pen>
+    static void draw(const Pen& pen, const Joint&) {
+        pen.square(pen.at.a, pen.at.qa, 0.5f * pen.size);
+        const Vec2 x = 0.5f * pen.size * pen.direction(pen.at.qa), y = left_perp(x);
+        pen.bar(pen.at.a, x + y);
+        pen.bar(pen.at.a, x - y);
+    }
+};
 
 }  // namespace islet::detail

@@ -61,4 +61,27 @@ void store(const WheelRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
     j.torque_impulse = r.free.motor[lane] + r.free.friction[lane];
 }
 
+template <>
+struct JointKind<JointType::wheel> : LineJoint {
+    static JointKernel kernel(const Joint&) { return JointKernel::wheel; }
+
+    template <class Rows>
+    static void add_rows(Rows& rows) {
+        const Vec2 u = axis(rows.p);
+        rows.motor_and_friction(rows.turning());
+        rows.spring_and_limits(rows.along_line(u), coordinate(rows.j, rows.p), rows.j.target);
+        rows.add_rigid(rows.along_line(left_perp(u)), rows.j.impulse.x);
+    }
+    /// A zigzag from A's to B's point, a ring with spokes that turns with B; limits are bars across the axis.
+    template <class Pen>
+    static void draw(const Pen& pen, const Joint& j) {
+        pen.zigzag(pen.at.a, pen.at.b);
+        pen.limits_along(j, pen.direction(pen.at.qa));
+        const Vec2 spoke = pen.size * pen.direction(pen.at.qb);
+        pen.circle(pen.at.b, pen.size, pen.direction(pen.at.qb));
+        pen.bar(pen.at.b, spoke);
+        pen.bar(pen.at.b, left_perp(spoke));
+    }
+};
+
 }  // namespace islet::detail

@@ -40,7 +40,7 @@ constexpr bool has_shape(ShapeType type) {
 }
 
 constexpr bool has_joint(JointType type) {
-#define ISLET_HAS_JOINT(name) \
+#define ISLET_HAS_JOINT(name, definition) \
     if (type == JointType::name) return ISLET_IS_SET(ISLET_WITHOUT_joints) == 0 && ISLET_IS_SET(ISLET_WITHOUT_##name##_joints) == 0;
     ISLET_JOINT_TYPES(ISLET_HAS_JOINT)
 #undef ISLET_HAS_JOINT
@@ -48,8 +48,8 @@ constexpr bool has_joint(JointType type) {
 }
 
 #define ISLET_OR_SHAPE_CUT(name, feature) || !has_shape(ShapeType::name)
-#define ISLET_OR_JOINT(name) || has_joint(JointType::name)
-#define ISLET_OR_JOINT_CUT(name) || !has_joint(JointType::name)
+#define ISLET_OR_JOINT(name, definition) || has_joint(JointType::name)
+#define ISLET_OR_JOINT_CUT(name, definition) || !has_joint(JointType::name)
 inline constexpr bool has_all_shapes = !(false ISLET_SHAPE_TYPES(ISLET_OR_SHAPE_CUT));
 inline constexpr bool has_joints = false ISLET_JOINT_TYPES(ISLET_OR_JOINT);
 inline constexpr bool has_all_joints = !(false ISLET_JOINT_TYPES(ISLET_OR_JOINT_CUT));
@@ -66,7 +66,7 @@ constexpr ShapeType known(ShapeType type) {
     return type;
 }
 constexpr JointType known(JointType type) {
-#define ISLET_KNOWN(name) \
+#define ISLET_KNOWN(name, definition) \
     if (!has_joint(JointType::name) && type == JointType::name) __builtin_unreachable();
     ISLET_JOINT_TYPES(ISLET_KNOWN)
 #undef ISLET_KNOWN

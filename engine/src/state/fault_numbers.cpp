@@ -6,6 +6,7 @@
 #include "../broadphase/pairs.hpp"
 #include "../calls/checks.hpp"
 #include "../collide/manifold.hpp"
+#include "../constraint/joint_kinds.hpp"
 #include "../solver/solver_def.hpp"
 #include "../state/faults.hpp"
 
@@ -118,11 +119,7 @@ const char* fault_in_numbers(const Joint& j) {
                           j.linear_damping_ratio, j.angular_hertz, j.angular_damping_ratio, j.max_torque})
         if (a < 0) return "a joint's strength is negative";
     if (j.lower > j.upper) return "a joint's limits are crossed";
-    if (type == JointType::distance && !within(j.length, linear_slop, max_position)) return "a rod's length is out of range";
-    if (type == JointType::pulley && !(j.ratio > 0 && j.ratio <= max_ratio)) return "a joint's ratio is out of range";
-    if (type == JointType::gear && !(j.ratio != 0 && abs(j.ratio) <= max_ratio)) return "a joint's ratio is out of range";
-    if (type == JointType::mouse && !(j.linear_hertz > 0)) return "a mouse joint has no spring";
-    return nullptr;
+    return with_kind(type, [&](auto kind) { return kind.fault(j); });
 }
 
 }  // namespace islet::detail

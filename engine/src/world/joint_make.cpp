@@ -7,57 +7,20 @@
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../collide/manifold.hpp"
-#include "../constraint/gear_joint.hpp"
-#include "../constraint/mouse_joint.hpp"
+#include "../constraint/joint_kinds.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
 #include "../math/inlining.hpp"
 #include "../solver/joint_solve.hpp"
-#include "../world/joint_parts.hpp"
+#include "../world/joint_shared.hpp"
 
 namespace islet {
 
 using namespace detail;
 
 namespace detail {
-
-bool check_not_negative(const Core& core, float a) { return check_range(core, a, 0, no_limit); }
-
-bool check_spring(const Core& core, const JointSpring& s) {
-    return check_not_negative(core, s.hertz) && check_not_negative(core, s.damping_ratio) && check_finite(core, s.target);
-}
-
-bool check_limit(const Core& core, const JointLimit& l) {
-    return check_finite(core, l.lower) && check_finite(core, l.upper) && check(core, l.lower <= l.upper, Error::out_of_range);
-}
-
-bool check_motor(const Core& core, const JointMotor& m) { return check_finite(core, m.speed) && check_not_negative(core, m.max_force); }
-
-bool check_frame(const Core& core, const JointFrame& f) { return check_position(core, f.position) && check_finite(core, f.angle); }
-
-void set_spring_of(Joint& j, const JointSpring& s) {
-    j.flags = s.enable ? j.flags | joint_spring : j.flags & ~static_cast<std::uint32_t>(joint_spring);
-    j.spring_hertz = s.hertz;
-    j.spring_damping_ratio = s.damping_ratio;
-    j.target = s.target;
-    if (!s.enable) j.spring_impulse = 0;
-}
-
-void set_limit_of(Joint& j, const JointLimit& l) {
-    j.flags = l.enable ? j.flags | joint_limit : j.flags & ~static_cast<std::uint32_t>(joint_limit);
-    j.lower = l.lower;
-    j.upper = l.upper;
-    if (!l.enable) j.lower_impulse = j.upper_impulse = 0;
-}
-
-void set_motor_of(Joint& j, const JointMotor& m) {
-    j.flags = m.enable ? j.flags | joint_motor : j.flags & ~static_cast<std::uint32_t>(joint_motor);
-    j.motor_speed = m.speed;
-    j.motor_max = m.max_force;
-    if (!m.enable) j.motor_impulse = 0;
-}
 
 void end_forbidden_contacts(Core& core, const Joint& j) {
     if (j.body_a == null_index) return;
@@ -90,20 +53,6 @@ Joint new_joint(JointType type, const JointBase& base) {
     return j;
 }
 
-void fill_coordinate(Joint& j, const JointSpring& spring, const JointLimit& limit, const JointMotor& motor) {
-    set_spring_of(j, spring);
-    set_limit_of(j, limit);
-    set_motor_of(j, motor);
-}
-
-template <class Def>
-void fill_softness(Joint& j, const Def& def) {
-    j.linear_hertz = def.linear_hertz;
-    j.linear_damping_ratio = def.linear_damping_ratio;
-    j.angular_hertz = def.angular_hertz;
-    j.angular_damping_ratio = def.angular_damping_ratio;
-}
-
 /// What every joint's numbers must keep; those that its type does not have are 0 and keep it.
 bool check_numbers(const Core& core, const Joint& j) {
     for (const float a : {j.break_force, j.break_torque, j.spring_hertz, j.spring_damping_ratio, j.motor_max, j.friction, j.linear_hertz,
@@ -111,7 +60,7 @@ bool check_numbers(const Core& core, const Joint& j) {
         if (!check_not_negative(core, a)) return false;
     for (const float a : {j.target, j.lower, j.upper, j.motor_speed, j.velocity.x, j.velocity.y})
         if (!check_finite(core, a)) return false;
-    const bool too_short = j.joint_type() == JointType::distance && (j.flags & joint_limit) != 0 && j.lower < 0;
+    const bool too_short = (with_length & joint_bit(j.joint_type())) != 0 && (j.flags & joint_limit) != 0 && j.lower < 0;
     return check(core, j.lower <= j.upper && !too_short, Error::out_of_range);
 }
 
@@ -161,74 +110,13 @@ JointId make(Core& core, Joint& j, const JointBase& base) {
         return {};
     j.frame_a = make_rot(base.frame_a.angle);
     j.frame_b = make_rot(base.frame_b.angle);
-    if (j.joint_type() == JointType::revolute) j.coordinate = angle_of(pose_of(j, core.poses, core.bodies));
+    if ((with_turns & joint_bit(j.joint_type())) != 0) j.coordinate = angle_of(pose_of(j, core.poses, core.bodies));
     if (j.joint_type() == JointType::pulley && !measure_rope(core, j)) return {};
     return tie(core, j);
 }
 
-}  // namespace
-
-JointId World::create_joint(const RevoluteJointDef& def) {
-    note_call<Call::create_revolute_joint>(core(), def);
-    if (!check_there(core(), has_joint(JointType::revolute))) return {};
-    Joint j = new_joint(JointType::revolute, def.base);
-    fill_coordinate(j, def.spring, def.limit, def.motor);
-    j.friction = def.friction;
-    return make(core(), j, def.base);
-}
-
-JointId World::create_joint(const PrismaticJointDef& def) {
-    note_call<Call::create_prismatic_joint>(core(), def);
-    if (!check_there(core(), has_joint(JointType::prismatic))) return {};
-    Joint j = new_joint(JointType::prismatic, def.base);
-    fill_coordinate(j, def.spring, def.limit, def.motor);
-    j.friction = def.friction;
-    return make(core(), j, def.base);
-}
-
-JointId World::create_joint(const DistanceJointDef& def) {
-    Core& c = core();
-    note_call<Call::create_distance_joint>(c, def);
-    if (!check_there(c, has_joint(JointType::distance)) || !check_range(c, def.length, linear_slop, max_position)) return {};
-    Joint j = new_joint(JointType::distance, def.base);
-    fill_coordinate(j, def.spring, def.limit, def.motor);
-    j.length = def.length;
-    return make(c, j, def.base);
-}
-
-JointId World::create_joint(const WeldJointDef& def) {
-    note_call<Call::create_weld_joint>(core(), def);
-    if (!check_there(core(), has_joint(JointType::weld))) return {};
-    Joint j = new_joint(JointType::weld, def.base);
-    fill_softness(j, def);
-    return make(core(), j, def.base);
-}
-
-JointId World::create_joint(const WheelJointDef& def) {
-    note_call<Call::create_wheel_joint>(core(), def);
-    if (!check_there(core(), has_joint(JointType::wheel))) return {};
-    Joint j = new_joint(JointType::wheel, def.base);
-    fill_coordinate(j, def.spring, def.limit, def.motor);
-    j.friction = def.friction;
-    return make(core(), j, def.base);
-}
-
-JointId World::create_joint(const MotorJointDef& def) {
-    note_call<Call::create_motor_joint>(core(), def);
-    if (!check_there(core(), has_joint(JointType::motor))) return {};
-    Joint j = new_joint(JointType::motor, def.base);
-    fill_softness(j, def);
-    j.velocity = def.linear_velocity;
-    j.motor_speed = def.angular_velocity;
-    j.motor_max = def.max_force;
-    j.max_torque = def.max_torque;
-    return make(core(), j, def.base);
-}
-
-JointId World::create_joint(const MouseJointDef& def) {
-    Core& c = core();
-    note_call<Call::create_mouse_joint>(c, def);
-    if (!check_there(c, has_joint(JointType::mouse))) return {};
+/// A body's point and the world.
+JointId make(Core& c, const MouseJointDef& def) {
     const DefaultFloatMode mode;
     const std::uint32_t body = find_body(c, def.body);
     if (body == null_index || !check(c, c.is_dynamic(body), Error::no_dynamic_body) || !check_position(c, def.target)) return {};
@@ -239,23 +127,8 @@ JointId World::create_joint(const MouseJointDef& def) {
     return tie(c, j);
 }
 
-JointId World::create_joint(const PulleyJointDef& def) {
-    Core& c = core();
-    note_call<Call::create_pulley_joint>(c, def);
-    if (!check_there(c, has_joint(JointType::pulley)) || !check_position(c, def.ground_a) || !check_position(c, def.ground_b) ||
-        !check_range(c, def.ratio, 0, max_ratio) || !check(c, def.ratio > 0, Error::out_of_range))
-        return {};
-    Joint j = new_joint(JointType::pulley, def.base);
-    j.ground_a = def.ground_a;
-    j.ground_b = def.ground_b;
-    j.ratio = def.ratio;
-    return make(c, j, def.base);
-}
-
-JointId World::create_joint(const GearJointDef& def) {
-    Core& c = core();
-    note_call<Call::create_gear_joint>(c, def);
-    if (!check_there(c, has_joint(JointType::gear))) return {};
+/// Two joints.
+JointId make(Core& c, const GearJointDef& def) {
     const DefaultFloatMode mode;
     const std::uint32_t joint1 = find_joint(c, def.joint1);
     if (joint1 == null_index) return {};
@@ -285,5 +158,26 @@ JointId World::create_joint(const GearJointDef& def) {
     ++c.joints[joint2].gear_count;
     return gear;
 }
+
+template <JointType type, Call call, class Def>
+JointId create_of_type(Core& core, const Def& def) {
+    note_call<call>(core, def);
+    if (!check_there(core, has_joint(type))) return {};
+    if constexpr (!has_joint(type)) {
+        return {};
+    } else if constexpr (JointKind<type>::has_base) {
+        Joint j = new_joint(type, def.base);
+        return JointKind<type>::take(core, j, def) ? make(core, j, def.base) : JointId{};
+    } else {
+        return make(core, def);
+    }
+}
+
+}  // namespace
+
+#define ISLET_CREATE(type, definition) \
+    JointId World::create_joint(const definition##JointDef& def) { return create_of_type<JointType::type, Call::create_##type##_joint>(core(), def); }
+ISLET_JOINT_TYPES(ISLET_CREATE)
+#undef ISLET_CREATE
 
 }  // namespace islet

@@ -7,11 +7,10 @@
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../collide/manifold.hpp"
-#include "../constraint/distance_joint.hpp"
-#include "../constraint/gear_joint.hpp"
+#include "../constraint/joint_kinds.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
-#include "../world/joint_parts.hpp"
+#include "../world/joint_shared.hpp"
 
 namespace islet {
 
@@ -27,16 +26,11 @@ namespace {
 
 JointType type_of(const Joint& j) { return j.joint_type(); }
 
-constexpr std::uint32_t bit(JointType type) { return 1u << static_cast<std::uint32_t>(type); }
-constexpr std::uint32_t with_coordinate = bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::distance) | bit(JointType::wheel);
-constexpr std::uint32_t with_friction = bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::wheel);
-constexpr std::uint32_t with_frames = with_coordinate | bit(JointType::weld) | bit(JointType::motor);
-
 /// Slot of a live joint of one of the types, or null_index with the error recorded.
 std::uint32_t find_joint(const Core& core, JointId id, std::uint32_t types) {
     const std::uint32_t i = detail::find_joint(core, id);
     if (i == null_index) return i;
-    return check(core, (types & bit(type_of(core.joints[i]))) != 0, Error::wrong_joint_type) ? i : null_index;
+    return check(core, (types & joint_bit(type_of(core.joints[i]))) != 0, Error::wrong_joint_type) ? i : null_index;
 }
 
 std::uint32_t find_joint(Core& core, JointId id, std::uint32_t types) {
@@ -121,10 +115,10 @@ JointLimit World::limit(JointId id) const { ISLET_READ_JOINT(with_coordinate, (J
 JointMotor World::motor(JointId id) const { ISLET_READ_JOINT(with_coordinate, (JointMotor{(j.flags & joint_motor) != 0, j.motor_speed, j.motor_max})); }
 float World::joint_friction(JointId id) const { ISLET_READ_JOINT(with_friction, j.friction); }
 float World::motor_force(JointId id) const { ISLET_READ_JOINT(with_coordinate, force_of(c, j.motor_impulse)); }
-float World::joint_length(JointId id) const { ISLET_READ_JOINT(bit(JointType::distance), j.length); }
-Vec2 World::target(JointId id) const { ISLET_READ_JOINT(bit(JointType::mouse), j.local_a); }
-Vec2 World::ground_a(JointId id) const { ISLET_READ_JOINT(bit(JointType::pulley), j.ground_a); }
-Vec2 World::ground_b(JointId id) const { ISLET_READ_JOINT(bit(JointType::pulley), j.ground_b); }
+float World::joint_length(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::distance), j.length); }
+Vec2 World::target(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::mouse), j.local_a); }
+Vec2 World::ground_a(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::pulley), j.ground_a); }
+Vec2 World::ground_b(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::pulley), j.ground_b); }
 float World::joint_position(JointId id) const { ISLET_READ_JOINT(with_coordinate, joint_coordinate(c, j)); }
 Vec2 World::joint_force(JointId id) const { ISLET_READ_JOINT(~0u, (Vec2{force_of(c, j.force_impulse.x), force_of(c, j.force_impulse.y)})); }
 float World::joint_torque(JointId id) const { ISLET_READ_JOINT(~0u, force_of(c, j.torque_impulse)); }
@@ -136,13 +130,12 @@ float World::joint_speed(JointId id) const {
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index) return 0;
     const Joint& j = c.joints[i];
-    const float wa = c.motions[j.body_a].w;
-    if (type_of(j) == JointType::revolute) return c.motions[j.body_b].w - wa;
     const JointPose p = pose_of(j, c.poses, c.bodies);
-    const Vec2 d_dot = point_velocity(c, j.body_b, p.rb) - point_velocity(c, j.body_a, p.ra);
-    if (type_of(j) == JointType::distance) return dot(normalize(gap_of(p)), d_dot);
-    const Vec2 u = {p.qa.c, p.qa.s};
-    return dot(u, d_dot) + wa * dot(left_perp(u), gap_of(p));
+    const JointMotion m = {point_velocity(c, j.body_b, p.rb) - point_velocity(c, j.body_a, p.ra), c.motions[j.body_a].w, c.motions[j.body_b].w};
+    return with_kind(type_of(j), [&](auto kind) {
+        if constexpr (kind.has_coordinate) return kind.speed(p, m);
+        return 0.0f;
+    });
 }
 
 JointError World::joint_error(JointId id) const {
@@ -150,31 +143,8 @@ JointError World::joint_error(JointId id) const {
     const std::uint32_t i = detail::find_joint(c, id);
     if (i == null_index) return {};
     const Joint& j = c.joints[i];
-    if (type_of(j) == JointType::gear) {
-        const float error = abs(joint_coordinate(c, c.joints[j.joint1]) + j.ratio * joint_coordinate(c, c.joints[j.joint2]) - j.length);
-        const bool linear = type_of(c.joints[j.joint1]) == JointType::prismatic;
-        return linear ? JointError{error, 0} : JointError{0, error};
-    }
     const JointPose p = pose_of(j, c.poses, c.bodies);
-    const Vec2 d = gap_of(p);
-    const auto beyond_limit = [&](float x) { return (j.flags & joint_limit) != 0 ? max(0.0f, max(j.lower - x, x - j.upper)) : 0.0f; };
-    const float across = abs(dot(left_perp({p.qa.c, p.qa.s}), d));
-    switch (type_of(j)) {
-        case JointType::revolute: return {length(d), beyond_limit(joint_coordinate(c, j))};
-        case JointType::prismatic: return {max(across, beyond_limit(joint_coordinate(c, j))), abs(angle_of(p))};
-        case JointType::wheel: return {max(across, beyond_limit(joint_coordinate(c, j))), 0};
-        case JointType::distance: return {is_rod(j) ? abs(length(d) - j.length) : beyond_limit(length(d)), 0};
-        case JointType::weld: return {j.linear_hertz > 0 ? 0 : length(d), j.angular_hertz > 0 ? 0 : abs(angle_of(p))};
-        case JointType::pulley: {
-            const float a = length(c.poses[j.body_a].center + p.ra - j.ground_a);
-            const float b = length(c.poses[j.body_b].center + p.rb - j.ground_b);
-            return {abs(a + j.ratio * b - j.length), 0};
-        }
-        case JointType::motor:
-        case JointType::mouse:
-        case JointType::gear: break;
-    }
-    return {};
+    return with_kind(type_of(j), [&](auto kind) { return kind.error(c, j, p); });
 }
 
 void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& frame_b) {
@@ -194,7 +164,7 @@ void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& 
 void World::set_collide_connected(JointId id, bool collide) {
     Core& c = core();
     note_call<Call::set_collide_connected>(c, id, collide);
-    const std::uint32_t i = find_joint(c, id, with_frames | bit(JointType::pulley));
+    const std::uint32_t i = find_joint(c, id, with_base);
     if (i == null_index) return;
     Joint& j = c.joints[i];
     if (((j.flags & joint_collide) != 0) == collide) return;
@@ -233,7 +203,7 @@ void World::set_limit(JointId id, const JointLimit& limit) {
     note_call<Call::set_limit>(c, id, limit);
     const std::uint32_t i = find_joint(c, id, with_coordinate);
     if (i == null_index || !check_limit(c, limit)) return;
-    if (!check(c, type_of(c.joints[i]) != JointType::distance || !limit.enable || limit.lower >= 0, Error::out_of_range)) return;
+    if (!check(c, (with_length & joint_bit(type_of(c.joints[i]))) == 0 || !limit.enable || limit.lower >= 0, Error::out_of_range)) return;
     change_parts(c, c.joints[i], [&](Joint& j) { set_limit_of(j, limit); });
 }
 
@@ -259,7 +229,7 @@ void World::set_joint_friction(JointId id, float friction) {
 void World::set_joint_length(JointId id, float length) {
     Core& c = core();
     note_call<Call::set_joint_length>(c, id, length);
-    const std::uint32_t i = find_joint(c, id, bit(JointType::distance));
+    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::distance));
     if (i == null_index || !check_range(c, length, linear_slop, max_position)) return;
     c.joints[i].length = length;
     wake_bodies(c, c.joints[i]);
@@ -268,7 +238,7 @@ void World::set_joint_length(JointId id, float length) {
 void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
     Core& c = core();
     note_call<Call::set_joint_velocity>(c, id, linear, angular);
-    const std::uint32_t i = find_joint(c, id, bit(JointType::motor));
+    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::motor));
     if (i == null_index || !check_finite(c, linear) || !check_finite(c, angular)) return;
     c.joints[i].velocity = linear;
     c.joints[i].motor_speed = angular;
@@ -278,7 +248,7 @@ void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
 void World::set_joint_strength(JointId id, float max_force, float max_torque) {
     Core& c = core();
     note_call<Call::set_joint_strength>(c, id, max_force, max_torque);
-    const std::uint32_t i = find_joint(c, id, bit(JointType::motor));
+    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::motor));
     if (i == null_index || !check_not_negative(c, max_force) || !check_not_negative(c, max_torque)) return;
     c.joints[i].motor_max = max_force;
     c.joints[i].max_torque = max_torque;
@@ -288,7 +258,7 @@ void World::set_joint_strength(JointId id, float max_force, float max_torque) {
 void World::set_target(JointId id, Vec2 target) {
     Core& c = core();
     note_call<Call::set_joint_target>(c, id, target);
-    const std::uint32_t i = find_joint(c, id, bit(JointType::mouse));
+    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::mouse));
     if (i == null_index || !check_position(c, target)) return;
     c.joints[i].local_a = target;
     wake_bodies(c, c.joints[i]);

@@ -1,0 +1,61 @@
+// All types of joints: what code that concerns every type asks the one at hand.
+#pragma once
+
+#include "../constraint/distance_joint.hpp"
+#include "../constraint/gear_joint.hpp"
+#include "../constraint/motor_joint.hpp"
+#include "../constraint/mouse_joint.hpp"
+#include "../constraint/prismatic_joint.hpp"
+#include "../constraint/pulley_joint.hpp"
+#include "../constraint/revolute_joint.hpp"
+#include "../constraint/weld_joint.hpp"
+#include "../constraint/wheel_joint.hpp"
+
+namespace islet::detail {
+
+/// Calls visit(JointKind<type>{}). A type that is left out of the build is not even compiled.
+template <class Visit>
+[[gnu::always_inline]] inline auto with_kind(JointType type, Visit&& visit) {
+    switch (type) {
+#define ISLET_CASE(name, definition)                                                                         \
+    case JointType::name:                                                                                    \
+        if constexpr (has_joint(JointType::name) || !has_joints) return visit(JointKind<JointType::name>{}); \
+        break;
+        ISLET_JOINT_TYPES(ISLET_CASE)
+#undef ISLET_CASE
+    }
+    __builtin_unreachable();
+}
+
+/// A set of types, as bits.
+constexpr std::uint32_t joint_bit(JointType type) { return 1u << static_cast<std::uint32_t>(type); }
+#define ISLET_BIT_IF(name, definition) | (JointKind<JointType::name>::ISLET_WANTED ? joint_bit(JointType::name) : 0u)
+#define ISLET_WANTED has_coordinate
+inline constexpr std::uint32_t with_coordinate = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
+#undef ISLET_WANTED
+#define ISLET_WANTED has_friction
+inline constexpr std::uint32_t with_friction = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
+#undef ISLET_WANTED
+#define ISLET_WANTED has_length
+inline constexpr std::uint32_t with_length = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
+#undef ISLET_WANTED
+#define ISLET_WANTED has_frames
+inline constexpr std::uint32_t with_frames = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
+#undef ISLET_WANTED
+#define ISLET_WANTED has_base
+inline constexpr std::uint32_t with_base = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
+#undef ISLET_WANTED
+#define ISLET_WANTED counts_turns
+inline constexpr std::uint32_t with_turns = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
+#undef ISLET_WANTED
+#undef ISLET_BIT_IF
+
+/// The coordinate of a joint that has one.
+inline float coordinate_of(const Joint& j, const JointPose& p) {
+    return with_kind(j.joint_type(), [&](auto kind) {
+        if constexpr (kind.has_coordinate) return kind.coordinate(j, p);
+        return 0.0f;
+    });
+}
+
+}  // namespace islet::detail
