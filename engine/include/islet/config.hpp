@@ -55,7 +55,8 @@
     JOINT(motor, Motor)          \
     JOINT(mouse, Mouse)          \
     JOINT(pulley, Pulley)        \
-    JOINT(gear, Gear)
+    JOINT(gear, Gear)            \
+    JOINT(angle, Angle)
 
 /// Which kernels solve them, a line each: KERNEL(name, its rows, the types it is for, as has_joint(type) of each).
 #define ISLET_JOINT_KERNELS(KERNEL)                                                                                             \
@@ -66,6 +67,7 @@
     KERNEL(weld, WeldRows, has_joint(JointType::weld))                                                                          \
     KERNEL(wheel, WheelRows, has_joint(JointType::wheel))                                                                       \
     KERNEL(drive, DriveRows, has_joint(JointType::motor) || has_joint(JointType::mouse)) /* motor and mouse joints */           \
+    KERNEL(angle, AngleRows, has_joint(JointType::angle))                                                                       \
     KERNEL(pulley, PulleyRows, has_joint(JointType::pulley))                                                                    \
     KERNEL(gear, LoneGearRows, has_joint(JointType::gear))
 

@@ -14,6 +14,7 @@
 //   mouse      none                                           nothing: pulls a point of B to a target within a force
 //   pulley     none                                           length of A's side + ratio * length of B's side
 //   gear       none                                           coordinate of joint 1 + ratio * coordinate of joint 2
+//   angle      angle of frame B in frame A, rad               nothing: with a ratchet, turning back
 //
 // Angles are continuous: they count on past a full turn.
 #pragma once
@@ -173,6 +174,22 @@ struct GearJointDef {
     float ratio = 1;         ///< not 0, between -max_ratio and max_ratio
     float break_torque = 0;  ///< N m (N for a prismatic joint 1), >= 0; 0: never breaks
     std::uint64_t user_data = 0;
+};
+
+/// Lets an angle pass teeth one way only: one that it has passed holds it.
+struct JointRatchet {
+    float step = 0;   ///< rad from tooth to tooth: 0.001 to 100, or the same below 0 for turning backward only; 0: no ratchet
+    float phase = 0;  ///< rad, of any of the teeth; -10 000 to 10 000
+};
+
+/// Ties the angle of two bodies, and nothing else: they may be anywhere. Its points are only where it is drawn.
+struct AngleJointDef {
+    JointBase base = {};
+    JointSpring spring = {};
+    JointLimit limit = {};
+    JointMotor motor = {};
+    float friction = 0;  ///< N m, >= 0: dry friction that resists turning
+    JointRatchet ratchet = {};
 };
 
 /// How far a joint is from what it locks.

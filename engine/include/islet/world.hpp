@@ -328,6 +328,7 @@ public:
     JointId create_joint(const MouseJointDef& def);
     JointId create_joint(const PulleyJointDef& def);
     JointId create_joint(const GearJointDef& def);
+    JointId create_joint(const AngleJointDef& def);
     /// Destroys the joint, and the gears that use it.
     void destroy_joint(JointId joint);
     bool is_valid(JointId joint) const;
@@ -356,22 +357,25 @@ public:
     std::uint64_t user_data(JointId joint) const;
     void set_user_data(JointId joint, std::uint64_t data);
 
-    /// The coordinate (joints.hpp): rad of a revolute joint, continuous past a full turn; m of the others that have one.
+    /// The coordinate (joints.hpp): rad of revolute and angle joints, continuous past a full turn; m of the others that have one.
     float joint_position(JointId joint) const;
     /// Its rate, rad/s or m/s; of a wheel joint the strut's.
     float joint_speed(JointId joint) const;
-    /// Revolute, prismatic, distance and wheel joints.
+    /// Revolute, prismatic, distance, wheel and angle joints.
     JointSpring spring(JointId joint) const;
     void set_spring(JointId joint, const JointSpring& spring);
     JointLimit limit(JointId joint) const;
     void set_limit(JointId joint, const JointLimit& limit);
     JointMotor motor(JointId joint) const;
     void set_motor(JointId joint, const JointMotor& motor);
-    /// Revolute, prismatic and wheel joints. N m or N.
+    /// Revolute, prismatic, wheel and angle joints. N m or N.
     float joint_friction(JointId joint) const;
     void set_joint_friction(JointId joint, float friction);
     /// Force (N) or torque (N m) of the motor over the last substep.
     float motor_force(JointId joint) const;
+    /// Of an angle joint. Setting it lets go of the tooth that held; the last one that the angle is past holds it next.
+    JointRatchet ratchet(JointId joint) const;
+    void set_ratchet(JointId joint, const JointRatchet& ratchet);
     /// Of a distance joint, m.
     float joint_length(JointId joint) const;
     void set_joint_length(JointId joint, float length);

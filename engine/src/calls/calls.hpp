@@ -86,7 +86,9 @@
     X(set_joint_velocity, set_joint_velocity, JointId, Vec2, float) \
     X(set_joint_strength, set_joint_strength, JointId, float, float) \
     X(set_joint_target, set_target, JointId, Vec2) \
-    X(set_one_way, set_one_way, ShapeId, Vec2)
+    X(set_one_way, set_one_way, ShapeId, Vec2) \
+    X(create_angle_joint, create_joint, AngleJointDef) \
+    X(set_ratchet, set_ratchet, JointId, JointRatchet)
 // clang-format on
 
 namespace islet::detail {
@@ -170,6 +172,8 @@ template <class V> constexpr void members(V& v, MotorJointDef& a) {
 }
 template <class V> constexpr void members(V& v, MouseJointDef& a) { v(a.body, a.target, a.hertz, a.damping_ratio, a.max_force, a.user_data); }
 template <class V> constexpr void members(V& v, PulleyJointDef& a) { v(a.base, a.ground_a, a.ground_b, a.ratio); }
+template <class V> constexpr void members(V& v, JointRatchet& a) { v(a.step, a.phase); }
+template <class V> constexpr void members(V& v, AngleJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction, a.ratchet); }
 template <class V> constexpr void members(V& v, GearJointDef& a) { v(a.joint1, a.joint2, a.ratio, a.break_torque, a.user_data); }
 // clang-format on
 

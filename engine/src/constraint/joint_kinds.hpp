@@ -1,6 +1,7 @@
 // All types of joints: what code that concerns every type asks the one at hand.
 #pragma once
 
+#include "../constraint/angle_joint.hpp"
 #include "../constraint/distance_joint.hpp"
 #include "../constraint/gear_joint.hpp"
 #include "../constraint/motor_joint.hpp"

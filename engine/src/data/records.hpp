@@ -230,15 +230,15 @@ struct Joint {
     float lower = 0, upper = 0;
     float motor_speed = 0, motor_max = 0;  // of a motor joint: angular velocity, greatest force
     float friction = 0;
-    float length = 0;      // distance: of the rod; pulley, gear: the constant
+    float length = 0;      // distance: of the rod; pulley, gear: the constant; angle: the ratchet's step
     union {                // by type
         float ratio = 0;   // pulley, gear
         float limit_load;  // of joints with a limit: N s or N m s over a substep, without the joint's own motor (constraint/coordinate.hpp)
     };
     float linear_hertz = 0, linear_damping_ratio = 0, angular_hertz = 0, angular_damping_ratio = 0;  // weld, motor, mouse
-    Vec2 velocity;                                                                                   // motor
-    float max_torque = 0;                                                                            // motor
-    Vec2 ground_a, ground_b;                                                                         // pulley
+    Vec2 velocity;            // motor; angle: the ratchet's phase, and the angle at which it holds (constraint/angle_joint.hpp)
+    float max_torque = 0;     // motor
+    Vec2 ground_a, ground_b;  // pulley
 
     float coordinate = 0;          // rad, revolute: near its angle after the last step, past full turns
     std::uint32_t gear_count = 0;  // gears that use it

@@ -116,6 +116,7 @@ JointMotor World::motor(JointId id) const { ISLET_READ_JOINT(with_coordinate, (J
 float World::joint_friction(JointId id) const { ISLET_READ_JOINT(with_friction, j.friction); }
 float World::motor_force(JointId id) const { ISLET_READ_JOINT(with_coordinate, force_of(c, j.motor_impulse)); }
 float World::joint_length(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::distance), j.length); }
+JointRatchet World::ratchet(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::angle), (JointRatchet{j.length, j.velocity.x})); }
 Vec2 World::target(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::mouse), j.local_a); }
 Vec2 World::ground_a(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::pulley), j.ground_a); }
 Vec2 World::ground_b(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::pulley), j.ground_b); }
@@ -232,6 +233,15 @@ void World::set_joint_length(JointId id, float length) {
     const std::uint32_t i = find_joint(c, id, joint_bit(JointType::distance));
     if (i == null_index || !check_range(c, length, linear_slop, max_position)) return;
     c.joints[i].length = length;
+    wake_bodies(c, c.joints[i]);
+}
+
+void World::set_ratchet(JointId id, const JointRatchet& ratchet) {
+    Core& c = core();
+    note_call<Call::set_ratchet>(c, id, ratchet);
+    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::angle));
+    if (i == null_index || !check_ratchet(c, ratchet)) return;
+    set_ratchet_of(c.joints[i], ratchet);
     wake_bodies(c, c.joints[i]);
 }
 
