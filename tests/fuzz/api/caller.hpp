@@ -48,6 +48,7 @@ struct Caller {
     JointSpring spring();
     JointLimit limit();
     JointMotor motor();
+    JointRatchet ratchet();
     JointFrame frame();
 
     // changes.cpp
