@@ -69,8 +69,8 @@ TEST(AngleJoint, HoldsItsLimitsWhileDriven) {
     }
 }
 
-// x(t) = x0 e^(-zeta w t) (cos(wd t) + zeta w / wd sin(wd t)). The engine integrates by implicit Euler, which adds h w / 2 to the damping ratio: in a second, at
-// 16 substeps, that takes h w^2 / 2 = 2.1 % of the amplitude. A half more is allowed for.
+// x(t) = x0 e^(-zeta w t) (cos(wd t) + zeta w / wd sin(wd t)). The engine integrates by implicit Euler, which adds h w / 2 to the damping ratio: in a second,
+// at 16 substeps, that takes h w^2 / 2 = 2.1 % of the amplitude. A half more is allowed for.
 TEST(AngleJoint, ASpringSwingsAsTheDampedOscillatorDoes) {
     const double omega = 2 * double(pi), x0 = 0.5;
     for (const double zeta : {0.0, 0.2, 0.7}) {

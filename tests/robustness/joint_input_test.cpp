@@ -11,7 +11,8 @@ using namespace islet::test;
 
 constexpr std::uint32_t bit(JointType type) { return 1u << static_cast<std::uint32_t>(type); }
 constexpr std::uint32_t any = (1u << joint_type_count) - 1;
-constexpr std::uint32_t sprung = bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::distance) | bit(JointType::wheel) | bit(JointType::angle);
+constexpr std::uint32_t sprung =
+    bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::distance) | bit(JointType::wheel) | bit(JointType::angle);
 constexpr std::uint32_t rubbing = sprung & ~bit(JointType::distance);
 constexpr std::uint32_t framed = sprung | bit(JointType::weld) | bit(JointType::motor);
 
