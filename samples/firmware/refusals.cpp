@@ -88,6 +88,7 @@ int run() {
     expect_refused(world, !world.create_joint(MouseJointDef{.body = body, .max_force = 1}), "mouse joints");
     expect_refused(world, !world.create_joint(PulleyJointDef{.base = base, .ground_a = {0, 200}, .ground_b = {2, 200}}), "pulley joints");
     expect_refused(world, !world.create_joint(GearJointDef{}), "gear joints");
+    expect_refused(world, !world.create_joint(AngleJointDef{.base = base}), "angle joints");
     if (world.hash() != before) {
         print("a refused call changed the world\n");
         good = false;

@@ -102,6 +102,8 @@ struct Measure {
         const bool slides = std::holds_alternative<PrismaticJointDef>(engine.joint(joint.body_a).def);
         return slides ? Off{off, 0} : Off{0, off};
     }
+    // Which tooth holds only the engine knows.
+    Off operator()(const AngleJointDef& def) const { return {0, beyond(def.limit, double(engine.joint_position(index)))}; }
 };
 
 Vec2 to_vec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }

@@ -39,7 +39,7 @@ struct SceneBody {
 
 /// Any of the joints of islet/joints.hpp. The ids in it are filled in by the engine that makes the joint.
 using JointDef = std::variant<RevoluteJointDef, PrismaticJointDef, DistanceJointDef, WeldJointDef, WheelJointDef, MotorJointDef,
-                              MouseJointDef, PulleyJointDef, GearJointDef>;
+                              MouseJointDef, PulleyJointDef, GearJointDef, AngleJointDef>;
 
 /// A joint between two bodies, known by their indices. A mouse joint pulls body_b and has no body_a; of a gear they are the indices of two joints.
 struct SceneJoint {

@@ -26,7 +26,7 @@ inline constexpr const char* const* enum_names<SweepOrder> = sweep_order_names;
 
 /// By the order of SceneGeometry and of JointDef.
 inline constexpr const char* geometry_names[] = {"circle", "capsule", "segment", "polygon", "chain", "half_space", nullptr};
-inline constexpr const char* joint_names[] = {"revolute", "prismatic", "distance", "weld", "wheel", "motor", "mouse", "pulley", "gear", nullptr};
+inline constexpr const char* joint_names[] = {"revolute", "prismatic", "distance", "weld", "wheel", "motor", "mouse", "pulley", "gear", "angle", nullptr};
 
 /// Both const for a writer; a reader fills `d` in.
 template <class Io, class D>
@@ -167,6 +167,12 @@ void fields(Io& io, D& d, const JointMotor& usual) requires std::is_same_v<std::
     io("max_force", d.max_force, usual.max_force);
 }
 
+template <class Io, class D>
+void fields(Io& io, D& d, const JointRatchet& usual) requires std::is_same_v<std::remove_const_t<D>, JointRatchet> {
+    io("step", d.step, usual.step);
+    io("phase", d.phase, usual.phase);
+}
+
 /// Any joint: the fields its definition has, those of its base as if they were its own.
 template <class Io, class D>
 void joint_fields(Io& io, D& d, const std::remove_const_t<D>& usual) {
@@ -179,6 +185,7 @@ void joint_fields(Io& io, D& d, const std::remove_const_t<D>& usual) {
         io("user_data", d.base.user_data, usual.base.user_data);
     }
     if constexpr (requires { d.spring; }) io("spring", d.spring, usual.spring);
+    if constexpr (requires { d.ratchet; }) io("ratchet", d.ratchet, usual.ratchet);
     if constexpr (requires { d.limit; }) io("limit", d.limit, usual.limit);
     if constexpr (requires { d.motor; }) io("motor", d.motor, usual.motor);
     if constexpr (requires { d.friction; }) io("friction", d.friction, usual.friction);

@@ -33,6 +33,7 @@ const std::vector<SceneInfo>& catalogue() {
         {"elevator", "joints", "a cabin with riders goes up and down on a slider with a motor", make_elevator},
         {"pulley", "joints", "weights on pulleys, one of them a tackle of two, rise and fall", make_pulley},
         {"gears", "joints", "three toothed wheels on a motor lift a toothed bar", make_gears},
+        {"ratchet", "joints", "four discs tied by angle joints: two ratchets, a spring and a brake", make_ratchet},
         {"scissor_lift", "joints", "crossed bars lift a platform as a carriage pulls their feet together", make_scissor_lift},
         {"car", "joints", "a car on sprung struts drives over waves", make_car},
         {"ragdoll", "joints", "three ragdolls tumble down a stair and come to rest", make_ragdoll},

@@ -53,6 +53,7 @@ Scene make_cable_bridge();
 Scene make_gripper_scene();
 Scene make_walker();
 Scene make_arm();
+Scene make_ratchet();
 Scene make_quadruped();
 
 // granular

@@ -114,6 +114,7 @@ const std::map<std::string, Ask>& asks() {
          [](Attempt& a) {
              return !a.world.create_joint(PulleyJointDef{.base = a.base, .ground_a = {0, 9}, .ground_b = {2, 9}});
          }},
+        {"angle_joints", [](Attempt& a) { return !a.world.create_joint(AngleJointDef{.base = a.base}); }},
         {"gear_joints", [](Attempt& a) { return !a.world.create_joint(GearJointDef{}); }},
     };
     return table;

@@ -164,7 +164,7 @@ private:
         const float x = draw_.one_in(2) ? draw_.pick(0, 5, 1e-6f, 1e38f) : 0, y = draw_.pick(0.1f, 3, 1e-2f, 1e6f);
         const Vec2 p = draw_.place(), q = draw_.place();
         JointId made;
-        switch (draw_.below(9)) {
+        switch (draw_.below(10)) {
         case 0: made = w.create_joint(RevoluteJointDef{base, s, l, m, x}); break;
         case 1: made = w.create_joint(RevoluteJointDef{.base = base}); break;
         case 2: made = w.create_joint(PrismaticJointDef{base, s, l, m, x}); break;
@@ -173,6 +173,7 @@ private:
         case 5: made = w.create_joint(WheelJointDef{base, s, l, m, x}); break;
         case 6: made = w.create_joint(MotorJointDef{base, {m.speed, s.target}, m.speed, m.max_force, x, s.hertz, 1, x, 1}); break;
         case 7: made = w.create_joint(MouseJointDef{base.body_b, p, s.hertz, s.damping_ratio, m.max_force}); break;
+        case 8: made = w.create_joint(AngleJointDef{base, s, l, m, x, {draw_.one_in(2) ? 0 : draw_.sign() * draw_.pick(0.002f, 3, 0.001f, 100), p.x}}); break;
         default: made = w.create_joint(PulleyJointDef{base, p, q, min(y, max_ratio)});
         }
         if (!made) return;

@@ -92,6 +92,7 @@ private:
     }
     JointMotor motor() { return {random_.one_in(2), number(-20, 20), number(0, 300)}; }
     float friction() { return random_.one_in(3) ? number(0, 20) : 0; }
+    JointRatchet ratchet() { return {random_.one_in(2) ? 0 : number(-2, 2), number(-4, 4)}; }
     float hertz() { return random_.one_in(2) ? number(0, 30) : 0; }
 
     JointId geared() {
@@ -114,6 +115,7 @@ private:
                                                   hertz(), number(0, 2)});
         case JointType::mouse: return w_->create_joint(MouseJointDef{body(), point(5), number(0.1f, 20), number(0, 2), number(0, 1000)});
         case JointType::pulley: return w_->create_joint(PulleyJointDef{base(), point(8), point(8), number(0.1f, 3)});
+        case JointType::angle: return w_->create_joint(AngleJointDef{base(), spring(), limit(), motor(), friction(), ratchet()});
         case JointType::gear: break;
         }
         return w_->create_joint(GearJointDef{geared(), geared(), number(-3, 3), random_.one_in(3) ? number(0, 50) : 0});
@@ -127,7 +129,8 @@ private:
 
     void change_joint() {
         const JointId j = joint();
-        switch (random_.below(16)) {
+        switch (random_.below(17)) {
+        case 16: w_->set_ratchet(j, ratchet()); break;
         case 0: w_->set_spring(j, spring()); break;
         case 1: w_->set_limit(j, limit()); break;
         case 2: w_->set_motor(j, motor()); break;
@@ -249,7 +252,7 @@ TEST_P(JointFuzz, RandomCallsBreakNoInvariantAndGiveTheSameBitsTwice) {
     JointFuzzer fuzzer(seed, 0);
     const std::uint64_t first = fuzzer.run(operations);
     if (HasFailure()) return;
-    for (const JointType type : joint_types) EXPECT_GT(fuzzer.made(type), operations / 4000u) << name_of(type);
+    for (const JointType type : joint_types) EXPECT_GE(fuzzer.made(type), operations / 4000u) << name_of(type);
     EXPECT_EQ(first, JointFuzzer(seed, seed % 2 == 0 ? 1 : 4).run(operations)) << "lanes change the bits";
 }
 

@@ -11,7 +11,8 @@ using namespace islet::test;
 
 constexpr std::uint32_t bit(JointType type) { return 1u << static_cast<std::uint32_t>(type); }
 constexpr std::uint32_t any = (1u << joint_type_count) - 1;
-constexpr std::uint32_t sprung = bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::distance) | bit(JointType::wheel);
+constexpr std::uint32_t sprung =
+    bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::distance) | bit(JointType::wheel) | bit(JointType::angle);
 constexpr std::uint32_t rubbing = sprung & ~bit(JointType::distance);
 constexpr std::uint32_t framed = sprung | bit(JointType::weld) | bit(JointType::motor);
 
@@ -52,6 +53,8 @@ const JointCall joint_calls[] = {
     {"joint_friction", rubbing, [](World& w, JointId j) { return w.joint_friction(j) == 0; }},
     {"set_joint_friction", rubbing, [](World& w, JointId j) { return w.set_joint_friction(j, 1), true; }},
     {"motor_force", sprung, [](World& w, JointId j) { return w.motor_force(j) == 0; }},
+    {"ratchet", bit(JointType::angle), [](World& w, JointId j) { const JointRatchet r = w.ratchet(j); return r.step == 0 && r.phase == 0; }},
+    {"set_ratchet", bit(JointType::angle), [](World& w, JointId j) { return w.set_ratchet(j, {.step = 1, .phase = 2}), true; }},
     {"joint_length", bit(JointType::distance), [](World& w, JointId j) { return w.joint_length(j) == 0; }},
     {"set_joint_length", bit(JointType::distance), [](World& w, JointId j) { return w.set_joint_length(j, 3), true; }},
     {"set_joint_velocity", bit(JointType::motor),
@@ -185,6 +188,7 @@ TEST_F(BadJoint, BodiesMustBeLive) {
             expect_refused(error, [&] { EXPECT_FALSE(w->create_joint(WeldJointDef{.base = base})); });
             expect_refused(error, [&] { EXPECT_FALSE(w->create_joint(WheelJointDef{.base = base})); });
             expect_refused(error, [&] { EXPECT_FALSE(w->create_joint(MotorJointDef{.base = base})); });
+            expect_refused(error, [&] { EXPECT_FALSE(w->create_joint(AngleJointDef{.base = base})); });
             expect_refused(error, [&] { EXPECT_FALSE(w->create_joint(PulleyJointDef{.base = base, .ground_a = {0, 50}})); });
         }
         expect_refused(error, [&] { EXPECT_FALSE(w->create_joint(MouseJointDef{.body = bad})); });

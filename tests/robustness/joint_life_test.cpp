@@ -131,9 +131,10 @@ TEST_F(JointLife, AJointReadsBackAsItWasMade) {
                            w->create_joint(WeldJointDef{.base = base}),
                            w->create_joint(WheelJointDef{.base = base}),
                            w->create_joint(MotorJointDef{.base = base}),
-                           w->create_joint(PulleyJointDef{.base = base, .ground_a = {0, 9}, .ground_b = {3, 9}})};
+                           w->create_joint(PulleyJointDef{.base = base, .ground_a = {0, 9}, .ground_b = {3, 9}}),
+                           w->create_joint(AngleJointDef{.base = base})};
     const JointType types[] = {JointType::revolute, JointType::prismatic, JointType::distance, JointType::weld,
-                               JointType::wheel,    JointType::motor,     JointType::pulley};
+                               JointType::wheel,    JointType::motor,     JointType::pulley,   JointType::angle};
     for (std::size_t i = 0; i < std::size(ids); ++i) {
         SCOPED_TRACE(name_of(types[i]));
         EXPECT_EQ(w->joint_type(ids[i]), types[i]);

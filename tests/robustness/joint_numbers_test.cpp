@@ -119,6 +119,13 @@ TEST_F(BadJointNumber, InAHinge) { expect_coordinate(RevoluteJointDef{.base = ba
 TEST_F(BadJointNumber, InASlider) { expect_coordinate(PrismaticJointDef{.base = base}); }
 TEST_F(BadJointNumber, InAWheel) { expect_coordinate(WheelJointDef{.base = base}); }
 
+TEST_F(BadJointNumber, InAnAngleJoint) {
+    using Def = AngleJointDef;
+    expect_coordinate(Def{.base = base});
+    expect_fields<Def>({.base = base, .ratchet = {.step = 1}},
+                       {{"ratchet.phase", [](Def& d) -> float& { return d.ratchet.phase; }, -1e4f, 1e4f}});
+}
+
 TEST_F(BadJointNumber, InARod) {
     expect_coordinate(DistanceJointDef{.base = base, .length = 3});
     expect_fields<DistanceJointDef>({.base = base},
@@ -188,7 +195,7 @@ TEST_F(BadJointNumber, InAGear) {
 }
 
 TEST_F(BadJointNumber, InASetter) {
-    for (const JointType type : {JointType::revolute, JointType::prismatic, JointType::distance, JointType::wheel}) {
+    for (const JointType type : {JointType::revolute, JointType::prismatic, JointType::distance, JointType::wheel, JointType::angle}) {
         SCOPED_TRACE(name_of(type));
         const JointId j = machine[type];
         expect_setter("spring.hertz", 0, most, [&](float x) { w->set_spring(j, {true, x, 1, 0}); });

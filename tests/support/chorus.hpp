@@ -172,6 +172,7 @@ public:
     ISLET_ALL(set_limit)
     ISLET_ALL(set_motor)
     ISLET_ALL(set_joint_friction)
+    ISLET_ALL(set_ratchet)
     ISLET_ALL(set_joint_length)
     ISLET_ALL(set_joint_velocity)
     ISLET_ALL(set_joint_strength)

@@ -89,6 +89,8 @@ ISLET_NAMES(MotorJointDef, "base", "linear_velocity", "angular_velocity", "max_f
             "angular_damping_ratio")
 ISLET_NAMES(MouseJointDef, "body", "target", "hertz", "damping_ratio", "max_force", "user_data")
 ISLET_NAMES(PulleyJointDef, "base", "ground_a", "ground_b", "ratio")
+ISLET_NAMES(JointRatchet, "step", "phase")
+ISLET_NAMES(AngleJointDef, "base", "spring", "limit", "motor", "friction", "ratchet")
 ISLET_NAMES(GearJointDef, "joint1", "joint2", "ratio", "break_torque", "user_data")
 #undef ISLET_NAMES
 

@@ -1,4 +1,4 @@
-// Joints for tests: one of any type in a word, and a machine that holds all nine. Nothing here allocates.
+// Joints for tests: one of any type in a word, and a machine that holds all ten. Nothing here allocates.
 #pragma once
 
 #include <array>
@@ -10,9 +10,10 @@ namespace islet::test {
 inline constexpr Capacity room_for_joints{.bodies = 32, .shapes = 32, .contacts = 64, .joints = 32};
 inline constexpr JointType joint_types[joint_type_count] = {JointType::revolute, JointType::prismatic, JointType::distance,
                                                             JointType::weld,     JointType::wheel,     JointType::motor,
-                                                            JointType::mouse,    JointType::pulley,    JointType::gear};
+                                                            JointType::mouse,    JointType::pulley,    JointType::gear,
+                                                            JointType::angle};
 inline const char* name_of(JointType type) {
-    constexpr const char* names[] = {"revolute", "prismatic", "distance", "weld", "wheel", "motor", "mouse", "pulley", "gear"};
+    constexpr const char* names[] = {"revolute", "prismatic", "distance", "weld", "wheel", "motor", "mouse", "pulley", "gear", "angle"};
     return names[static_cast<std::size_t>(type)];
 }
 
@@ -46,6 +47,7 @@ inline JointId join(World& w, JointType type, BodyId a, BodyId b, bool collide =
         const Vec2 above = {0, 3};
         return w.create_joint(PulleyJointDef{.base = base, .ground_a = w.position(a) + above, .ground_b = w.position(b) + above});
     }
+    case JointType::angle: return w.create_joint(AngleJointDef{.base = base, .limit = {.enable = true}});
     case JointType::gear: break;
     }
     return {};
@@ -128,6 +130,14 @@ inline Machine add_machine(World& w, Vec2 at) {
     pulley.ratio = 1.5f;
     set(JointType::pulley, w.create_joint(pulley));
     set(JointType::gear, w.create_joint(GearJointDef{.joint1 = m[JointType::revolute], .joint2 = m[JointType::prismatic], .ratio = 0.5f}));
+    AngleJointDef twist{.base = base_at_b(w, m.frame, m.bob)};
+    twist.base.collide_connected = true;
+    twist.spring = {.enable = true, .hertz = 1, .damping_ratio = 0.1f, .target = 0.2f};
+    twist.limit = {.enable = true, .lower = -0.5f, .upper = 1};
+    twist.motor = {.enable = true, .speed = 0.5f, .max_force = 0.5f};
+    twist.friction = 0.01f;
+    twist.ratchet = {.step = 0.05f};
+    set(JointType::angle, w.create_joint(twist));
     return m;
 }
 

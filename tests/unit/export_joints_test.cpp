@@ -143,6 +143,23 @@ TEST(ExportJoints, PrismaticRows) {
     expect_rows(p.w, j, rows);
 }
 
+TEST(ExportJoints, AngleRows) {
+    JointedPair p;
+    const JointId j = p.w->create_joint(AngleJointDef{
+        .base = p.base(), .spring = spring, .limit = {.enable = true, .lower = -3, .upper = 2}, .motor = motor, .friction = 2});
+    expect_rows(p.w, j, all_parts([&] { return p.position(j); }, -3, 2, 2));
+}
+
+// The last tooth that the angle is past is a lower limit.
+TEST(ExportJoints, RatchetRows) {
+    JointedPair p;
+    const JointId j = p.w->create_joint(AngleJointDef{.base = p.base(), .ratchet = {.step = 0.3f, .phase = 0.1f}});
+    const auto turned = [&] { return p.turned(); };
+    const float x = p.w->joint_position(j), tooth = 0.1f + 0.3f * std::floor((x - 0.1f) / 0.3f);
+    expect_rows(p.w, j, {{RowKind::limit, turned, 0, infinity, (x - tooth) / substep},
+                         {RowKind::limit, [&] { return -turned(); }, 0, infinity, 1.0e12f / substep}});
+}
+
 TEST(ExportJoints, WheelRows) {
     JointedPair p;
     const JointId j = p.w->create_joint(WheelJointDef{

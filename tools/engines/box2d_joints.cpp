@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <memory>
 
 #include "box2d_engine.hpp"
@@ -174,6 +175,7 @@ struct Maker {
         def->ratio = from.ratio;
         return def;
     }
+    Made operator()(const AngleJointDef&) const { throw std::runtime_error("Box2D 2 has no angle joints"); }
 };
 
 template <class Joint>
@@ -241,6 +243,7 @@ struct Lacks {
         const bool moves = def.linear_velocity.x != 0 || def.linear_velocity.y != 0 || def.angular_velocity != 0;
         return moves ? "motor joint that drives a velocity" : "";
     }
+    std::string operator()(const AngleJointDef&) const { return "angle joint"; }
     template <class Def>
     std::string operator()(const Def&) const {
         return {};

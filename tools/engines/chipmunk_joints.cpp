@@ -82,6 +82,7 @@ struct Lacks {
     std::string operator()(const MouseJointDef&) const { return {}; }
     std::string operator()(const MotorJointDef&) const { return "motor joints"; }
     std::string operator()(const PulleyJointDef&) const { return "pulleys"; }
+    std::string operator()(const AngleJointDef&) const { return "angle joints with all their parts"; }
     std::string operator()(const GearJointDef&) const {
         const auto turns_on_ground = [this](std::size_t index) {
             const SceneJoint& of = scene.joints.at(index);
@@ -141,7 +142,7 @@ struct ChipmunkJoints::Setter {
     void operator()(const GearJointDef&) const {}  // nothing of it can be changed
     template <class Def>
     void operator()(const Def&) const {
-        throw std::runtime_error("Chipmunk 7 has no pulleys and no motor joints");
+        throw std::runtime_error("Chipmunk 7 has no pulleys, no motor joints and no angle joints with all their parts");
     }
 
 private:

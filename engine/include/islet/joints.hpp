@@ -179,7 +179,7 @@ struct GearJointDef {
 /// Lets an angle pass teeth one way only: one that it has passed holds it.
 struct JointRatchet {
     float step = 0;   ///< rad from tooth to tooth: 0.001 to 100, or the same below 0 for turning backward only; 0: no ratchet
-    float phase = 0;  ///< rad, of any of the teeth
+    float phase = 0;  ///< rad, of any of the teeth; -10 000 to 10 000
 };
 
 /// Ties the angle of two bodies, and nothing else: they may be anywhere. Its points are only where it is drawn.

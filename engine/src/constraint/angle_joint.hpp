@@ -16,12 +16,13 @@ namespace islet::detail {
 template <std::uint32_t W>
 struct alignas(W * 4) AngleRows : HingeRows<W> {};
 
-inline constexpr float least_ratchet_step = 0.001f, most_ratchet_step = 100;  // rad
+inline constexpr float least_ratchet_step = 0.001f, most_ratchet_step = 100, most_ratchet_phase = 1.0e4f;  // rad
 
 inline bool is_ratchet_step(float step) { return step == 0 || (abs(step) >= least_ratchet_step && abs(step) <= most_ratchet_step); }
 
 inline bool check_ratchet(const Core& core, const JointRatchet& r) {
-    return check_finite(core, r.step) && check_range(core, r.phase, -no_bound, no_bound) && check(core, is_ratchet_step(r.step), Error::out_of_range);
+    return check_finite(core, r.step) && check_range(core, r.phase, -most_ratchet_phase, most_ratchet_phase) &&
+           check(core, is_ratchet_step(r.step), Error::out_of_range);
 }
 
 /// No tooth holds yet.

@@ -25,7 +25,6 @@
 #include "../constraint/softness.hpp"
 #include "../constraint/solver_body.hpp"
 #include "../data/core.hpp"
-#include "islet/island.hpp"
 
 namespace islet::detail {
 

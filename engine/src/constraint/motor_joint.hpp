@@ -106,7 +106,7 @@ struct DriveJoint : AnyJoint {
             auto row = rows.along(axis, p.ra);
             row.bias -= dot(axis, velocity);
             rows.soften(row, soft, dot(axis, gap_of(p)), rows.to.coupling(row, row));
-            rows.add_within(row, RowKind::motor, rows.to.h * j.motor_max, dot(axis, j.impulse));
+            rows.add_within(row, Rows::motor_row, rows.to.h * j.motor_max, dot(axis, j.impulse));
         }
     }
 };
@@ -129,7 +129,7 @@ struct JointKind<JointType::motor> : DriveJoint {
         auto row = rows.turning();
         row.bias -= within_bound(j.motor_speed);
         rows.soften(row, soft, angle_of(rows.p), rows.to.coupling(row, row));
-        rows.add_within(row, RowKind::motor, rows.to.h * j.max_torque, j.angular_impulse);
+        rows.add_within(row, Rows::motor_row, rows.to.h * j.max_torque, j.angular_impulse);
         add_point_rows(rows);
     }
     /// The two frames as corners, and an arrow from A's to B's.

@@ -98,11 +98,11 @@ struct JointKind<JointType::weld> : AnyJoint {
             rows.soften(x, soft, gap_of(rows.p).x, k);
             rows.soften(y, soft, gap_of(rows.p).y, k);
         }
-        rows.add_unbounded(x, soft_point ? RowKind::spring : RowKind::joint, j.impulse.x);
-        rows.add_unbounded(y, soft_point ? RowKind::spring : RowKind::joint, j.impulse.y);
+        rows.add_unbounded(x, soft_point ? Rows::spring_row : Rows::joint_row, j.impulse.x);
+        rows.add_unbounded(y, soft_point ? Rows::spring_row : Rows::joint_row, j.impulse.y);
         auto angle = rows.turning();
         if (soft_angle) rows.soften(angle, make_soft(j.angular_hertz, j.angular_damping_ratio, rows.to.h), angle_of(rows.p), rows.to.coupling(angle, angle));
-        rows.add_unbounded(angle, soft_angle ? RowKind::spring : RowKind::joint, j.angular_impulse);
+        rows.add_unbounded(angle, soft_angle ? Rows::spring_row : Rows::joint_row, j.angular_impulse);
     }
     /// A square with its diagonals, fixed to A.
     template <class Pen>

@@ -13,6 +13,8 @@ constexpr float infinity = __builtin_inff();
 
 /// A joint whose rows are being made: what JointKind::add_rows of every type writes them with.
 struct JointRows {
+    static constexpr RowKind joint_row = RowKind::joint, spring_row = RowKind::spring, motor_row = RowKind::motor;
+
     IslandRows& to;
     const Joint& j;
     std::uint32_t slot;

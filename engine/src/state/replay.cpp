@@ -175,6 +175,12 @@ constexpr std::uint8_t argument_words[] = {
 };
 constexpr auto first_call = static_cast<std::uint32_t>(Call::image) + 1;
 
+bool makes_joint(Call call) {
+#define ISLET_IS(type, definition) || call == Call::create_##type##_joint
+    return false ISLET_JOINT_TYPES(ISLET_IS);
+#undef ISLET_IS
+}
+
 bool is_between(Call call, Call first, Call last) { return call >= first && call <= last; }
 
 void raise_to(std::uint32_t& a, std::uint32_t b) { a = a > b ? a : b; }
@@ -207,7 +213,7 @@ struct Contents {
         } else if (number - first_call < sizeof argument_words) {
             if (call == Call::create_body) ++bodies;
             if (is_between(call, Call::create_circle, Call::create_chain_segment)) ++shapes;
-            if (is_between(call, Call::create_revolute_joint, Call::create_gear_joint)) ++joints;
+            if (makes_joint(call)) ++joints;
             const std::uint32_t words = argument_words[number - first_call];
             if (call == Call::create_chain) {
                 reader.bytes(8);  // the body

@@ -14,7 +14,7 @@
 #include "../math/float_mode.hpp"
 #include "../math/inlining.hpp"
 #include "../solver/joint_solve.hpp"
-#include "../world/joint_parts.hpp"
+#include "../world/joint_shared.hpp"
 
 namespace islet {
 

@@ -10,7 +10,7 @@
 #include "../constraint/joint_kinds.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
-#include "../world/joint_parts.hpp"
+#include "../world/joint_shared.hpp"
 
 namespace islet {
 

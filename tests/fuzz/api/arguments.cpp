@@ -224,6 +224,11 @@ JointLimit Caller::limit() {
     return in.below(8) == 0 || a <= b ? JointLimit{on, a, b} : JointLimit{on, b, a};
 }
 
+JointRatchet Caller::ratchet() {
+    const float step = in.number();
+    return {(in.byte() & 1) != 0 ? step : 0, in.number()};
+}
+
 JointMotor Caller::motor() {
     const bool on = in.flag();
     const float speed = in.number();

@@ -49,6 +49,7 @@ struct Caller {
     JointSpring spring();
     JointLimit limit();
     JointMotor motor();
+    JointRatchet ratchet();
     JointFrame frame();
 
     // changes.cpp

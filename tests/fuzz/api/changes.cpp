@@ -76,6 +76,11 @@ void Caller::create_joint() {
         all.create_joint(d);
         break;
     }
+    case 8: {
+        const float friction = in.size();
+        all.create_joint(AngleJointDef{base, s, l, m, friction, ratchet()});
+        break;
+    }
     default: {
         const JointId first = joint(), second = joint();
         all.create_joint(GearJointDef{first, second, in.number()});
@@ -186,7 +191,7 @@ void Caller::change_shape() {
 
 void Caller::change_joint() {
     const JointId j = joint();
-    switch (in.below(13)) {
+    switch (in.below(14)) {
     case 0: {
         const JointFrame a = frame();
         all.set_frames(j, a, frame());
@@ -215,6 +220,7 @@ void Caller::change_joint() {
         break;
     }
     case 11: all.set_target(j, in.place()); break;
+    case 12: all.set_ratchet(j, ratchet()); break;
     default: dead_joint = j; all.destroy_joint(j);
     }
 }

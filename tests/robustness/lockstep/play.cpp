@@ -185,7 +185,12 @@ void Life::furnish() {
             const Vec2 middle = 0.5f * (w.position(before) + w.position(made));
             const JointBase base = {.body_a = before, .body_b = made, .frame_a = {inv_transform_point(w.transform(before), middle), 0},
                                     .frame_b = {inv_transform_point(w.transform(made), middle), 0}, .collide_connected = random_.one_in(2)};
-            switch (random_.below(6)) {
+            switch (random_.below(7)) {
+            case 3: {
+                const JointLimit limit = {.enable = random_.one_in(2), .lower = -0.5f, .upper = 0.5f};
+                all.create_joint(AngleJointDef{.base = base, .limit = limit, .ratchet = {.step = random_.one_in(2) ? 0.0f : 0.2f}});
+                break;
+            }
             case 0: all.create_joint(WeldJointDef{.base = base, .angular_hertz = random_.one_in(2) ? 0.0f : 5.0f}); break;
             case 1: all.create_joint(DistanceJointDef{.base = base, .length = size, .spring = {.enable = random_.one_in(2), .hertz = 3}}); break;
             case 2: all.create_joint(PrismaticJointDef{.base = base, .limit = {.enable = true, .lower = -0.5f, .upper = 0.5f}}); break;
