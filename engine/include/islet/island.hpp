@@ -22,6 +22,7 @@
 #include "islet/lcp.hpp"
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// What a row is for; of the bounds lo, hi and of the bias.
@@ -81,3 +82,4 @@ struct IslandProblem {
 };
 
 }  // namespace islet
+ISLET_API_END

@@ -22,6 +22,7 @@
 
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// Handle of a joint; as BodyId.
@@ -184,3 +185,4 @@ struct JointBreakEvent {
 };
 
 }  // namespace islet
+ISLET_API_END

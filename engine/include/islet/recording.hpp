@@ -21,6 +21,7 @@
 
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// Alignment of the memory a recording is in, bytes.
@@ -65,3 +66,4 @@ class World;
 ReplayResult replay(World& world, std::span<const std::byte> recording, std::uint64_t steps = ~std::uint64_t{0});
 
 }  // namespace islet
+ISLET_API_END

@@ -3,6 +3,9 @@
 
 #include <cstdint>
 
+#include "islet/visibility.hpp"
+
+ISLET_API_BEGIN
 namespace islet {
 
 /// Runs the pieces that a stage of a step was cut into, on whatever threads the user has: a pool, OpenMP, TBB, or one after another. How many there
@@ -21,3 +24,4 @@ struct TaskSystem {
 inline constexpr std::uint32_t max_workers = 64;
 
 }  // namespace islet
+ISLET_API_END

@@ -9,6 +9,7 @@
 #include "islet/math.hpp"
 #include "islet/tasks.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// No position may exceed this on either axis, m: there a float steps by a metre. Bodies that fly farther stop at it.
@@ -393,3 +394,4 @@ struct PreSolve {
 };
 
 }  // namespace islet
+ISLET_API_END

@@ -10,6 +10,7 @@
 #include "islet/query.hpp"
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 struct DebugDraw;  // debug_draw.hpp
@@ -19,7 +20,9 @@ struct IslandProblem;  // island.hpp
 class World;
 
 namespace detail {
+ISLET_INTERNAL_BEGIN
 struct Core;
+ISLET_INTERNAL_END
 /// StaticWorld::create: for a valid capacity, its layout, and a block of that size.
 World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& def);
 }  // namespace detail
@@ -490,3 +493,4 @@ private:
 };
 
 }  // namespace islet
+ISLET_API_END
