@@ -47,6 +47,8 @@ try() {
     # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.
     'cmake -S samples/firmware'*) [ -e "$(sed -n 's/.*toolchain "$PWD\/\([^"]*\)".*/\1/p' <<<"$command")" ] ;;
     'cmake --build build/m4'*) ;;
+    # tests/package/install_test.sh does that.
+    'cmake --install build/release'* | 'cpack --config build/release'*) grep -q '"$cmake" --install' "$root/tests/package/install_test.sh" ;;
     # tests/package/one_file_test.sh compiles what the first writes as the second does.
     ./tools/amalgamate.sh*) eval "$command" && [ -s "${words[1]}/islet.cpp" ] ;;
     'g++ -std=c++20 islet.cpp '*) grep -q '"$compiler" -std=c++20 islet.cpp hello.cpp' "$root/tests/package/one_file_test.sh" ;;

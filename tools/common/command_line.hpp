@@ -12,12 +12,9 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "islet/version.hpp"
 #include "near_names.hpp"
 #include "printable.hpp"
-
-#ifndef ISLET_VERSION
-#error "ISLET_VERSION is set by the build"
-#endif
 
 namespace islet::tools {
 
@@ -70,7 +67,7 @@ inline std::string suggestion(const CLI::App& app, int argc, const char* const* 
 /// Takes the command line in. The exit status, after a message, if that is all there is to do: help or the version was asked for, or it is wrong.
 inline std::optional<int> parse_or_explain(CLI::App& app, int argc, const char* const* argv, const char* program) {
     constexpr int wrong_usage = 2;
-    app.set_version_flag("--version", fmt::format("{} {}", program, ISLET_VERSION), "print the version and exit");
+    app.set_version_flag("--version", fmt::format("{} {}", program, ISLET_VERSION_STRING), "print the version and exit");
     try {
         app.parse(argc, argv);
         return std::nullopt;

@@ -25,7 +25,11 @@ Replayed replay_file(const std::string& path, std::uint64_t until, std::uint32_t
     RecordingInfo info;
     if (const Error error = read_recording(recording.span(), info); error == Error::not_a_recording)
         return {"this is " + kind_of(bytes) + ", no recording; `islet run SCENE --record FILE` makes one", {}, 0};
-    else if (error != Error::none)
+    else if (error == Error::other_version) {
+        char sentence[128];
+        describe_format(read_format(recording.span()), sentence);
+        return {sentence, {}, 0};
+    } else if (error != Error::none)
         return {describe(error), {}, 0};
     const Capacity& c = info.needed;
     if (const std::string why = beyond_memory_limit(c, memory_limit); !why.empty()) return {why, {}, 0};

@@ -1,6 +1,7 @@
 // Scenes as JSON files: what a Scene holds, but for its scripts and its check.
 //
 //     {
+//       "format": 1,
 //       "name": "crate",
 //       "steps": 120,
 //       "view": [-5, -1, 5, 5],
@@ -10,7 +11,7 @@
 //       ]
 //     }
 //
-// Names and units are those of the engine's definitions (islet/types.hpp, islet/geometry.hpp, islet/joints.hpp), and what is left out has their defaults.
+// "format" is the number of this format, scene_format; it may be left out. Names and units are those of the engine's definitions (islet/types.hpp, islet/geometry.hpp, islet/joints.hpp), and what is left out has their defaults.
 // Vectors are [x, y]; bodies and joints are known by their place in their list, from 0. A shape has one of
 //
 //     "circle": {"center", "radius"}    "capsule": {"point1", "point2", "radius"}    "segment": {"point1", "point2"}
@@ -34,6 +35,9 @@ using namespace samples;
 struct SceneFileError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// The format of scene files that this version writes, and the only one that it reads.
+inline constexpr int scene_format = 1;
 
 /// Throws a SceneFileError if the text is no scene. What only the engine can tell, such as a friction below 0, is found when the scene is loaded.
 Scene read_scene(const std::string& text);

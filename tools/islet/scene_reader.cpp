@@ -23,8 +23,13 @@ using Json = nlohmann::json;
 [[noreturn]] void refuse(const std::string& place, const std::string& why) { throw SceneFileError(printable(place.empty() ? why : place + ": " + why)); }
 
 [[noreturn]] void refuse_type(const std::string& place, const char* wanted, const Json& got) {
-    refuse(place, fmt::format("must be {}, not {}", wanted, got.is_null() ? "null" : got.is_object() ? "an object" : got.is_array() ? "a list"
-                                                            : got.is_string() ? "a word" : got.is_boolean() ? "true or false" : "a number like " + got.dump()));
+    refuse(place, fmt::format("must be {}, not {}", wanted,
+                              got.is_null()      ? "null"
+                              : got.is_object()  ? "an object"
+                              : got.is_array()   ? "a list"
+                              : got.is_string()  ? "a word"
+                              : got.is_boolean() ? "true or false"
+                                                 : "a number like " + got.dump()));
 }
 
 std::string list_of(const char* const* names) {
@@ -334,7 +339,7 @@ private:
 
     const std::string& text_;
     Json root_;
-    Json* field_ = nullptr;     // of the innermost open object: what its latest name stands for
+    Json* field_ = nullptr;    // of the innermost open object: what its latest name stands for
     std::vector<Json*> open_;  // lists and objects that have begun and not ended
 };
 
@@ -346,10 +351,23 @@ Json parse(const std::string& text) {
 
 }  // namespace
 
+namespace {
+
+// What a later version writes is refused by its number, before any field that this one does not know.
+void check_format(Reader& reader) {
+    const Json* told = reader.find("format");
+    if (told == nullptr) return;
+    if (const auto format = int_at<std::int64_t>(*told, "format"); format != scene_format)
+        refuse("format", fmt::format("this is a scene file of format {}; Islet {} reads format {}", format, ISLET_VERSION_STRING, scene_format));
+}
+
+}  // namespace
+
 Scene read_scene(const std::string& text) {
     const Json told = parse(text);
     Scene scene;
     Reader reader(told, "");
+    check_format(reader);
     fields(reader, scene, Scene{});
     for_each_entry(reader, "bodies", [&](const Json& body, const std::string& at) { scene.bodies.push_back(body_from(body, at)); });
     for_each_entry(reader, "joints", [&](const Json& joint, const std::string& at) { scene.joints.push_back(joint_from(joint, at, scene)); });

@@ -42,7 +42,7 @@ struct Writer {
             return list;
         } else if constexpr (std::is_enum_v<T>) {
             return value == usual ? Json() : Json(enum_names<T>[static_cast<std::size_t>(value)]);
-        } else if constexpr (requires(Writer& io) { fields(io, value, usual); }) {
+        } else if constexpr (requires(Writer & io) { fields(io, value, usual); }) {
             Json nested = Json::object();
             Writer io{nested};
             fields(io, value, usual);
@@ -135,9 +135,7 @@ std::string lines(const char* name, const Json& list) {
 
 }  // namespace
 
-bool has_script(const Scene& scene) {
-    return scene.before_step || scene.world.hooks != Hooks{};
-}
+bool has_script(const Scene& scene) { return scene.before_step || scene.world.hooks != Hooks{}; }
 
 std::string write_scene(const Scene& scene) {
     Json head = Json::object(), bodies = Json::array(), joints = Json::array();
@@ -145,8 +143,8 @@ std::string write_scene(const Scene& scene) {
     fields(io, scene, Scene{});
     for (const SceneBody& body : scene.bodies) bodies.push_back(json_of(body));
     for (const SceneJoint& joint : scene.joints) joints.push_back(json_of(joint));
-    std::string text = "{";
-    for (const auto& [name, value] : head.items()) text += fmt::format("{}\n  {}: {}", text.size() > 1 ? "," : "", Json(name).dump(), value.dump());
+    std::string text = fmt::format("{{\n  \"format\": {}", scene_format);
+    for (const auto& [name, value] : head.items()) text += fmt::format(",\n  {}: {}", Json(name).dump(), value.dump());
     return text + lines("bodies", bodies) + lines("joints", joints) + "\n}\n";
 }
 

@@ -17,6 +17,7 @@
 #include "islet/geometry.hpp"
 #include "islet/math.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// 0xrrggbb.
@@ -129,3 +130,4 @@ void draw_shape(const DebugDraw& draw, const Segment& segment, const Transform& 
 void draw_shape(const DebugDraw& draw, const Polygon& polygon, const Transform& pose, const DrawStyle& style);
 
 }  // namespace islet
+ISLET_API_END

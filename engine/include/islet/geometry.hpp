@@ -7,6 +7,7 @@
 
 #include "islet/math.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// Most corners a convex polygon can have.
@@ -109,3 +110,4 @@ Aabb compute_aabb(const Segment& s, const Transform& t);
 Aabb compute_aabb(const Polygon& p, const Transform& t);
 
 }  // namespace islet
+ISLET_API_END

@@ -22,6 +22,7 @@
 #include "islet/lcp.hpp"
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// The kind of a row, with its bounds lo, hi and its bias.
@@ -82,3 +83,4 @@ struct IslandProblem {
 };
 
 }  // namespace islet
+ISLET_API_END

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "islet/debug_draw.hpp"
+#include "islet/format.hpp"
 #include "islet/geometry.hpp"
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"

@@ -24,6 +24,7 @@
 #include "islet/config.hpp"
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// Handle of a joint; as BodyId.
@@ -209,3 +210,4 @@ struct JointBreakEvent {
 };
 
 }  // namespace islet
+ISLET_API_END

@@ -13,6 +13,7 @@
 #include "islet/joints.hpp"
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// Alignment that World::create demands of its block.
@@ -27,6 +28,7 @@ constexpr bool is_valid(const Capacity& c) {
            c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity;
 }
 
+ISLET_INTERNAL_BEGIN
 namespace detail {
 
 inline constexpr std::size_t core_bytes = 640;  // room for Core inside World
@@ -241,8 +243,10 @@ constexpr Layout layout_of(const Capacity& c) {
 }
 
 }  // namespace detail
+ISLET_INTERNAL_END
 
 /// Bytes of memory a world of this capacity needs, everything included.
 constexpr std::size_t world_bytes(const Capacity& capacity) { return detail::layout_of(capacity).end; }
 
 }  // namespace islet
+ISLET_API_END

@@ -17,7 +17,9 @@
 #include <span>
 
 #include "islet/version.hpp"
+#include "islet/visibility.hpp"
 
+ISLET_API_BEGIN
 namespace islet::lcp {
 
 /// In Problem::friction: the row has bounds of its own. In Result::row: no row in particular.
@@ -171,16 +173,16 @@ constexpr std::size_t workspace_bytes(Method method, std::size_t rows) {
 /// history may overlap nothing else; workspace needs no alignment. On statuses from bad_diagonal on, x is as it was; so it is
 /// where lemke ends with ray or singular, unless there is friction.
 template <class T>
-Result<T> solve(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace);
+ISLET_API Result<T> solve(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace);
 
 /// The same for pgs, psor, symmetric_pgs and red_black alone, others being unsupported: a program that calls this one and not solve need not link the
 /// other methods.
 template <class T>
-Result<T> solve_by_sweeps(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace);
+ISLET_API Result<T> solve_by_sweeps(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace);
 
 /// How far any x is from a solution. Infinite if the problem is one that solve refuses, or x has the wrong size or a number that is not finite.
 template <class T>
-Residuals<T> residuals(const Problem<T>& problem, std::span<const T> x);
+ISLET_API Residuals<T> residuals(const Problem<T>& problem, std::span<const T> x);
 
 extern template Result<float> solve(const Problem<float>&, const Options<float>&, std::span<float>, std::span<std::byte>);
 extern template Result<double> solve(const Problem<double>&, const Options<double>&, std::span<double>, std::span<std::byte>);
@@ -190,3 +192,4 @@ extern template Residuals<float> residuals(const Problem<float>&, std::span<cons
 extern template Residuals<double> residuals(const Problem<double>&, std::span<const double>);
 
 }  // namespace islet::lcp
+ISLET_API_END

@@ -7,9 +7,11 @@
 #include <cstdint>
 
 #include "islet/version.hpp"
+#include "islet/visibility.hpp"
 
 #define ISLET_INLINE [[gnu::always_inline]] constexpr inline
 
+ISLET_API_BEGIN
 namespace islet {
 
 inline constexpr float pi = 3.14159265358979f;
@@ -120,3 +122,4 @@ Rot normalize(Rot q);
 Rot integrate(Rot q, float delta_radians);
 
 }  // namespace islet
+ISLET_API_END

@@ -18,6 +18,7 @@
 #include "islet/query.hpp"
 #include "islet/world.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// Returns whether a surface stands in the mover's way. It need not care for one-way shapes (ShapeDef::one_way): they hold movers and let them pass by
@@ -68,3 +69,4 @@ inline constexpr float mover_gap = 0.01f;
 bool step_mover(World& world, const MoverDef& def, MoverState& state, const MoverInput& input, float dt);
 
 }  // namespace islet
+ISLET_API_END

@@ -16,6 +16,7 @@
 #include "islet/geometry.hpp"
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// A convex shape of any type: the hull of 1 to 8 points, counter-clockwise, grown by `radius` (m, 0 to 1e7). count 0: no shape.
@@ -127,3 +128,4 @@ using CastVisitor = float (*)(const QueryHit& hit, void* context);
 using OverlapVisitor = bool (*)(ShapeId shape, void* context);
 
 }  // namespace islet
+ISLET_API_END

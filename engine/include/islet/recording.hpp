@@ -22,6 +22,7 @@
 
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// Alignment of the memory that holds a recording, bytes.
@@ -66,3 +67,4 @@ class World;
 ReplayResult replay(World& world, std::span<const std::byte> recording, std::uint64_t steps = ~std::uint64_t{0});
 
 }  // namespace islet
+ISLET_API_END

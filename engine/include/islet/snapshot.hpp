@@ -13,6 +13,7 @@
 #include "islet/layout.hpp"
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// Alignment that World::load demands of an image, bytes. The other functions take any.
@@ -52,3 +53,4 @@ std::size_t delta(std::span<const std::byte> from, std::span<const std::byte> to
 std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> delta, std::span<std::byte> out, Error* error = nullptr);
 
 }  // namespace islet
+ISLET_API_END

@@ -3,6 +3,9 @@
 
 #include <cstdint>
 
+#include "islet/visibility.hpp"
+
+ISLET_API_BEGIN
 namespace islet {
 
 /// Runs the parts of a stage of a step on threads of yours: a pool, OpenMP, TBB, or one after another. The number of threads and the order of the parts never
@@ -20,3 +23,4 @@ struct TaskSystem {
 inline constexpr std::uint32_t max_workers = 64;
 
 }  // namespace islet
+ISLET_API_END

@@ -9,6 +9,7 @@
 #include "islet/math.hpp"
 #include "islet/tasks.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 /// No position may exceed this on either axis, m: beyond it, neighbouring floats are a metre apart. Bodies that fly farther stop there.
@@ -73,7 +74,7 @@ enum class Error : std::uint8_t {
     image_misaligned,   ///< the image is not aligned to snapshot_alignment
     not_an_image,       ///< the bytes are no snapshot (or no delta)
     other_byte_order,   ///< the image comes from a machine of the other byte order
-    other_version,      ///< the image comes from another version of Islet
+    other_version,      ///< another version of Islet wrote the image or recording: see read_format
     truncated_image,    ///< the image is shorter or longer than it says
     corrupt_image,      ///< the image's bytes are not those that were saved
     unsound_image,      ///< the image's checksum is right, but what it holds is no world
@@ -397,3 +398,4 @@ struct PreSolve {
 };
 
 }  // namespace islet
+ISLET_API_END

@@ -10,6 +10,7 @@
 #include "islet/query.hpp"
 #include "islet/types.hpp"
 
+ISLET_API_BEGIN
 namespace islet {
 
 struct DebugDraw;  // debug_draw.hpp
@@ -19,7 +20,9 @@ struct IslandProblem;  // island.hpp
 class World;
 
 namespace detail {
+ISLET_INTERNAL_BEGIN
 struct Core;
+ISLET_INTERNAL_END
 /// Makes the world of a StaticWorld. The capacity is valid, and the block has the layout's size.
 World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& def);
 }  // namespace detail
@@ -494,3 +497,4 @@ private:
 };
 
 }  // namespace islet
+ISLET_API_END

@@ -4,11 +4,12 @@
 #include "../calls/calls.hpp"
 #include "../math/checksum.hpp"
 #include "../math/scalar.hpp"
+#include "islet/format.hpp"
 
 namespace islet::detail {
 
 inline constexpr std::uint32_t recording_magic = 0x52746c49u;  // "IltR"
-inline constexpr std::uint32_t recording_version = 2;
+inline constexpr std::uint32_t recording_version = recording_format;
 
 /// Where the calls begin.
 constexpr std::size_t calls_at(std::uint64_t image_bytes) { return sizeof(RecordingHead) + (static_cast<std::size_t>(image_bytes) + 7) / 8 * 8; }

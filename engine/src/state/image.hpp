@@ -5,12 +5,13 @@
 #pragma once
 
 #include "../data/arrays.hpp"
+#include "islet/format.hpp"
 
 namespace islet::detail {
 
-inline constexpr std::uint32_t image_magic = 0x544c5349u;  // "ISLT" on a little-endian machine, "TLSI" on a big-endian one
-inline constexpr std::uint32_t delta_magic = 0x444c5349u;  // "ISLD"
-inline constexpr std::uint32_t image_version = 4;          // goes up when a record changes
+inline constexpr std::uint32_t image_magic = 0x544c5349u;        // "ISLT" on a little-endian machine, "TLSI" on a big-endian one
+inline constexpr std::uint32_t delta_magic = 0x444c5349u;        // "ISLD"
+inline constexpr std::uint32_t image_version = snapshot_format;  // goes up when a record changes
 
 /// The beginning of images and deltas.
 struct ImageHead {

@@ -37,12 +37,17 @@ expect 2 "greedy.json': extra_contacts: must be at most" run "$scratch/greedy.js
 expect 2 "hello': its world would take .* MB, and 0 MB are allowed: raise --memory-limit" run hello --memory-limit 4kB
 expect 0 'check passed' run hello --record "$scratch/hello.rec"
 expect 0 'every hash as recorded' replay "$scratch/hello.rec"
+cp "$scratch/hello.rec" "$scratch/old.rec"
+printf '\001' | dd of="$scratch/old.rec" bs=1 seek=4 conv=notrunc 2>"$scratch/dd.log"
+expect 2 'This is a recording of format 1; Islet 0\.[0-9.]* reads format [0-9]*\.' replay "$scratch/old.rec"
+printf '{"format": 7, "novelty": 1, "bodies": []}' >"$scratch/later.json"
+expect 2 "later.json': format: this is a scene file of format 7; Islet 0\.[0-9.]* reads format 1" run "$scratch/later.json"
 expect 2 "allowed: raise --memory-limit" replay "$scratch/hello.rec" --memory-limit 4kB
 printf '{"steps": 5,\n "bodies": [}' >"$scratch/torn.json"
 expect 2 "torn.json': line 2, column 13" run "$scratch/torn.json"
 
 # What is wrong is said with what was meant, and why.
-expect 0 '^islet [0-9]' --version
+expect 0 '^islet 0[.][0-9]*[.][0-9]*$' --version
 expect 2 'Subcommands:'
 expect 2 "no command 'lst'; near names: list" lst
 expect 2 "no option '--stesp'; near names: --steps" run hello --stesp 5

@@ -1,0 +1,20 @@
+# find_package(Islet 0.2 REQUIRED [COMPONENTS engine lcp prefabs]), then link islet::islet, islet::lcp, islet::prefabs. Without COMPONENTS: all there are.
+set(Islet_known engine lcp prefabs)
+
+foreach(component IN LISTS Islet_known)
+    if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/Islet-${component}.cmake)
+        include(${CMAKE_CURRENT_LIST_DIR}/Islet-${component}.cmake)
+        set(Islet_${component}_FOUND TRUE)
+    endif()
+endforeach()
+
+foreach(component IN LISTS Islet_FIND_COMPONENTS)
+    if(NOT Islet_${component}_FOUND AND Islet_FIND_REQUIRED_${component})
+        set(Islet_FOUND FALSE)
+        if(component IN_LIST Islet_known)
+            set(Islet_NOT_FOUND_MESSAGE "Islet was installed without its component ${component}")
+        else()
+            set(Islet_NOT_FOUND_MESSAGE "Islet has no component ${component}; there are ${Islet_known}")
+        endif()
+    endif()
+endforeach()

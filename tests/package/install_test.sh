@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# install_test.sh CMAKE COMPILER ISLET TREE WORK: Islet installed into empty folders, and used from there as a stranger does: by find_package, by pkg-config and
+# by hand, with flags of the user's own too. All programs print what those of the TREE (a build's folder) print.
+#   static   `cmake --install` of the TREE, then moved elsewhere
+#   shared   the .tar.gz that cpack makes of a build with BUILD_SHARED_LIBS; its .deb holds the same. The libraries show the public names alone
+set -euo pipefail
+
+cmake=$1 compiler=$2 islet=$3 tree=$4 work=$5
+programs=$islet/samples/programs
+user=$(cd "$(dirname "$0")/user" && pwd)
+failed=false
+fail() {
+    printf 'FAILED: %s\n' "$*"
+    failed=true
+}
+
+rm -rf "$work" && mkdir -p "$work"
+cd "$work"
+for program in hello_world island prefabs; do "$tree/samples/$program" >"$program.txt"; done
+
+# same PROGRAM NAME HOW: it prints what the tree's does.
+same() {
+    if "$1" | diff - "$2.txt"; then printf 'ok: %s\n' "$3"; else fail "$3: prints something else"; fi
+}
+
+# by_cmake PREFIX WANTED: configures the user's project, quietly.
+by_cmake() {
+    rm -rf user-build
+    "$cmake" -S "$user" -B user-build -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_PREFIX_PATH="$1" -DISLET_WANTED="$2" -DPROGRAMS="$programs" >user.log 2>&1
+}
+
+# refused PREFIX WANTED SENTENCE
+refused() {
+    if by_cmake "$1" "$2"; then fail "find_package(Islet $2) is content"; fi
+    tr -s '\n ' ' ' <user.log | grep -q "$3" || fail "find_package(Islet $2) does not say: $3"
+}
+
+# use NAME PREFIX [LINKER FLAG...]
+use() {
+    local name=$1 prefix=$2 flags
+    export LD_LIBRARY_PATH=$prefix/lib PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+    if ! by_cmake "$prefix" '0.2;COMPONENTS;engine;lcp' || ! "$cmake" --build user-build >>user.log 2>&1; then cat user.log && fail "$name: find_package"; fi
+    same user-build/hello hello_world "$name: find_package"
+    same user-build/island island "$name: find_package, with lcp"
+    if [ "$name" = static ]; then same user-build/prefabs prefabs "$name: find_package, with prefabs"; fi
+    refused "$prefix" '0.3' '0.2'
+    refused "$prefix" '0.2;COMPONENTS;c' 'Islet has no component c; there are engine'
+
+    if command -v pkg-config >/dev/null; then
+        [ "$(pkg-config --modversion islet)" = "$version" ] || fail "$name: pkg-config's version"
+        read -r -a flags < <(pkg-config --cflags --libs islet islet-lcp)
+        "$compiler" -std=c++20 "$programs/hello_world.cpp" "${flags[@]}" -o hello-pkg && same ./hello-pkg hello_world "$name: pkg-config"
+        "$compiler" -std=c++20 "$programs/island.cpp" "${flags[@]}" -o island-pkg && same ./island-pkg island "$name: pkg-config, with lcp"
+    fi
+    # Lanes are the library's: a user's flags change nothing.
+    for flags in -O0 '-O2 -march=native -ffast-math' '-O1 -mno-sse4'; do
+        # shellcheck disable=SC2086  # several flags
+        if [ "$(uname -m)" = x86_64 ] || [ "$flags" = -O0 ]; then
+            "$compiler" -std=c++20 $flags -I "$prefix/include" "$programs/hello_world.cpp" -L "$prefix/lib" -lislet -o hello-hand &&
+                same ./hello-hand hello_world "$name: by hand, $flags"
+        fi
+    done
+    unset LD_LIBRARY_PATH PKG_CONFIG_PATH
+}
+
+version=$(sed -n 's/^#define ISLET_VERSION_STRING "\(.*\)".*/\1/p' "$islet/engine/include/islet/version.hpp")
+
+"$cmake" --install "$tree" --prefix "$work/first" >install.log
+mv first static
+use static "$work/static"
+
+# What is optimised does not matter here.
+"$cmake" -S "$islet" -B shared-build -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
+    -DBUILD_SHARED_LIBS=ON -DISLET_BUILD_SAMPLES=OFF -DISLET_BUILD_TOOLS=OFF -DISLET_BUILD_TESTS=OFF -DISLET_WERROR=OFF >shared.log
+"$cmake" --build shared-build >>shared.log 2>&1
+generators=TGZ
+if command -v dpkg-deb >/dev/null; then generators='TGZ;DEB'; fi
+(cd shared-build && "$(dirname "$cmake")/cpack" -G "$generators" -B "$work/packages" >>"$work/shared.log")
+mkdir shared && tar -xf packages/*.tar.gz -C shared --strip-components=1
+use shared "$work/shared"
+if command -v dpkg-deb >/dev/null; then
+    dpkg-deb -x packages/*.deb deb
+    diff <(cd deb/usr && find . | sort) <(cd shared && find . | sort) || fail "the .deb holds other files than the .tar.gz"
+fi
+
+# Shown is what the public headers declare: in namespace islet, not in islet::detail, nor anybody else's.
+for library in libislet libislet_lcp; do
+    nm -DC --defined-only "shared/lib/$library.so" | cut -c20- >"$library.txt"
+    grep -v -E '^(vtable for |typeinfo (name )?for )?(islet::|islet::lcp::(Result|Residuals)<[a-z]+> islet::)' "$library.txt" && fail "$library shows more than islet's names"
+    # (StaticWorld, which is compiled with the user's program, calls the one exception.)
+    grep 'detail::' "$library.txt" | grep -v '^islet::detail::create_static(' && fail "$library shows the engine's own names"
+    printf 'ok: %s.so shows %s names\n' "$library" "$(wc -l <"$library.txt")"
+done
+for name in 'islet::World::step(float)' 'islet::make_box(float, float)' 'islet::replay(' 'islet::step_mover('; do
+    grep -q -F "$name" libislet.txt || fail "libislet does not show $name"
+done
+grep -q -F 'islet::lcp::solve<float>' libislet_lcp.txt || fail "libislet_lcp does not show solve"
+
+if $failed; then exit 1; fi
