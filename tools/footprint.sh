@@ -2,7 +2,8 @@
 # What Islet costs on small machines: flash, memory, stack, and instructions a step, each measured on the firmware of samples/firmware, which is
 # built for every target and run in QEMU. Its hashes must be the host's.
 #   tools/footprint.sh               a table. Flash is the engine's share, and the compiler's runtime's: of every function there is, of a program that
-#                                    uses every shape, joint, surface and way to solve, and of one of boxes and balls alone
+#                                    uses every shape but half-spaces, every joint but angle joints, every surface and way to
+#                                    solve, and of one of boxes and balls alone
 #   tools/footprint.sh --json        the same as JSON
 #   tools/footprint.sh --write       the table, and its figures into docs/microcontrollers.md
 #   tools/footprint.sh --check       the table (without the Cortex-M7), and whether every figure keeps its limit: part of tools/test.sh --all
@@ -31,7 +32,7 @@ for argument in "$@"; do
     --write) mode='write' ;;
     --options) mode=options ;;
     -h | --help)
-        sed -n '2,12s/^# \{0,1\}//p' "$0"
+        sed -n '2,13s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
     *) die "$0: unknown option $argument; there are --json, --check, --write and --options" ;;
