@@ -100,7 +100,8 @@ configure() {
         printf 'add_executable(game ${CMAKE_BINARY_DIR}/game.cpp)\n%s\n' "$1"
     } >project/CMakeLists.txt
     ln -s "$root" project/islet
-    "$cmake" -S project -B project/build -DFETCHCONTENT_SOURCE_DIR_ISLET="$root"
+    if grep -q 'find_package(Islet' project/CMakeLists.txt; then "$cmake" --install "$build" --prefix "$scratch/installed"; fi
+    "$cmake" -S project -B project/build -DFETCHCONTENT_SOURCE_DIR_ISLET="$root" -DCMAKE_PREFIX_PATH="$scratch/installed"
 }
 for page in $(pages "$root"); do
     count=$(grep -c '^```cmake$' "$page" || true)

@@ -31,7 +31,7 @@ const char* describe(Error e) {
         case Error::image_misaligned: return "An image to load must be aligned to snapshot_alignment bytes: copy it to memory that is.";
         case Error::not_an_image: return "These bytes are no image of this kind: snapshots come from World::save, deltas from delta.";
         case Error::other_byte_order: return "The image comes from a machine of the other byte order (big- and little-endian): step the world there, or here.";
-        case Error::other_version: return "Another version of Islet wrote this, in another format: use the same version at both ends. describe_format names both.";
+        case Error::other_version: return "Another version of Islet wrote this, in another format: use one version at both ends. describe_format names both.";
         case Error::truncated_image: return "The image is shorter or longer than it says: give all of it, and nothing else.";
         case Error::corrupt_image: return "The image is not as it was saved: its checksum is wrong. Get it again.";
         case Error::unsound_image: return "The image has a right checksum but holds no sound world: whoever made it is not to be trusted.";
