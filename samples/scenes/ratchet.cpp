@@ -10,6 +10,7 @@ namespace islet::samples {
 // has its teeth 0.1 rad off, so it is held at -1.4 rad the first time, and 1.5 rad farther each of the other times.
 Scene make_ratchet() {
     Scene scene;
+    scene.name = "ratchet";
     scene.world.gravity = {0, 0};
     scene.steps = 480;
     const std::size_t ground = add_static(scene, {4.5f, -2.5f}, make_box(6, 0.25f));

@@ -20,7 +20,7 @@ using namespace islet;
 // The world, and the bodies in it.
 extern World& world;
 extern World& other;
-extern BodyId ground, crate, door;
+extern BodyId ground, crate, door, drum;
 extern std::span<std::byte> block, buffer;
 extern Capacity capacity;
 

@@ -33,7 +33,7 @@ function specialised(name, line, text) {
     return "template <>\n" text
 }
 
-function emit(path, depth, line, name, quoted, class, words) {
+function emit(path, depth, line, name, quoted, class, words, outside) {
     if (path in done) return
     if (depth > 0) fail(path " is first included under a condition")
     done[path] = 1
@@ -49,6 +49,12 @@ function emit(path, depth, line, name, quoted, class, words) {
         }
         if (inner != "") {
             if (line ~ /^extern template /) continue
+            # What islet's own classes have inline is there once already.
+            if (line ~ /^namespace islet \{/) outside = 1
+            if (outside) {
+                if (line ~ /^}  \/\/ namespace islet$/) outside = 0
+                continue
+            }
             if (line ~ /^namespace / && line !~ /^namespace islet::detail \{/) fail(path " opens another namespace: " line)
             gsub(/detail::/, "detail::" inner "::", line)
             sub(/^namespace islet::detail \{/, "namespace islet::detail::" inner " {", line)

@@ -80,7 +80,8 @@ Corners corners_near(const HalfSpace& h, const Around& around, Vec2* room) {
     return {room, 4, 0};
 }
 
-// The corner that is lowest, and that of its two neighbours to which the flatter edge leads. All heights share the rounding of where the other body is, so it does not rock.
+// The corner that is lowest, and that of its two neighbours to which the flatter edge leads. All heights share the rounding of where the other body is, so it
+// does not rock.
 Manifold collide(const HalfSpace& a, const Corners& b, const Transform& b_in_a, float margin) {
     const Vec2 axis = inv_rotate(b_in_a.q, a.normal);
     const float height = dot(a.normal, b_in_a.p) - a.offset - b.radius;

@@ -5,8 +5,8 @@
 // A kept manifold keeps its normal and lever arms in the world; only its separations follow the bodies. This does more than save time. Over a few hundredths of
 // a radian it leaves out the geometric stiffness of a loaded contact, which a Gauss-Seidel solver cannot balance in a few sweeps. With the exact geometry in
 // each step, a column of 30 boxes buckles within ten seconds, as it does in Box2D 3.2 without recycling. The faces of moving bodies also keep their manifold
-// while a load presses them into each other, because separations follow that motion exactly. Made anew for it, a column of 100 boxes takes up its own lean again
-// and again as it settles, and falls.
+// while a load presses them into each other, because separations follow that motion exactly. Made anew for it, a column of 100 boxes takes up its own lean
+// again and again as it settles, and falls.
 #include "../exact.hpp"
 
 #include "../step/contact_update.hpp"
