@@ -178,16 +178,22 @@ ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, type
     s.wb = s.wb + s.ib * delta;
 }
 
-/// One pass over all rows of a block. Returns the mask of the lanes whose impulses it changed by more than a little.
+/// One pass over all rows of a block. Returns the sum of the normal impulses.
 template <class L, class Lanes>
-ISLET_PART auto solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
+ISLET_PART typename L::F solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
     using F = typename L::F;
     s.sum_n = s.sum_t = L::splat(0.0f);
     const F normal_impulses = solve_normals<L>(s, r, sweep, lanes);
     solve_friction<L>(s, r, lanes);
     if (r.is_special()) solve_rolling<L>(s, r, normal_impulses, lanes);
     s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
-    const F small = L::splat(settled_share) * normal_impulses;
+    return normal_impulses;
+}
+
+/// The lanes whose impulses the last pass changed by more than a little.
+template <class L>
+ISLET_PART auto has_changed(const ContactBlock<L>& s, typename L::F normal_impulses) {
+    const auto small = L::splat(settled_share) * normal_impulses;
     return s.sum_n * s.sum_n + s.sum_t * s.sum_t > small * small;
 }
 
@@ -200,14 +206,17 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
         ContactBlock<L> s(bodies, r);
         // A contact that lands is solved again at once, alone, until a pass changes little.
         if constexpr (W == 1) {
-            for (std::uint32_t more = r.extra_passes[0]; solve_rows<L>(s, r, sweep, AllLanes{}) && more != 0; --more) {}
+            for (std::uint32_t more = r.extra_passes[0];; --more) {
+                const float normal_impulses = solve_rows<L>(s, r, sweep, AllLanes{});
+                if (more == 0 || !has_changed<L>(s, normal_impulses)) break;
+            }
             s.scatter(bodies, r.body_a, r.body_b);
         } else {
-            const auto changed = solve_rows<L>(s, r, sweep, AllLanes{});
+            const auto normal_impulses = solve_rows<L>(s, r, sweep, AllLanes{});
             s.scatter(bodies, r.body_a, r.body_b);
             std::uint64_t landing = 0;  // not 0 if any lane lands
             std::memcpy(&landing, r.extra_passes, W);
-            if (landing != 0) land(bodies, r, L::bits(changed), numbers);
+            if (landing != 0) land(bodies, r, L::bits(has_changed<L>(s, normal_impulses)), numbers);
         }
         if (!sweep.biased && r.two_points) r.two_points ^= 3;  // the next substep begins with the other point
     }
@@ -229,8 +238,8 @@ void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, 
         ContactBlock<L> s(bodies, r);
         auto mask = L::load(lands) > L::splat(0.0f);
         for (std::uint32_t pass = 0; pass < most && L::bits(mask) != 0; ++pass) {
-            const auto more = solve_rows<L>(s, r, sweep, MaskedLanes<decltype(mask)>{mask});
-            mask = mask & more;
+            const auto normal_impulses = solve_rows<L>(s, r, sweep, MaskedLanes<decltype(mask)>{mask});
+            mask = mask & has_changed<L>(s, normal_impulses);
         }
         s.scatter(bodies, r.body_a, r.body_b);
     }

@@ -43,7 +43,7 @@ ISLET_SHARED Joint new_joint(JointType type, std::uint64_t user_data) {
     return j;
 }
 
-Joint new_joint(JointType type, const JointBase& base) {
+[[maybe_unused]] Joint new_joint(JointType type, const JointBase& base) {
     Joint j = new_joint(type, base.user_data);
     j.local_a = base.frame_a.position;
     j.local_b = base.frame_b.position;
@@ -99,7 +99,7 @@ bool measure_rope(const Core& core, Joint& j) {
 }
 
 /// A joint between two bodies, checked as far as all types have it in common.
-JointId make(Core& core, Joint& j, const JointBase& base) {
+[[maybe_unused]] JointId make(Core& core, Joint& j, const JointBase& base) {
     const DefaultFloatMode mode;
     j.body_a = find_body(core, base.body_a);
     if (j.body_a == null_index) return {};
@@ -116,7 +116,7 @@ JointId make(Core& core, Joint& j, const JointBase& base) {
 }
 
 /// A body's point and the world.
-JointId make(Core& c, const MouseJointDef& def) {
+[[maybe_unused]] JointId make(Core& c, const MouseJointDef& def) {
     const DefaultFloatMode mode;
     const std::uint32_t body = find_body(c, def.body);
     if (body == null_index || !check(c, c.is_dynamic(body), Error::no_dynamic_body) || !check_position(c, def.target)) return {};
@@ -128,7 +128,7 @@ JointId make(Core& c, const MouseJointDef& def) {
 }
 
 /// Two joints.
-JointId make(Core& c, const GearJointDef& def) {
+[[maybe_unused]] JointId make(Core& c, const GearJointDef& def) {
     const DefaultFloatMode mode;
     const std::uint32_t joint1 = find_joint(c, def.joint1);
     if (joint1 == null_index) return {};
