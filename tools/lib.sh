@@ -46,6 +46,7 @@ need_test_tools() {
     need libbox2d-dev header_exists box2d/box2d.h
     need libchipmunk-dev header_exists chipmunk/chipmunk.h
     need gnuplot-nox command_exists gnuplot
+    need pkg-config command_exists pkg-config
 }
 
 # What builds the firmware for Cortex-M and RISC-V, and runs it.
