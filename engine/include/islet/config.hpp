@@ -26,7 +26,7 @@
     FEATURE(polygons, engine)    /* boxes and other convex polygons */                                                             \
     FEATURE(capsules, engine)    /* capsules */                                                                                    \
     FEATURE(segments, engine)    /* segments */                                                                                    \
-    FEATURE(half_spaces, engine) /* floors without end */                                                                          \
+    FEATURE(half_spaces, engine) /* half-spaces */                                                                                 \
     FEATURE(chains, engine)      /* chains and their segments */                                                                   \
     FEATURE(restitution, engine) /* bouncing */                                                                                    \
     FEATURE(surfaces, engine)    /* rolling resistance and surfaces in motion */                                                   \
@@ -43,7 +43,7 @@
     FEATURE(recorder, engine)    /* World::start_recording */                                                                      \
     FEATURE(tuning, engine)      /* of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance */ \
     FEATURE(profile, engine)     /* what the stages of a step took, where a program asks for it */                                 \
-    FEATURE(shortcuts, engine)   /* ways round work that a fast body can be spared: time, never a bit; nothing is refused without */
+    FEATURE(shortcuts, engine)   /* faster paths for fast bodies: the bits stay the same, and nothing is refused without them */
 
 /// The types of joints, a line each: JOINT(type, its definition without JointDef). Each is a feature too, <type>_joints; the name "joints" stands for all
 /// of them. What there is to know of a type stands in src/constraint/<type>_joint.hpp.

@@ -44,8 +44,8 @@ struct ChainSegment {
     Vec2 ghost2 = {};
 };
 
-/// What is solid on one side of a line, without end: what a world stands on. Of static and kinematic bodies only, and without mass; collides with circles,
-/// capsules and polygons. Its box ends at 8e7 m.
+/// Everything on the inner side of a line, without end: the ground of a small world. Only static and kinematic bodies can have one, and it has no mass. It
+/// collides with circles, capsules and polygons. Its bounding box ends at 8e7 m.
 struct HalfSpace {
     Vec2 normal = {0, 1};  ///< unit, outward
     float offset = 0;      ///< m, from the body's origin to the surface along the normal; 1e7 m at most

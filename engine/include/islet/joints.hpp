@@ -177,13 +177,13 @@ struct GearJointDef {
     std::uint64_t user_data = 0;
 };
 
-/// Lets an angle pass teeth one way only: one that it has passed holds it.
+/// Lets an angle turn one way only. Teeth stand at phase + i step; the angle cannot go back past the last tooth that it has passed.
 struct JointRatchet {
     float step = 0;   ///< rad from tooth to tooth: 0.001 to 100, or the same below 0 for turning backward only; 0: no ratchet
     float phase = 0;  ///< rad, of any of the teeth; -10 000 to 10 000
 };
 
-/// Ties the angle of two bodies, and nothing else: they may be anywhere. Its points are only where it is drawn.
+/// Controls the angle between two bodies. Their positions stay free; the points of the frames only say where the joint is drawn.
 struct AngleJointDef {
     JointBase base = {};
     JointSpring spring = {};
