@@ -49,6 +49,8 @@ build_scenes() {
     local folder=$1 processor=$2
     shift 2
     [ ! -e "$folder/built" ] || return 0
+    rm -rf "$folder"  # objects of files that are elsewhere by now
+    mkdir -p "$folder"
     find "$root"/samples/{harness,prefabs,scenes} -name '*.cpp' | sort | as_one "$folder/scenes.cpp"
     {
         echo "$folder/scenes.cpp"
