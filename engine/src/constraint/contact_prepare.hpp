@@ -18,8 +18,8 @@ inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
 inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
 inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
 
-/// In each sweep a contact whose shapes come together fast is solved so many more times: the blow takes one step, so the rows of a contact have no later steps
-/// in which to correct what they do to each other.
+/// In each sweep a contact whose shapes come together fast is solved up to so many more times: the blow takes one step, so the rows of a contact have no later
+/// steps in which to correct what they do to each other.
 inline constexpr std::uint8_t landing_passes = 5;
 
 /// The contacts of a block, their bodies and which points they have. A lane of the padding reads the first lane's contact; it acts on slot 0 with no impulse.

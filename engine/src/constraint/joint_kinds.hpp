@@ -30,26 +30,23 @@ template <class Visit>
 
 /// A set of types, as bits.
 constexpr std::uint32_t joint_bit(JointType type) { return 1u << static_cast<std::uint32_t>(type); }
-#define ISLET_BIT_IF(name, definition) | (JointKind<JointType::name>::ISLET_WANTED ? joint_bit(JointType::name) : 0u)
-#define ISLET_WANTED has_coordinate
-inline constexpr std::uint32_t with_coordinate = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
-#undef ISLET_WANTED
-#define ISLET_WANTED has_friction
-inline constexpr std::uint32_t with_friction = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
-#undef ISLET_WANTED
-#define ISLET_WANTED has_length
-inline constexpr std::uint32_t with_length = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
-#undef ISLET_WANTED
-#define ISLET_WANTED has_frames
-inline constexpr std::uint32_t with_frames = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
-#undef ISLET_WANTED
-#define ISLET_WANTED has_base
-inline constexpr std::uint32_t with_base = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
-#undef ISLET_WANTED
-#define ISLET_WANTED counts_turns
-inline constexpr std::uint32_t with_turns = 0u ISLET_JOINT_TYPES(ISLET_BIT_IF);
-#undef ISLET_WANTED
-#undef ISLET_BIT_IF
+
+/// The types for which has(JointKind<type>{}) is true.
+template <class Has>
+constexpr std::uint32_t joints_that(Has&& has) {
+    std::uint32_t set = 0;
+#define ISLET_ADD_IF(name, definition) \
+    if (has(JointKind<JointType::name>{})) set |= joint_bit(JointType::name);
+    ISLET_JOINT_TYPES(ISLET_ADD_IF)
+#undef ISLET_ADD_IF
+    return set;
+}
+inline constexpr std::uint32_t with_coordinate = joints_that([](auto kind) { return kind.has_coordinate; });
+inline constexpr std::uint32_t with_friction = joints_that([](auto kind) { return kind.has_friction; });
+inline constexpr std::uint32_t with_length = joints_that([](auto kind) { return kind.has_length; });
+inline constexpr std::uint32_t with_frames = joints_that([](auto kind) { return kind.has_frames; });
+inline constexpr std::uint32_t with_base = joints_that([](auto kind) { return kind.has_base; });
+inline constexpr std::uint32_t with_turns = joints_that([](auto kind) { return kind.counts_turns; });
 
 /// The coordinate of a joint that has one.
 inline float coordinate_of(const Joint& j, const JointPose& p) {
