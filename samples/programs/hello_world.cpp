@@ -7,7 +7,7 @@ using namespace islet;
 
 static StaticWorld<Capacity{.bodies = 64, .shapes = 64, .contacts = 256, .joints = 16}> storage;
 
-static void print_error(Error error, void*) {  // told of everything that goes wrong, as it does
+static void print_error(Error error, void*) {  // the world calls this function for every error
     std::fprintf(stderr, "islet: %s\n", describe(error));
 }
 
