@@ -265,6 +265,31 @@ TEST(Breaking, HappensAtTheStatedForceAndIsReportedOnce) {
     }
 }
 
+// F / (m (2 pi f)^2), in each direction that the joint locks: what a spring of that frequency would give. SolverDef::joint_hertz says so.
+TEST(RigidJoints, GiveWayUnderASteadyForceAsTheFormulaSays) {
+    for (const float hertz : {10.0f, 30.0f, 60.0f}) {
+        for (const float force : {0.0f, 500.0f}) {  // N, beside the weight
+            for (const int kind : {0, 1, 2}) {
+                WorldDef def = sleepless();
+                def.solver.joint_hertz = hertz;
+                TestWorld world(room_for_joints, def);
+                const BodyId ground = world->create_body({}), body = world.add_circle({0, 0}, 0.5f, dense(3));
+                const JointBase base = between(ground, body);
+                const JointId j = kind == 0   ? world->create_joint(RevoluteJointDef{.base = base})
+                                  : kind == 1 ? world->create_joint(WeldJointDef{.base = base})
+                                              : world->create_joint(PrismaticJointDef{.base = base});
+                for (int i = 0; i < 600; ++i) {
+                    world->apply_force_to_center(body, {0, -force});
+                    world.step();
+                }
+                const double m = double(world->mass(body)), rate = 2 * std::numbers::pi * double(hertz);
+                const double way = (m * g + double(force)) / (m * rate * rate);
+                EXPECT_NEAR(double(world->joint_error(j).linear) / way, 1, 0.01) << hertz << " Hz, " << force << " N, kind " << kind;
+            }
+        }
+    }
+}
+
 TEST(FreeJoints, KeepMomentum) {
     // Whatever joints do between bodies, the sum of momenta and of spins stays: every impulse has its opposite, and point joints act at one point.
     TestWorld world(room_for_joints, weightless());
