@@ -1,14 +1,15 @@
-// What a build of the engine has in it. All of this is for those who compile the engine; a program that uses it need not know.
+// What a build of the engine contains. Read this file only if you compile the engine and want to leave parts out.
 //
-// What a program does not call is not linked: the engine's functions stand in sections of their own, for -Wl,--gc-sections, and joints and chains as a whole
-// come only with the functions that make them. What a definition can ask for is there, called or not, unless it is left out by name: by ISLET_WITHOUT in
-// CMake, a list of the names below, or by -DISLET_WITHOUT_<name> for the engine's files. docs/microcontrollers.md says what each name saves.
+// The linker leaves out functions that a program does not call: each function has a section of its own, for -Wl,--gc-sections. Joints and chains are linked
+// only with the functions that make them. The linker cannot know which fields of a definition a program sets, so it keeps the features behind these fields. To
+// leave out such a feature, name it: list names from below in the CMake option ISLET_WITHOUT, or compile the engine's files with -DISLET_WITHOUT_<name>.
+// docs/microcontrollers.md says how much flash each name saves.
 //
-// A world has the same layout, hash and snapshots with and without them. What is left out is refused with Error::feature_cut.
+// Leaving features out does not change the layout, the hash or the snapshots of a world. Calls that need a missing feature fail with Error::feature_cut.
 #pragma once
 
-/// The widest lanes that the constraint kernels are compiled for: 1, 4 or 8. Unless given, as wide as the target's baseline has vectors (on x86-64
-/// eight too, used where the processor turns out to have AVX2), and 1 where it has none. The bits are the same.
+/// The most SIMD lanes that the constraint kernels are compiled for: 1, 4 or 8. The default is the width of the vectors that every processor of the target
+/// has, or 1 if there are none. On x86-64 the default is 8, used only if the processor has AVX2. The number does not change results.
 #if !defined(ISLET_MAX_LANES)
 #if defined(__x86_64__) || defined(_M_X64)
 #define ISLET_MAX_LANES 8
@@ -20,7 +21,7 @@
 #endif
 #endif
 
-/// What can be left out, a line each: FEATURE(its name, what it is nothing without). This list is the only one: the CMake option, the constants in
+/// The features that can be left out, one per line: FEATURE(name, the feature that it needs). This list is the only one: the CMake option, the constants in
 /// src/data/features.hpp and `tools/footprint.sh --options` come from it.
 #define ISLET_FEATURES(FEATURE)                                                                                                    \
     FEATURE(polygons, engine)    /* boxes and other convex polygons */                                                             \
@@ -30,23 +31,23 @@
     FEATURE(chains, engine)      /* chains and their segments */                                                                   \
     FEATURE(restitution, engine) /* bouncing */                                                                                    \
     FEATURE(surfaces, engine)    /* rolling resistance and surfaces in motion */                                                   \
-    FEATURE(sleep, engine)       /* islands falling asleep; without: as after enable_sleep(false) */                               \
-    FEATURE(continuous, engine)  /* fast bodies swept along their way; without: as after enable_continuous(false) */               \
-    FEATURE(bullets, continuous) /* bodies swept against what moves (BodyDef::bullet) */                                           \
+    FEATURE(sleep, engine)       /* sleeping islands; without: as after enable_sleep(false) */                                     \
+    FEATURE(continuous, engine)  /* continuous collision; without: as after enable_continuous(false) */                            \
+    FEATURE(bullets, continuous) /* bullets (BodyDef::bullet) */                                                                   \
     FEATURE(sensors, engine)     /* sensors */                                                                                     \
     FEATURE(hits, engine)        /* hit events */                                                                                  \
     FEATURE(hooks, engine)       /* the user's filter, pre-solve and mixing */                                                     \
     FEATURE(one_way, engine)     /* platforms that are passed from one side (ShapeDef::one_way) */                                 \
-    FEATURE(disabling, engine)   /* bodies that take part in nothing (BodyDef::enabled, World::set_enabled) */                     \
+    FEATURE(disabling, engine)   /* disabled bodies (BodyDef::enabled, World::set_enabled) */                                      \
     FEATURE(queries, engine)     /* ray and shape casts, overlaps, closest points in a world */                                    \
     FEATURE(mover, queries)      /* step_mover */                                                                                  \
     FEATURE(recorder, engine)    /* World::start_recording */                                                                      \
     FEATURE(tuning, engine)      /* of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance */ \
-    FEATURE(profile, engine)     /* what the stages of a step took, where a program asks for it */                                 \
+    FEATURE(profile, engine)     /* World::profile: how long the stages of a step took */                                          \
     FEATURE(shortcuts, engine)   /* faster paths for fast bodies: the bits stay the same, and nothing is refused without them */
 
-/// The types of joints, a line each: JOINT(type, its definition without JointDef). Each is a feature too, <type>_joints; the name "joints" stands for all
-/// of them. What there is to know of a type stands in src/constraint/<type>_joint.hpp.
+/// The types of joints, one per line: JOINT(type, the name of its definition without JointDef). Each type is also a feature, <type>_joints, and "joints"
+/// names all of them. src/constraint/<type>_joint.hpp describes each type.
 #define ISLET_JOINT_TYPES(JOINT) \
     JOINT(revolute, Revolute)    \
     JOINT(prismatic, Prismatic)  \
@@ -59,7 +60,7 @@
     JOINT(gear, Gear)            \
     JOINT(angle, Angle)
 
-/// Which kernels solve them, a line each: KERNEL(name, its rows, the types it is for, as has_joint(type) of each).
+/// The kernels that solve joints, one per line: KERNEL(name, rows, whether this build has a type of joint that the kernel solves).
 #define ISLET_JOINT_KERNELS(KERNEL)                                                                                             \
     KERNEL(point, PointRows, has_joint(JointType::revolute))    /* revolute joints without spring, limit, motor and friction */ \
     KERNEL(hinge, HingeRows, has_joint(JointType::revolute))    /* other revolute joints */                                     \
@@ -72,8 +73,8 @@
     KERNEL(pulley, PulleyRows, has_joint(JointType::pulley))                                                                    \
     KERNEL(gear, LoneGearRows, has_joint(JointType::gear))
 
-/// The types of shapes, a line each, in the order of their ranks (a contact calls the shape of the higher rank A): SHAPE(name, struct, the feature it is, its
-/// kind (src/shapes/shape_types.hpp), always or when_made: whether a program that makes none links what it collides by).
+/// The types of shapes, one per line, from the lowest rank to the highest. (In a contact, shape A has the higher rank.) SHAPE(name, struct, feature, kind
+/// (src/shapes/shape_types.hpp), linking): `always` if every program links its collision code, `when_made` if only programs that make such shapes do.
 #define ISLET_SHAPE_TYPES(SHAPE)                                 \
     SHAPE(circle, Circle, engine, solid, always)                 \
     SHAPE(capsule, Capsule, capsules, solid, always)             \

@@ -1,4 +1,5 @@
-// The formats of what Islet writes, and what some bytes are, without loading them. docs/versions.md says which version of Islet reads which.
+// The format numbers of what Islet writes, and functions that read the format of some bytes without loading them. docs/versions.md lists the formats of each
+// version of Islet.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@
 ISLET_API_BEGIN
 namespace islet {
 
-/// The formats that this version writes, and the only ones it reads. Each goes up when what is written changes its meaning.
+/// The formats that this version writes, and the only ones it reads. A format number goes up when the meaning of the bytes changes.
 inline constexpr std::uint32_t snapshot_format = 4;
 inline constexpr std::uint32_t delta_format = snapshot_format;  // a delta leads from snapshot to snapshot
 inline constexpr std::uint32_t recording_format = 2;
@@ -29,7 +30,7 @@ struct FormatInfo {
     FormatKind kind = FormatKind::unknown;
     std::uint32_t format = 0;       ///< of the bytes; 0 if unknown
     std::uint32_t readable = 0;     ///< the format of this kind that this version reads; 0 if unknown
-    bool in_recording = false;      ///< the snapshot that a recording begins with: the recording's own format is the readable one, the snapshot's is not
+    bool in_recording = false;      ///< true: the snapshot at the start of a recording. The format of the recording is readable, that of the snapshot is not
     bool other_byte_order = false;  ///< written by a machine of the other byte order
     /// Whether this version reads bytes of this format. They may be damaged nevertheless.
     constexpr bool is_readable() const { return kind != FormatKind::unknown && format == readable && !other_byte_order; }

@@ -34,17 +34,16 @@ struct Segment {
     Vec2 point2 = {};
 };
 
-/// One link of a chain: collides only on the right of point1 -> point2 (a floor runs from right to left, solid ground below; that is,
-/// the outward normal is right_perp(point2 - point1)). The ghost points are the neighbours' far ends; they let the narrow phase know
-/// which corners are inner ones, so that nothing catches on them. A ghost point may lie beyond max_position, up to 4e7 m from the origin: a chain that ends
-/// there goes on straight.
+/// One segment of a chain. It collides only on the right of point1 -> point2: its outward normal is right_perp(point2 - point1). So a floor runs from right to
+/// left. The ghost points are the far ends of the neighbouring segments. They tell the engine which corners are inner corners, so that bodies do not catch on
+/// them. A ghost point may lie beyond max_position, up to 4e7 m from the origin, so that the last segment of a chain can continue straight on.
 struct ChainSegment {
     Vec2 ghost1 = {};
     Segment segment = {};
     Vec2 ghost2 = {};
 };
 
-/// Everything on the inner side of a line, without end: the ground of a small world. Only static and kinematic bodies can have one, and it has no mass. It
+/// Everything on the inner side of an infinite line: the ground of a small world. Only static and kinematic bodies can have one, and it has no mass. It
 /// collides with circles, capsules and polygons. Its bounding box ends at 8e7 m.
 struct HalfSpace {
     Vec2 normal = {0, 1};  ///< unit, outward
@@ -58,7 +57,7 @@ struct Hull {
 };
 
 /// A solid convex polygon, counter-clockwise, with outward unit normals (normal i belongs to the edge from vertex i to i + 1), rounded by
-/// `radius` (metres, >= 0) around its corners. Make one with make_polygon or make_box: hand-made ones are checked when used.
+/// `radius` (metres, >= 0) around its corners. Make one with make_polygon or make_box. If you fill one in by hand, it is checked when you use it.
 struct Polygon {
     Vec2 vertices[max_polygon_vertices];
     Vec2 normals[max_polygon_vertices];
@@ -74,9 +73,9 @@ struct MassData {
     float inertia = 0;
 };
 
-/// Convex hull of up to max_polygon_vertices points in any order, from the leftmost (then lowest) one. Duplicates (closer than 0.005 m) and
-/// collinear points (standing out by less than 0.0005 m) are dropped. The result depends on the set of points, not on their order.
-/// Returns count 0 if fewer than 3 points remain, if there are more than 8 points given, or if a coordinate is not finite or above 1e7 m.
+/// The convex hull of up to max_polygon_vertices points in any order. It begins with the leftmost point (if there are several, the lowest). Duplicates (closer
+/// than 0.005 m) and collinear points (standing out by less than 0.0005 m) are dropped. The result depends on the set of points, not on their order. Returns
+/// count 0 if fewer than 3 points remain, if there are more than 8 points given, or if a coordinate is not finite or above 1e7 m.
 Hull compute_hull(std::span<const Vec2> points);
 /// Polygon from a hull; count 0 if the hull has fewer than 3 points or is not convex, or if radius is negative or not finite.
 Polygon make_polygon(const Hull& hull, float radius = 0);
@@ -103,7 +102,7 @@ MassData compute_mass(const Circle& c, float density);
 MassData compute_mass(const Capsule& c, float density);
 MassData compute_mass(const Polygon& p, float density);
 
-/// Tight boxes in the frame that t leads to.
+/// The tight bounding box of a shape that is moved by t.
 Aabb compute_aabb(const Circle& c, const Transform& t);
 Aabb compute_aabb(const Capsule& c, const Transform& t);
 Aabb compute_aabb(const Segment& s, const Transform& t);

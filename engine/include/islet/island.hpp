@@ -42,8 +42,8 @@ enum class RowKind : std::uint8_t {
 /// RowEnd::body of an end that cannot be pushed: a static or kinematic body, or the world itself.
 inline constexpr std::uint32_t no_body = 0xffffffffu;
 
-/// The entries of a row's Jacobian for one body. The row's velocity has the part dot(linear, v) + angular w of it; x pushes it by x linear and turns it by x
-/// angular.
+/// The entries of a row's Jacobian for one body. The body adds dot(linear, v) + angular w to the row's velocity. The row's x gives the body the impulse x
+/// linear and the angular impulse x angular.
 struct RowEnd {
     std::uint32_t body = no_body;  ///< index into IslandProblem::bodies, or no_body
     Vec2 linear = {};              ///< 1; m for a row in rad

@@ -1,4 +1,4 @@
-// Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all the public ones but lcp.hpp, island.hpp and mover.hpp.
+// Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all public headers except lcp.hpp, island.hpp and mover.hpp.
 #pragma once
 
 #include "islet/debug_draw.hpp"

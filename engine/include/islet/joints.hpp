@@ -1,20 +1,20 @@
-// Joints: ids, definitions, and what can be read back of them.
+// Joints: their ids, definitions, errors and events.
 //
-// A joint ties body B to body A. Each body carries a frame of the joint: a point and a direction that move with it. What a joint allows is one
-// coordinate, an angle or a length, which a spring, a limit, a motor and dry friction may act on:
+// A joint connects body B to body A. It has a frame on each body: a point and a direction that move with the body. Most joints leave one coordinate free, an
+// angle or a length. A spring, a limit, a motor and dry friction can act on this coordinate:
 //
 //   joint      coordinate                                     locked
 //   revolute   angle of frame B in frame A, rad               point of B on point of A
-//   prismatic  way of B along A's x axis, m                   across the axis, angle
-//   wheel      way of B along A's x axis, m (spring, limit);  across the axis
-//              angle of B, rad (motor, friction)
+//   prismatic  position of B along A's x axis, m              across the axis, angle
+//   wheel      position of B along A's x axis, m (spring,     across the axis
+//              limit); angle of B, rad (motor, friction)
 //   distance   distance of the two points, m                  the distance itself, unless a spring or a limit is enabled
 //   weld       none                                           point and angle, both softly if asked
-//   motor      none                                           nothing: drives velocity or pose within a force and a torque
-//   mouse      none                                           nothing: pulls a point of B to a target within a force
+//   motor      none                                           nothing: drives velocity or pose, with at most a force and a torque
+//   mouse      none                                           nothing: pulls a point of B to a target, with at most a force
 //   pulley     none                                           length of A's side + ratio * length of B's side
 //   gear       none                                           coordinate of joint 1 + ratio * coordinate of joint 2
-//   angle      angle of frame B in frame A, rad               nothing: with a ratchet, turning back
+//   angle      angle of frame B in frame A, rad               nothing; a ratchet stops it from turning back
 //
 // Angles are continuous: they count on past a full turn.
 #pragma once
@@ -27,7 +27,7 @@
 ISLET_API_BEGIN
 namespace islet {
 
-/// Handle of a joint; as BodyId.
+/// The id of a joint. The same rules hold as for BodyId.
 struct JointId {
     std::uint32_t index1 = 0;
     std::uint32_t generation = 0;
@@ -45,7 +45,7 @@ enum class JointType : std::uint8_t {
 inline constexpr std::uint32_t joint_type_count = 0 ISLET_JOINT_TYPES(ISLET_ONE);
 #undef ISLET_ONE
 
-/// Ratios of pulleys and gears go up to this.
+/// The largest ratio of a pulley or a gear.
 inline constexpr float max_ratio = 1.0e6f;
 
 /// A joint's place on a body, relative to the body's origin.
@@ -60,7 +60,7 @@ struct JointSpring {
     bool enable = false;
     float hertz = 0;          ///< Hz, >= 0; 0 is no spring
     float damping_ratio = 0;  ///< >= 0; 1 is critical
-    float target = 0;         ///< rad or m; of distance joints the rest length is the target and this is not read
+    float target = 0;         ///< rad or m; not used by distance joints, whose target is their length
 };
 
 /// Bounds of the joint's coordinate, rad or m: lower <= upper.
@@ -107,7 +107,7 @@ struct PrismaticJointDef {
     float friction = 0;  ///< N, >= 0: dry friction that resists sliding
 };
 
-/// A rod. With a limit a rope (lower 0) or a telescope, with a spring a spring. A motor drives its length.
+/// A rod. With a limit it is a rope (lower 0) or a telescope, and with a spring it is a spring. A motor drives its length.
 struct DistanceJointDef {
     JointBase base = {};
     float length = 1;  ///< m, >= 0.005: of the rod, or at which the spring rests
@@ -116,7 +116,7 @@ struct DistanceJointDef {
     JointMotor motor = {};
 };
 
-/// Glue. Soft where a frequency is given.
+/// Holds two bodies together rigidly, or softly where a frequency is given.
 struct WeldJointDef {
     JointBase base = {};
     float linear_hertz = 0;  ///< Hz, >= 0; 0 is rigid
@@ -148,7 +148,7 @@ struct MotorJointDef {
     float angular_damping_ratio = 1;
 };
 
-/// Pulls the point of `body` that is at `target` when the joint is made to wherever the target is moved.
+/// Pulls a point of `body` to the target, which you can move: the point that is at `target` when the joint is made.
 struct MouseJointDef {
     BodyId body = {};
     Vec2 target = {};  ///< m, world
@@ -158,7 +158,7 @@ struct MouseJointDef {
     std::uint64_t user_data = 0;
 };
 
-/// A rope from A's point over two fixed points to B's point: length A + ratio * length B stays what it is when the joint is made.
+/// A rope from A's point over two fixed points to B's point: length A + ratio * length B stays constant.
 struct PulleyJointDef {
     JointBase base = {};
     Vec2 ground_a = {};  ///< m, world; must be at least 0.005 m from the bodies' points
@@ -166,7 +166,7 @@ struct PulleyJointDef {
     float ratio = 1;  ///< > 0, at most max_ratio
 };
 
-/// Couples the coordinates of two revolute or prismatic joints: c1 + ratio * c2 stays what it is when the gear is made. Two hinges whose bodies
+/// Couples the coordinates of two revolute or prismatic joints: c1 + ratio * c2 stays constant. Two hinges whose bodies
 /// turn against each other have the ratio radius 2 / radius 1; a prismatic and a revolute joint make a rack and pinion. The gear is destroyed
 /// with either joint.
 struct GearJointDef {
@@ -179,8 +179,8 @@ struct GearJointDef {
 
 /// Lets an angle turn one way only. Teeth stand at phase + i step; the angle cannot go back past the last tooth that it has passed.
 struct JointRatchet {
-    float step = 0;   ///< rad from tooth to tooth: 0.001 to 100, or the same below 0 for turning backward only; 0: no ratchet
-    float phase = 0;  ///< rad, of any of the teeth; -10 000 to 10 000
+    float step = 0;   ///< rad from tooth to tooth, 0.001 to 100; negative: it turns backward only; 0: no ratchet
+    float phase = 0;  ///< rad, the angle of any tooth; -10 000 to 10 000
 };
 
 /// Controls the angle between two bodies. Their positions stay free; the points of the frames only say where the joint is drawn.
@@ -193,7 +193,7 @@ struct AngleJointDef {
     JointRatchet ratchet = {};
 };
 
-/// How far a joint is from what it locks.
+/// How far a joint has come apart.
 struct JointError {
     float linear = 0;   ///< m, >= 0; of a gear between prismatic joints too
     float angular = 0;  ///< rad, >= 0

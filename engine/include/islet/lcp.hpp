@@ -56,8 +56,8 @@ struct Problem {
     std::span<const T> lo = {};
     /// Upper bounds, infinity allowed; empty: all infinity. For a row with friction: its coefficient, finite and at least 0.
     std::span<const T> hi = {};
-    /// Coulomb friction; empty: none. Where friction[i] is a row j and not no_row, the bounds of row i are -hi_i x_j and +hi_i x_j (0 while x_j is negative),
-    /// whatever x_j is at that moment, and lo_i is not looked at. (Where the product overflows there is no bound.) Row j must have bounds of its own.
+    /// Coulomb friction; empty: none. If friction[i] is a row j and not no_row, the bounds of row i are -hi_i x_j and +hi_i x_j, with the newest x_j (0 while
+    /// x_j is negative), and lo_i is not used. (If the product overflows, there is no bound.) Row j must have bounds of its own.
     std::span<const std::uint32_t> friction = {};
 };
 
@@ -71,8 +71,8 @@ enum class Method : std::uint8_t {
     l1_jacobi,      ///< the same with the row's sum of magnitudes for its diagonal: slower, converges for every symmetric positive definite M
     nncg,           ///< nonsmooth nonlinear conjugate gradients around PGS; an iteration is a sweep forward, one back, and a step
     newton,         ///< semismooth Newton on the natural map, with line search: few iterations, each a dense factorisation
-    lemke,          ///< direct: complementary pivoting, exact but for rounding; the number of pivots may be exponential. Starts anew, x is not looked
-                    ///< at but for friction, whose bounds are frozen, solved for, and taken anew until they agree
+    lemke,          ///< direct: complementary pivoting, exact except for rounding; the number of pivots may be exponential. The start x sets only the
+                    ///< bounds of rows with friction. These are frozen for a solve and then computed again, until they no longer change
 };
 
 enum class Status : std::uint8_t {
@@ -106,8 +106,9 @@ struct Options {
     T tolerance = T(1e-5);
     /// Relaxation factor: below 1 damps, above 1 hurries.
     T omega = T(1);
-    /// Added to a diagonal that is zero, negative or tiny (at most the rounding unit times the largest entry of its row), where the step is divided by it:
-    /// shorter steps, to a solution of the same problem. 0 refuses such rows: bad_diagonal. In newton the least that a singular system is damped with.
+    /// Added to a diagonal entry that is zero, negative or tiny (at most the rounding unit times the largest entry of its row), before a step is divided by it.
+    /// This makes steps shorter and does not change the solution. With 0, such rows are refused (bad_diagonal). In newton: the least damping of a singular
+    /// system.
     T regularisation = T(0);
     /// The residual costs as much as a sweep: pgs and its relatives measure it after every so many iterations, and at the end.
     std::uint32_t check_every = 1;
@@ -180,7 +181,7 @@ ISLET_API Result<T> solve(const Problem<T>& problem, const Options<T>& options, 
 template <class T>
 ISLET_API Result<T> solve_by_sweeps(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace);
 
-/// How far any x is from a solution. Infinite if the problem is one that solve refuses, or x has the wrong size or a number that is not finite.
+/// How far any x is from a solution. Infinite if solve would refuse the problem, or if x has the wrong size or a number that is not finite.
 template <class T>
 ISLET_API Residuals<T> residuals(const Problem<T>& problem, std::span<const T> x);
 

@@ -10,7 +10,7 @@
 //     world.step(dt);
 //     step_mover(world, {}, hero, {.walk = 5 * stick, .jump = pressed ? 6.0f : 0}, dt);
 //
-// If bodies shall bump into the mover, give it a kinematic body of its own that queries with MoverDef::filter do not find.
+// If bodies should collide with the mover, give it a kinematic body that queries with MoverDef::filter do not find.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@
 ISLET_API_BEGIN
 namespace islet {
 
-/// Returns whether a surface stands in the mover's way. It need not care for one-way shapes (ShapeDef::one_way): they hold movers and let them pass by
-/// themselves. It may read and query the world, but not change it (in_step).
+/// Returns whether a surface stands in the mover's way. It need not handle one-way shapes (ShapeDef::one_way), because the mover does that
+/// itself. It may read and query the world, but not change it (in_step).
 using MoverFilter = bool (*)(const Surface& surface, void* context);
 
 /// The properties of a mover.
@@ -33,7 +33,7 @@ struct MoverDef {
     float max_slope = 0.9f;                          ///< rad, 0 to 1.5. Steeper ground cannot be walked up or stood on.
     float step_height = 0.35f;                       ///< m, >= 0. It climbs edges up to this height above the feet, if there is room above them.
     float snap_distance = 0.35f;                     ///< m, >= 0. On a walk, the feet keep to ground that falls away by no more than this in a step.
-    float ground_acceleration = 60;                  ///< m/s^2, >= 0. With which it reaches its walking speed, and halts.
+    float ground_acceleration = 60;                  ///< m/s^2, >= 0. How fast it reaches its walking speed, and stops.
     float air_acceleration = 20;                     ///< m/s^2, >= 0. The same sideways in the air.
     float mass = 70;             ///< kg, >= 0. Decides its weight on dynamic bodies, which stay awake under it, and how much of its speed it gives them.
     float max_push_force = 400;  ///< N, >= 0. The largest force with which it pushes dynamic bodies out of its way.
@@ -52,7 +52,7 @@ struct MoverState {
     std::uint32_t squeezed = 0;  ///< 1: the surfaces around it left no room in the last step
 };
 
-/// What a mover shall do in a step.
+/// What a mover should do in a step.
 struct MoverInput {
     float walk = 0;  ///< m/s, along the ground, in the air sideways; to the right if `up` points up
     float jump = 0;  ///< m/s, >= 0. If above 0, a mover that stands on ground leaves it with this speed upwards.

@@ -6,8 +6,8 @@
 // Rounding. Everything is computed in single precision from the differences of corners, so shapes that are close to each other lose nothing far from the
 // origin. Distances, depths and surface points are exact to 1e-6 times the largest such difference (between a corner of one shape and a corner of the other,
 // along the way of a cast, or times a radius that is larger), however nearly parallel, collinear or alike the shapes are. Points in the world are then rounded
-// to floats, so they are less exact far from the origin. Casts are exact for shapes displaced by that much: a grazing hit may be a miss, and the other way
-// round. There is no iteration and no tolerance. No finite input gives a NaN.
+// to floats, so they are less exact far from the origin. Casts are exact for shapes displaced by that much, so a grazing hit may become a miss, or a miss
+// a hit. There is no iteration and no tolerance. No finite input gives a NaN.
 #pragma once
 
 #include <cstdint>
@@ -50,18 +50,18 @@ struct CastHit {
     bool hit = false;
     float fraction = 0;    ///< of the translation, 0 to 1
     Vec2 point = {};       ///< m, on the surface that is met
-    Vec2 normal = {};      ///< unit, of the surface that is met, towards what moves
+    Vec2 normal = {};      ///< unit, of the surface that is met, towards the moving point or shape
     float separation = 0;  ///< m, 0; if they overlapped at the start, minus the depth
     explicit constexpr operator bool() const { return hit; }
 };
 
 /// The first point of `target` on the way from `origin` to `origin + translation`.
-/// Starting inside is a hit at fraction 0 whatever the direction: normal is then the shortest way out, point where it ends, and separation, below 0, minus
-/// its length. Starting on the surface is a hit only if the way leads inwards. A ray along a segment or an edge passes it by; at a corner that two segments
-/// share it meets at least one of them. A translation shorter than 1e-10 m finds only what it starts in.
+/// A ray that starts inside hits at fraction 0, in any direction. Its normal points along the shortest way out, `point` is the end of that way, and separation
+/// is minus its length. A ray that starts on the surface hits only if it leads inwards. A ray that runs along a segment or an edge does not hit it. At a corner
+/// that two segments share, a ray hits at least one of them. A translation shorter than 1e-10 m hits only the shape in which it starts.
 /// No hit if an argument is not valid: target, origin within 4e7 m, translation within max_translation.
 CastHit cast_ray(const ShapeProxy& target, Vec2 origin, Vec2 translation);
-/// The same for a moving shape: `moving` starts where it stands. Shapes that overlap at the start hit at fraction 0; shapes that only touch do if the way leads
+/// The same for a moving shape. Shapes that overlap at the start hit at fraction 0; shapes that only touch do if the way leads
 /// inwards. A shape meets a one-sided target only if it moves against the target's normal and the mean of its corners starts in front of the target.
 CastHit cast_shape(const ShapeProxy& moving, Vec2 translation, const ShapeProxy& target);
 

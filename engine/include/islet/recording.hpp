@@ -12,7 +12,7 @@
 //         ReplayResult result = replay(*world, {buffer.data(), bytes});   // the same calls, the same hash after each step, or the first that differs
 //     }
 //
-// Calls that fail are recorded, too. Hooks, the clock, the task system and the lanes are not part of a world's value and are not recorded: the replaying world
+// Calls that fail are recorded, too. Hooks, the clock, the task system and the lanes are not part of a world's state and are not recorded: the replaying world
 // has its own. To replay a world that had hooks, give the replaying world hooks that give equal answers.
 #pragma once
 
@@ -30,7 +30,7 @@ inline constexpr std::size_t recording_alignment = 8;
 
 /// What a recording says about itself.
 struct RecordingInfo {
-    Capacity capacity = {};   ///< of the recorded world, as the recording claims; a forged one may claim any
+    Capacity capacity = {};   ///< of the recorded world, as the recording claims; a forged recording may claim any capacity
     Capacity needed = {};     ///< what a world needs for a replay with the same results: the capacity claimed, but no more than the recording's snapshots
                               ///< and calls could fill. (That is at most one shape for each byte of the recording, and the square of the shapes in contacts.)
     std::uint64_t bytes = 0;  ///< of the whole recording

@@ -1,5 +1,5 @@
-// Snapshots: the persistent state of a world as one piece of bytes (an image), to roll back to, to keep, or to continue on another machine. And deltas: the
-// difference of two images.
+// Snapshots: the persistent state of a world as a sequence of bytes (an image), to roll back, to keep a state, or to continue on another machine. A delta is
+// the difference of two images.
 //
 // World::save makes an image. World::restore goes back to an image that this program made, and World::load to one from outside. An image holds everything
 // that the next step depends on, and nothing else: a world that continues from it gives the same bits, and the same ids. Images are the same on all

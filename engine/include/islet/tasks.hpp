@@ -19,7 +19,7 @@ struct TaskSystem {
     std::uint32_t workers = 1;  ///< Threads that run tasks, including the calling one, 1 to max_workers. With 1, parallel_for is never called.
 };
 
-/// No task system may claim more workers.
+/// The most workers that a task system may have.
 inline constexpr std::uint32_t max_workers = 64;
 
 }  // namespace islet

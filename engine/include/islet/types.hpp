@@ -1,4 +1,4 @@
-// Ids, definitions, errors, events and reports: everything a user hands to a World or reads back from it.
+// Ids, definitions, errors, events and reports: everything that you pass to a World or read from it.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ inline constexpr float max_speed_limit = 1.0e6f;
 /// The shortest time step, s. Rounding would lose most of what a shorter step adds to a speed or a position.
 inline constexpr float min_time_step = 1.0e-6f;
 
-/// Handle of a body; null by default. Ids are safe to keep: once its body is destroyed, an id is stale, and never means another body.
+/// The id of a body; null by default. Ids are safe to keep: when its body is destroyed, an id becomes stale, and it never refers to another body.
 struct BodyId {
     std::uint32_t index1 = 0;      // slot + 1; 0 is null
     std::uint32_t generation = 0;  // of the slot when the id was handed out
@@ -29,7 +29,7 @@ struct BodyId {
     explicit constexpr operator bool() const { return index1 != 0; }
 };
 
-/// Handle of a shape. The same rules hold as for BodyId.
+/// The id of a shape. The same rules hold as for BodyId.
 struct ShapeId {
     std::uint32_t index1 = 0;
     std::uint32_t generation = 0;
@@ -48,7 +48,7 @@ struct Capacity {
     friend bool operator==(const Capacity&, const Capacity&) = default;
 };
 
-/// What went wrong in the last call that failed. describe(e) says in a sentence what was wrong and how to mend it.
+/// What went wrong in a call. describe(e) returns a sentence that says what was wrong and how to fix it.
 enum class Error : std::uint8_t {
     none,
     null_id,            ///< the id is null
@@ -83,16 +83,16 @@ enum class Error : std::uint8_t {
     feature_cut,        ///< this build of the engine lacks a part that the call needs (islet/config.hpp), or the program does not link it
     not_a_sensor,       ///< the shape is no sensor
     hits_full,          ///< raise Capacity::hits
-    recording_full,     ///< the memory given for a recording is too small, or was used up: it ends before this call
+    recording_full,     ///< the memory given for a recording is too small, or is used up: the recording ends before this call
     not_a_recording,    ///< the bytes are no recording, or the world is not being recorded
     corrupt_recording,  ///< the recording is not as it was made
     in_step,            ///< called from a function that the world itself calls, such as a hook or a drawing function, and not allowed there
-    inexact_build,      ///< the engine was compiled with flags that change the results of IEEE floats, and so the bits: create makes no world, and a
-                        ///< StaticWorld takes no step
-    endless_shape,      ///< a dynamic body has no shape without end
+    inexact_build,      ///< the engine was compiled with flags that change the results of floats: World::create returns null, and a StaticWorld does
+                        ///< not step
+    endless_shape,      ///< a dynamic body cannot have a half-space
 };
 
-/// A sentence: what was wrong and how to mend it. Never null.
+/// A sentence that says what was wrong and how to fix it. Never null.
 const char* describe(Error e);
 
 /// Receives each error as it happens. The hook may read the world's bodies and shapes. Calls from the hook that would change the world are refused (in_step),
@@ -101,19 +101,20 @@ using ErrorHook = void (*)(Error error, void* context);
 
 struct PreSolve;  // below
 
-/// Functions of yours that decide what a step must know at once. Each may be null and gets `context`. Hooks are not part of the state: hashes and snapshots do
-/// not contain them. Worlds that are to have equal futures need hooks that give equal answers.
+/// Functions of yours that a step calls, to let you decide something. Each may be null and gets `context`. Hooks are not part of the state: hashes and
+/// snapshots do not contain them. Worlds that are to have equal futures need hooks that give equal answers.
 ///
 /// The world calls filter and pre_solve on the thread that steps, one after another, in an order that does not depend on the number of workers. They may read
 /// the world's bodies and shapes, but not change the world (in_step). The world calls mix_friction and mix_restitution on any worker, as often as it likes, so
 /// their answers must depend on their arguments alone.
 struct Hooks {
     /// Returns whether two shapes may meet, or a sensor may see a shape. shape_a is the one in the lower slot. The world asks about pairs that their filters
-    /// allow, when their fat boxes begin to overlap. After a no it asks whenever it finds the pair again; after a yes not before the fat boxes have parted.
+    /// allow, when their fat boxes begin to overlap. After a no it asks again when it finds the pair again. After a yes it asks again only after the fat boxes
+    /// have parted.
     bool (*filter)(ShapeId shape_a, ShapeId shape_b, void* context) = nullptr;
     /// Sees a contact before it is solved, and may change it for this step (PreSolve). Each step calls the hook for every awake contact that has points and a
-    /// shape with ShapeDef::pre_solve, in the order of their slots. A fast body gets contacts with the shapes that it may hit later in the step; continuous
-    /// collision does what the hook decides about them. If a one-way shape (ShapeDef::one_way) lets the other shape pass, the hook is not called.
+    /// shape with ShapeDef::pre_solve, in the order of their slots. A fast body has a contact with each shape that it may hit during the step, and
+    /// continuous collision obeys the hook's decision. If a one-way shape (ShapeDef::one_way) lets the other shape pass, the hook is not called.
     void (*pre_solve)(PreSolve& contact, void* context) = nullptr;
     /// Returns the friction coefficient of two shapes, in place of the geometric mean; `material` is SurfaceMaterial::id. The result is limited to 0 to
     /// max_coefficient. Called when the fat boxes of two shapes begin to overlap, and when a material changes.
@@ -137,7 +138,7 @@ enum class Schedule : std::uint8_t {
 /// swept, and so are hinges with a spring, a limit, a motor or friction.
 enum class JointTrees : std::uint8_t {
     off,        ///< none
-    automatic,  ///< those of trees in which a hinge bears much more than the bodies it joins weigh and no hinge is swept: chains with a load, long ropes
+    automatic,  ///< those of trees in which a hinge carries much more than the mass of its bodies, and no hinge must be swept: loaded chains, long ropes
     all,        ///< all that can be
 };
 
@@ -177,8 +178,8 @@ struct SolverDef {
                                     ///< squares overflow.)
     SweepOrder sweep_order = SweepOrder::colored;  ///< With block_contacts, colored stands for as_found.
     bool block_contacts = false;                   ///< Solve the two normal impulses of a contact together, exactly.
-    float shock = 0;  ///< 0 to max_shock. Shock propagation: the solver takes each body for lighter, by this share, than the body it lies on. This is
-                      ///< for stacks that stand: blows and reported forces are those of the lighter bodies. Do not use 0.5 with joints in the
+    float shock = 0;  ///< 0 to max_shock. Shock propagation: the solver treats each body as lighter, by this share, than the body it lies on. Use it
+                      ///< for stacks at rest: impacts and reported forces are those of the lighter bodies. Do not use 0.5 with joints in the
                       ///< pile.
     bool measure_residual = false;  ///< Measure after each step how far the impulses are from a solution: World::residual.
     float tolerance = 0;            ///< m/s, >= 0. Above 0, a substep ends its biased sweeps, and then its relaxing sweeps, as soon as the residual is at
@@ -264,7 +265,7 @@ struct ShapeDef {
     bool sensor = false;         ///< The shape collides with nothing, and reports the shapes that overlap it. It sees shapes of all other bodies that its
                                  ///< filter allows and whose sensor_events is true. But a static sensor does not see static bodies, no sensor sees another
                                  ///< one, and a shape that passes all of it within one step is not seen. A sensor has mass, by its density.
-    bool sensor_events = true;   ///< false: sensors do not see this shape. (In Box2D from version 3.1 on, shapes have to ask to be seen.)
+    bool sensor_events = true;   ///< false: sensors do not see this shape. (In Box2D from version 3.1 on, the default is false.)
     bool hit_events = false;     ///< true: report hits of this shape (World::hit_events).
     bool pre_solve = false;      ///< true: call the pre_solve hook for contacts of this shape.
     Vec2 one_way = {};           ///< Not zero: the shape is a one-way platform. It holds only shapes that come from the side to which this direction
@@ -280,8 +281,8 @@ struct ShapeDef {
 };
 
 /// Two shapes began or ceased to touch in the last step, or ceased because one was destroyed since. An id in an end event may be stale. Here and wherever two
-/// shapes of a contact are named, shape_a has the later type in the order circle, capsule, polygon, segment, chain segment; of equal types, shape_a is the one
-/// in the lower slot.
+/// shapes of a contact are named, shape_a has the later type in the order circle, capsule, polygon, segment, chain segment, half-space. If both types are
+/// equal, shape_a is the shape in the lower slot.
 struct TouchEvent {
     ShapeId shape_a = {};
     ShapeId shape_b = {};
@@ -326,7 +327,7 @@ struct StepReport {
     std::uint32_t awake_bodies = 0;  ///< awake dynamic and kinematic ones after the step
     std::uint32_t shapes = 0;
     std::uint32_t contacts = 0;           ///< pairs with overlapping fat boxes, touching or not, asleep or not
-    std::uint32_t touching_contacts = 0;  ///< of the awake ones
+    std::uint32_t touching_contacts = 0;  ///< awake contacts that touch
     std::uint32_t recycled_contacts = 0;  ///< awake contacts whose manifold was kept
     /// Pairs that found no room in this step, counted up to Capacity::contacts. Their shapes pass through each other. Each step tries them again, and fails
     /// with contacts_full while there is no room. Raise Capacity::contacts: 3 to 5 for each moving shape of a dense pile, 7 where the pile is squeezed.
@@ -335,12 +336,12 @@ struct StepReport {
     std::uint32_t dropped_hits = 0;       ///< hits that found no room among the hit events
     std::uint32_t islands = 0;            ///< awake islands
     std::uint32_t colors = 0;             ///< constraint colours in use
-    std::uint32_t overflow_contacts = 0;  ///< contacts solved one by one: those without a colour, or, in any SweepOrder but colored, all
+    std::uint32_t overflow_contacts = 0;  ///< contacts solved one by one: those without a colour, or all if the SweepOrder is not colored
     std::uint32_t batches = 0;
     std::uint32_t joints = 0;           ///< all
     std::uint32_t awake_joints = 0;     ///< those solved
     std::uint32_t overflow_joints = 0;  ///< joints solved one by one: gears, and those without a colour
-    std::uint32_t sweeps = 0;           ///< sweeps made; fewer than SolverDef asks for if a tolerance ended them. Of the batch with the most
+    std::uint32_t sweeps = 0;           ///< of the batch with the most sweeps; fewer than SolverDef asks for if the tolerance ended them
     float residual = 0;                 ///< m/s, the largest of all islands (World::residual); 0 if not measured
 };
 
@@ -394,7 +395,7 @@ struct PreSolve {
     ContactInfo contact = {};  ///< as it is before the step, with the impulses of the last one; changing it has no effect
     bool enabled = true;       ///< false: the two shapes do not touch in this step, and no event says that they do
     float friction = 0;        ///< Coulomb coefficient, 0 to max_coefficient
-    float tangent_speed = 0;   ///< m/s, as in ShapeDef, of both together
+    float tangent_speed = 0;   ///< m/s, the sum of both shapes' ShapeDef::tangent_speed
 };
 
 }  // namespace islet

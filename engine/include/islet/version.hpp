@@ -1,8 +1,8 @@
-// Which Islet this is. Versions are semantic (semver.org); while the first number is 0, the second goes up when a program or a file must be changed.
+// The version of Islet. Versions are semantic (semver.org). While the first number is 0, the second goes up when programs or files must change.
 //
 //     #if ISLET_VERSION >= 300  // 0.3.0 or later
 //
-// CHANGELOG.md says what each version brought, docs/versions.md which formats each reads.
+// CHANGELOG.md lists the changes of each version, and docs/versions.md the formats that each version reads.
 #pragma once
 
 #if (defined(_MSVC_LANG) && _MSVC_LANG < 202002L) || (!defined(_MSVC_LANG) && __cplusplus <= 201703L)
@@ -14,5 +14,5 @@
 #define ISLET_VERSION_PATCH 0
 /// The three as one number that can be compared: 203 is 0.2.3, 10203 is 1.2.3.
 #define ISLET_VERSION (ISLET_VERSION_MAJOR * 10000 + ISLET_VERSION_MINOR * 100 + ISLET_VERSION_PATCH)
-/// As text.
+/// The version as text.
 #define ISLET_VERSION_STRING "0.2.0"

@@ -1,13 +1,13 @@
-// Which names a shared library of Islet shows: what the public headers declare, but for the engine's own (islet::detail).
+// The names that a shared library of Islet exports: those that the public headers declare, except those in islet::detail.
 #pragma once
 
 #if defined(ISLET_SHARED_LIBRARY) && defined(__GNUC__)  // while the library itself is compiled
-/// What is declared between these two is part of a shared library's interface.
+/// A shared library exports what is declared between these two.
 #define ISLET_API_BEGIN _Pragma("GCC visibility push(default)")
 #define ISLET_API_END _Pragma("GCC visibility pop")
-/// Before a function template: so are its instantiations, which GCC forgets otherwise.
+/// Stands before a function template, so that GCC exports its instantiations too.
 #define ISLET_API [[gnu::visibility("default")]]
-/// What is declared between these two, within those above, is not.
+/// A shared library does not export what is declared between these two, inside the pair above.
 #define ISLET_INTERNAL_BEGIN _Pragma("GCC visibility push(hidden)")
 #define ISLET_INTERNAL_END _Pragma("GCC visibility pop")
 #else

@@ -49,7 +49,7 @@ public:
 
     // -- the world ---------------------------------------------------------------------------------------------------------------
 
-    /// Advances time by dt seconds, min_time_step <= dt <= 1. 1/60 is usual; see SolverDef for what a step consists of. Errors, on which nothing changes:
+    /// Advances time by dt seconds, min_time_step <= dt <= 1. 1/60 is usual; see SolverDef for what a step consists of. Errors (nothing changes):
     /// bad_time_step; in_step; inexact_build (of a StaticWorld).
     void step(float dt);
 
@@ -58,9 +58,9 @@ public:
     SolverDef solver() const;
     /// Changes the solver's settings. A value out of range is refused (out_of_range), and nothing changes.
     void set_solver(const SolverDef& solver);
-    /// m/s: how far the impulses of the body's island were from a solution when the last step ended. This is the most by which solving any one contact or
-    /// joint alone would still change the velocity of a body; a turn counts by its speed at the radius of gyration. It is 0 only at a solution, for bodies
-    /// at rest, and where nothing was measured (SolverDef::measure_residual). Hinges that are solved exactly, in joint trees, are not measured.
+    /// m/s: how far the impulses of the body's island were from a solution when the last step ended. It is the largest change of a body's velocity that solving
+    /// any single contact or joint once more would cause. (A change of the angular velocity counts as the speed at the radius of gyration.) It is 0 at a
+    /// solution, for bodies at rest, and without SolverDef::measure_residual. Hinges that are solved exactly, in joint trees, are not measured.
     float residual(BodyId body) const;
     TaskSystem tasks() const;
     /// Sets the threads that step the world. TaskSystem::workers of 0 or above max_workers is refused (out_of_range). The task system is not part of the
@@ -108,12 +108,12 @@ public:
     std::size_t snapshot_bytes() const;
     /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
     std::size_t save(std::span<std::byte> out) const;
-    /// Takes the world back to an image that this program made. What the image uses must fit this world's capacity; the saved world may have had another
-    /// one. Only the image's header is checked; the rest is copied as fast as memory allows. The world keeps what belongs to the host: lanes, hooks, the
-    /// clock and the task system. There are no events until the next step, and the report holds only the numbers of objects. Touches that had ended since
-    /// the last step, because a shape was destroyed, are part of the image: the next step reports them.
-    /// Returns false and changes nothing on an error: those of read_snapshot; image_too_large; feature_cut if this build or program lacks a part that the
-    /// image needs. (A program that neither makes joints nor calls load does not link joints, so it cannot restore an image with joints.)
+    /// Takes the world back to an image that this program made. The objects in the image must fit this world's capacity. The capacity of the saved world may
+    /// have been another. Only the image's header is checked; the rest is copied as fast as memory allows. The world keeps what belongs to the host: lanes,
+    /// hooks, the clock and the task system. There are no events until the next step, and the report holds only the numbers of objects. Touches that had ended
+    /// since the last step, because a shape was destroyed, are part of the image: the next step reports them. Returns false and changes nothing on an error:
+    /// those of read_snapshot; image_too_large; feature_cut if this build or program lacks a part that the image needs. (A program that neither makes joints
+    /// nor calls load does not link joints, so it cannot restore an image with joints.)
     bool restore(std::span<const std::byte> image);
     /// Like restore, for an image from outside, which may be truncated, corrupt or hostile. Nothing of it is used before all of it is found sound.
     /// Further errors: image_misaligned (see snapshot_alignment); corrupt_image if the checksum does not fit the content; unsound_image.
@@ -124,7 +124,7 @@ public:
     /// Writes a snapshot to `buffer`, and after it every call that changes the world. The buffer must be aligned to recording_alignment; it belongs to the
     /// world until the recording stops. With `bodies`, each step also writes a hash of each awake body, four bytes long. Returns false, and records
     /// nothing, if there is no room for the snapshot (recording_full) or the buffer is misaligned (image_misaligned). If there is no more room later, the
-    /// recording stops by itself (recording_full) and holds all calls before. A recording that is under way is dropped.
+    /// recording stops by itself (recording_full) and holds all calls before. A recording that is already running is discarded.
     bool start_recording(std::span<std::byte> buffer, bool bodies = true);
     bool is_recording() const;
     /// Bytes used so far; 0 if nothing is being recorded.
@@ -138,8 +138,8 @@ public:
     // -- events of the last step -----------------------------------------------------------------------------------------------
 
     std::span<const TouchEvent> begin_touch_events() const;
-    /// Contacts that ended in the last step, and in calls made since. There is room for as many as the world can have contacts, overlaps of sensors
-    /// included. If calls need more room, the events of the last step give way, so read them before you make calls.
+    /// Contacts that ended in the last step, and in calls made since. This list and sensor_end_events() have room for Capacity::contacts events together. If
+    /// calls need that room, they remove the events of the last step, so read these events before you make calls.
     std::span<const TouchEvent> end_touch_events() const;
     /// Overlaps of sensors that began, and that ended, in the same order as touches. A step reports the overlaps at the poses with which it begins. An overlap
     /// that a call ends is reported at once, and again after the next step.
@@ -183,8 +183,8 @@ public:
     void set_linear_velocity(BodyId body, Vec2 velocity);
     /// The same; no effect on bodies of fixed rotation either.
     void set_angular_velocity(BodyId body, float velocity);
-    /// Gives a kinematic body the velocities that take it to a pose in a step of dt seconds, but for rounding: at most max_speed, and at most a quarter turn.
-    /// The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
+    /// Gives a kinematic body the velocities that take it to a pose in a step of dt seconds, except for rounding: at most max_speed, and at most a quarter
+    /// turn. The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
     void set_target(BodyId body, const Transform& target, float dt);
 
     /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s)
@@ -254,28 +254,28 @@ public:
     /// A chain of ChainSegments through `points` (2 or more; 3 for a loop), which collides on the right of its direction and does not catch at
     /// its inner corners. All or nothing. Returns the number of segments made, and their ids in `out` as far as they fit.
     std::uint32_t create_chain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {}, std::span<ShapeId> out = {});
-    /// Destroys the shape and its contacts; the body's mass follows.
+    /// Destroys the shape and its contacts, and computes the body's mass again.
     void destroy_shape(ShapeId shape);
     bool is_valid(ShapeId shape) const;
     std::uint32_t shape_count() const;
 
     BodyId body(ShapeId shape) const;
     ShapeType shape_type(ShapeId shape) const;
-    /// The geometry, or null if the shape is of another type or invalid (which alone is an error).
+    /// The geometry; null if the shape is of another type (which is no error), or if the id is invalid (which is one).
     const Circle* circle(ShapeId shape) const;
     const Capsule* capsule(ShapeId shape) const;
     const Segment* segment(ShapeId shape) const;
     const Polygon* polygon(ShapeId shape) const;
     const ChainSegment* chain_segment(ShapeId shape) const;
     const HalfSpace* half_space(ShapeId shape) const;
-    /// Gives the shape another geometry, of any type. Its contacts and overlaps end; the next step finds those of the new geometry. The body's mass follows.
-    /// Wakes the body and the bodies that touched the shape. Errors: bad_geometry; geometries_full; endless_shape.
+    /// Gives the shape another geometry, of any type. Its contacts and overlaps end; the next step finds those of the new geometry. The body's mass is computed
+    /// again. Wakes the body and the bodies that touched the shape. Errors: bad_geometry; geometries_full; endless_shape.
     void set_circle(ShapeId shape, const Circle& circle);
     void set_capsule(ShapeId shape, const Capsule& capsule);
     void set_segment(ShapeId shape, const Segment& segment);
     void set_polygon(ShapeId shape, const Polygon& polygon);
     void set_half_space(ShapeId shape, const HalfSpace& half_space);
-    /// kg/m^2, >= 0; the body's mass follows.
+    /// kg/m^2, >= 0. Setting it computes the body's mass again.
     float density(ShapeId shape) const;
     void set_density(ShapeId shape, float density);
     /// The tight box around the shape, world coordinates.
@@ -293,7 +293,7 @@ public:
     SurfaceMaterial material(ShapeId shape) const;
     void set_material(ShapeId shape, const SurfaceMaterial& material);
     bool is_sensor(ShapeId shape) const;
-    /// Writes the shapes that overlap the sensor, as far as they fit, the one that came near last first; returns how many there are. Error: not_a_sensor.
+    /// Writes the shapes that overlap the sensor, as far as they fit; the shape that came near last comes first. Returns how many there are. Error: not_a_sensor.
     std::uint32_t sensor_overlaps(ShapeId sensor, std::span<ShapeId> out) const;
     /// ShapeDef::sensor_events, hit_events and pre_solve.
     bool sensor_events_enabled(ShapeId shape) const;
@@ -325,7 +325,7 @@ public:
 
     // -- joints ----------------------------------------------------------------------------------------------------------------
     //
-    // Changing a joint wakes its bodies. Functions that a type of joint has no use for fail with wrong_joint_type.
+    // Changing a joint wakes its bodies. A function that does not apply to the type of the joint fails with wrong_joint_type.
 
     JointId create_joint(const RevoluteJointDef& def);
     JointId create_joint(const PrismaticJointDef& def);
@@ -381,7 +381,7 @@ public:
     void set_joint_friction(JointId joint, float friction);
     /// Force (N) or torque (N m) of the motor over the last substep.
     float motor_force(JointId joint) const;
-    /// Of an angle joint. Setting it lets go of the tooth that held; the last one that the angle is past holds it next.
+    /// Of an angle joint. Setting it forgets the tooth that held. The next one to hold is the last tooth that the angle has passed.
     JointRatchet ratchet(JointId joint) const;
     void set_ratchet(JointId joint, const JointRatchet& ratchet);
     /// Of a distance joint, m.
@@ -442,8 +442,8 @@ public:
     /// The shape closest to `point`, no farther than max_distance (m, 0 to max_translation). Of equally close ones it is the one in the lowest slot.
     ClosestHit closest(Vec2 point, float max_distance, const QueryFilter& filter = {}) const;
     /// Writes the surfaces no farther than `within` (m, 0 to max_translation) from a shape in the world, as far as they fit, and returns how many there are.
-    /// The closest come first, beginning with the deepest overlap; equally close ones come in the order of their slots. Chain segments push to their outer side
-    /// only: those that the shape is behind, by the mean of its corners or by its side that is closest to an end, are left out.
+    /// The closest come first, beginning with the deepest overlap; equally close ones come in the order of their slots. A chain segment has a surface only on
+    /// its outer side. It is left out if the shape is on its inner side, by the mean of the shape's corners or by the direction to the shape's closest point.
     std::uint32_t surfaces_near(const ShapeProxy& shape, float within, std::span<Surface> out, const QueryFilter& filter = {}) const;
 
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------
@@ -486,7 +486,7 @@ class StaticWorld {
     static_assert(is_valid(C), "bodies, shapes and contacts must be above 0, and nothing above max_capacity");
 
 public:
-    /// Makes the world anew; what it held is lost. If the definition breaks a rule, the world gets the default one, and World::last_error says what was
+    /// Creates the world. An earlier world in this memory is lost. If the definition breaks a rule, the world gets the default one, and World::last_error says what was
     /// wrong. If the engine was compiled in a way that changes the bits (inexact_build), the world takes no step.
     World& create(const WorldDef& def = {}) { return detail::create_static(block_, C, layout, def); }
     static constexpr std::size_t bytes = world_bytes(C);
