@@ -293,7 +293,8 @@ public:
     SurfaceMaterial material(ShapeId shape) const;
     void set_material(ShapeId shape, const SurfaceMaterial& material);
     bool is_sensor(ShapeId shape) const;
-    /// Writes the shapes that overlap the sensor, as far as they fit; the shape that came near last comes first. Returns how many there are. Error: not_a_sensor.
+    /// Writes the shapes that overlap the sensor, as far as they fit; the shape that came near last comes first. Returns how many there are. Error:
+    /// not_a_sensor.
     std::uint32_t sensor_overlaps(ShapeId sensor, std::span<ShapeId> out) const;
     /// ShapeDef::sensor_events, hit_events and pre_solve.
     bool sensor_events_enabled(ShapeId shape) const;
@@ -486,8 +487,8 @@ class StaticWorld {
     static_assert(is_valid(C), "bodies, shapes and contacts must be above 0, and nothing above max_capacity");
 
 public:
-    /// Creates the world. An earlier world in this memory is lost. If the definition breaks a rule, the world gets the default one, and World::last_error says what was
-    /// wrong. If the engine was compiled in a way that changes the bits (inexact_build), the world takes no step.
+    /// Creates the world. An earlier world in this memory is lost. If the definition breaks a rule, the world gets the default one, and World::last_error says
+    /// what was wrong. If the engine was compiled in a way that changes the bits (inexact_build), the world takes no step.
     World& create(const WorldDef& def = {}) { return detail::create_static(block_, C, layout, def); }
     static constexpr std::size_t bytes = world_bytes(C);
 
