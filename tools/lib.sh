@@ -47,6 +47,10 @@ need_test_tools() {
     need libchipmunk-dev header_exists chipmunk/chipmunk.h
     need gnuplot-nox command_exists gnuplot
     need pkg-config command_exists pkg-config
+    need libsdl2-dev header_exists SDL2/SDL.h
+    need xvfb command_exists xvfb-run
+    need xauth command_exists xauth
+    need xdotool command_exists xdotool
 }
 
 # What builds the firmware for Cortex-M and RISC-V, and runs it.
