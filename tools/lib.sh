@@ -72,6 +72,9 @@ need_emulators() {
     need g++-riscv64-linux-gnu command_exists riscv64-linux-gnu-g++
     need g++-s390x-linux-gnu command_exists s390x-linux-gnu-g++
     need qemu-user command_exists qemu-aarch64
+    need g++-mingw-w64-x86-64-posix command_exists x86_64-w64-mingw32-g++-posix
+    need wine64 path_exists /usr/lib/wine/wine64
+    need wine command_exists wine
     need clang-16 command_exists clang++-16
     need lld-16 command_exists wasm-ld-16
     need wasi-libc path_exists /usr/include/wasm32-wasi
