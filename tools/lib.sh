@@ -47,6 +47,10 @@ need_test_tools() {
     need libchipmunk-dev header_exists chipmunk/chipmunk.h
     need gnuplot-nox command_exists gnuplot
     need pkg-config command_exists pkg-config
+    need libsdl2-dev header_exists SDL2/SDL.h
+    need xvfb command_exists xvfb-run
+    need xauth command_exists xauth
+    need xdotool command_exists xdotool
 }
 
 # What builds the firmware for Cortex-M and RISC-V, and runs it.
@@ -60,6 +64,13 @@ need_firmware_tools() {
     need qemu-system-misc command_exists qemu-system-riscv32
 }
 
+# What builds for Windows, and runs that.
+need_windows_tools() {
+    need g++-mingw-w64-x86-64-posix command_exists x86_64-w64-mingw32-g++-posix
+    need wine64 path_exists /usr/lib/wine/wine64
+    need wine command_exists wine
+}
+
 # What builds for other processors, and runs that.
 need_emulators() {
     need g++-12-multilib path_exists /usr/lib/gcc/x86_64-linux-gnu/12/32
@@ -68,6 +79,7 @@ need_emulators() {
     need g++-riscv64-linux-gnu command_exists riscv64-linux-gnu-g++
     need g++-s390x-linux-gnu command_exists s390x-linux-gnu-g++
     need qemu-user command_exists qemu-aarch64
+    need_windows_tools
     need clang-16 command_exists clang++-16
     need lld-16 command_exists wasm-ld-16
     need wasi-libc path_exists /usr/include/wasm32-wasi

@@ -5,7 +5,7 @@
 #                              other processors and of the firmware in microcontrollers, both emulated; the engine compiled by hand and in a fresh tree; pages played in
 #                              a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
-# Installs a compiler, CMake, Box2D, Chipmunk, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr, shellcheck,
+# Installs a compiler, CMake, Box2D, Chipmunk, SDL, Xvfb, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr, shellcheck,
 # Node.js, npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
 set -euo pipefail
 # shellcheck source=tools/lib.sh

@@ -25,6 +25,9 @@ mkdir -p "$work"
 # shellcheck source=tests/determinism/build.sh
 . "$root/tests/determinism/build.sh"
 
+# under_wine PROGRAM ARGUMENT...: a program for Windows, with a folder of Wine's own. (The linker has added ".exe" to the name. Wine's stderr is about itself.)
+under_wine() { WINEPREFIX=$work/wine WINEDEBUG=-all wine "$1.exe" "${@:2}" 2>/dev/null; }
+
 # Running is work for one core, compiling for many: a core each for as many targets at once keeps all of them busy.
 at_once=$jobs
 jobs=1
@@ -96,6 +99,11 @@ check x86-64 x86_64 1,4,8 -- g++ -O2 -march=native
 check x86-64-clang x86_64 1,4,8 -- clang++ -O2 -march=native
 # Unoptimised.
 check x86-64-plain x86_64 1,4,8 -- g++ -O0
+if command -v wine >/dev/null 2>&1; then
+    check windows x86_64 1,4,8 under_wine -- x86_64-w64-mingw32-g++-posix -O2 -- -static
+else
+    report windows wine 1,4,8 "left out: there is no wine"
+fi
 # (The 32-bit library alone, without the package that clashes with cross compilers, leaves <asm/...> where the 64-bit one has it.)
 check x86-32 i686 1,4 -- g++-12 -m32 -O2 -msse2 -idirafter /usr/include/x86_64-linux-gnu
 wait

@@ -40,6 +40,7 @@ try() {
     case $command in
     'islet bench'*) eval "${command/--quick/--repeat 1} --steps 1" ;;
     'islet '* | 'rollback '*) eval "$command" ;;
+    'window '*) is_left_out build/release/samples/window || ! command -v xvfb-run || xvfb-run --auto-servernum build/release/samples/window "${words[@]:1}" --frames 2 ;;
     build/release/*) is_left_out "${words[0]}" || eval "$command" ;;
     ./tools/run.sh*) has_options tools/run.sh && islet run "${words[1]-hello}" ;;  # first_command_test.sh runs it in a fresh tree
     ./tools/test.sh* | ./tools/footprint.sh*) has_options "${words[@]}" ;;
