@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Makes the C interface from bindings/api.json: include/islet/islet.h and src/islet_c.cpp; and two tests, tests/c/refusals.c and tests/c/defaults_test.cpp.
+"""Makes the C interface from bindings/api.json: include/islet/islet.h and most files of src; and two tests, tests/c/refusals.c and tests/c/defaults_test.cpp.
 
     bindings/c/generate.py           writes them
     bindings/c/generate.py --check   says whether they are up to date, and how much of the C++ interface they cover
 
 The rules are short. What C++ passes by value C passes by value, and so poses and boxes; other references become pointers. A span becomes a pointer and a
 count. A function of the world that changes it returns an IsletError; others return their result. A struct that may grow (GROWS) begins with its size, and
-what it has of such structs it points to. What follows no rule is written by hand: src/by_hand.h and src/by_hand.cpp. What C does not have is in LEFT_OUT.
+what it has of such structs it points to. What follows no rule is written by hand: src/by_hand.h and src/*_by_hand.cpp. What C does not have is in LEFT_OUT.
 """
 import json
 import os
@@ -17,7 +17,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 API = os.path.join(HERE, "..", "api.json")
 FIRST = os.path.join(HERE, "first.json")
 HEADER = os.path.join(HERE, "include", "islet", "islet.h")
-SOURCE = os.path.join(HERE, "src", "islet_c.cpp")
+
+# The functions stand in several files, because a linker takes whole objects from an archive: what makes joints, chains and recordings, and what loads images,
+# brings parts of the engine that other programs leave out (ISLET_OPTIONAL in engine/src/data/features.hpp).
+AREAS = ("values", "world", "bodies", "shapes", "chains", "joints", "queries", "mover", "images", "recording", "checks", "profile", "drawing")
 BY_HAND = os.path.join(HERE, "src", "by_hand.h")
 
 # Structs that carry their size, so that they may get further fields at the end.
@@ -609,8 +612,46 @@ def taken_apart(api, f, name):
     return lines
 
 
-def source(api, first):
-    out = ["// The functions of islet.h, and checks that its structs are those of C++.", "//", "// Made by bindings/c/generate.py; do not edit.", '#include "glue.hpp"', "",
+def area_of(name):
+    """The file that a function stands in."""
+    if "chain" in name:
+        return "chains"
+    if "joint" in name:
+        return "joints"
+    if name == "islet_step_mover":
+        return "mover"
+    if "record" in name or name == "islet_replay":
+        return "recording"
+    if name.endswith(("_validate", "_hash")):
+        return "checks"
+    if re.search(r"snapshot|_counters$|_save$|_restore$|_load$|_delta|_apply$|_format$", name):
+        return "images"
+    if name.endswith(("_profile", "_set_clock")):
+        return "profile"
+    if "draw" in name or name == "islet_distinct_color":
+        return "drawing"
+    if re.search(r"islet_world_(cast|overlap|closest|surfaces)", name):
+        return "queries"
+    if re.match(r"islet_(body_|create_body|destroy_body)", name):
+        return "bodies"
+    if re.match(r"islet_(shape_|create_|destroy_shape)", name):
+        return "shapes"
+    return "world" if name.startswith("islet_world_") else "values"
+
+
+def source(api, area):
+    out = [f"// Functions of islet.h: {area}.", "//", "// Made by bindings/c/generate.py; do not edit.", '#include "glue.hpp"', "", "using namespace islet;",
+           "using namespace islet::c;", "", 'extern "C" {', ""]
+    for f, name, handmade in api.functions():
+        if handmade or area_of(name) != area:
+            continue
+        out += folded(declaration(api, f, name) + " {") + taken_apart(api, f, name) + ["}", ""]
+    out += ['}  // extern "C"', ""]
+    return "\n".join(out)
+
+
+def layouts(api, first):
+    out = ["// The structs, enumerations and constants of islet.h are those of C++.", "//", "// Made by bindings/c/generate.py; do not edit.", '#include "glue.hpp"', "",
            "namespace islet::c {", ""]
     for e in api.enums:
         out.append(f"static_assert(sizeof({e['name']}) == sizeof(Islet{e['name']}) && static_cast<int>({e['name']}::{e['values'][-1]['name']}) == "
@@ -635,12 +676,7 @@ def source(api, first):
     for c in api.constants:
         space = c.get("namespace", "")
         out.append(f"static_assert(ISLET_{(space + '_' if space else '').upper()}{c['name'].upper()} == {space + '::' if space else ''}{c['name']});")
-    out += ["", "}  // namespace islet::c", "", "using namespace islet;", "using namespace islet::c;", "", 'extern "C" {', ""]
-    for f, name, handmade in api.functions():
-        if handmade:
-            continue
-        out += folded(declaration(api, f, name) + " {") + taken_apart(api, f, name) + ["}", ""]
-    out += ['}  // extern "C"', ""]
+    out += ["", "}  // namespace islet::c", ""]
     return "\n".join(out)
 
 
@@ -802,7 +838,8 @@ def make():
         FIRST: "{\n" + ",\n".join(f"  {json.dumps(k)}: {json.dumps(v)}" for k, v in sorted(first.items())) + "\n}\n",
         os.path.join(HERE, "src", "types.inc.hpp"): glue_types(api, first),
         HEADER: header(api),
-        SOURCE: source(api, first),
+        os.path.join(HERE, "src", "layouts.cpp"): layouts(api, first),
+        **{os.path.join(HERE, "src", area + ".cpp"): source(api, area) for area in AREAS},
         os.path.join(HERE, "..", "..", "tests", "c", "refusals.c"): refusals(api),
         os.path.join(HERE, "..", "..", "tests", "c", "defaults_test.cpp"): defaults_test(api),
     }

@@ -139,6 +139,9 @@ void give(typename Twin<T>::Type* out, const T& value) {
 /// Why take or fits refused.
 inline IsletError why(const void* given) { return given == nullptr ? ISLET_ERROR_NULL_POINTER : ISLET_ERROR_STRUCT_SIZE; }
 
+/// Whether a capacity can be written where the caller wants it, if anywhere.
+inline bool fits_if_wanted(const IsletCapacity* out) { return out == nullptr || fits<Capacity>(nullptr, out); }
+
 /// Functions that draw, of C. A polygon's corners are a pointer and a count there.
 struct Drawing {
     explicit Drawing(const DebugDraw& given);
