@@ -1,5 +1,5 @@
-# find_package(Islet 0.2 REQUIRED [COMPONENTS engine lcp prefabs]), then link islet::islet, islet::lcp, islet::prefabs. Without COMPONENTS: all there are.
-set(Islet_known engine lcp prefabs)
+# find_package(Islet 0.2 REQUIRED [COMPONENTS engine c lcp prefabs]), then link islet::islet, islet::c, islet::lcp, islet::prefabs. Without COMPONENTS: all there are.
+set(Islet_known engine c lcp prefabs)
 
 foreach(component IN LISTS Islet_known)
     if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/Islet-${component}.cmake)

@@ -20,6 +20,10 @@ function(islet_install component name pc description)
     set(PC_DESCRIPTION ${description})
     set(PC_LIBRARY ${target})
     set(PC_REQUIRES ${ARGN})
+    set(PC_BEFORE "")
+    if(pc STREQUAL islet AND ISLET_WITH_C)  # C programs ask for islet too
+        set(PC_BEFORE "-lislet_c ")
+    endif()
     # The prefix is found from where the file is, so that the whole may be moved.
     file(RELATIVE_PATH PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
     string(REGEX REPLACE "/$" "" PC_PREFIX ${PC_PREFIX})

@@ -39,18 +39,21 @@ refused() {
 use() {
     local name=$1 prefix=$2 flags
     export LD_LIBRARY_PATH=$prefix/lib PKG_CONFIG_PATH=$prefix/lib/pkgconfig
-    if ! by_cmake "$prefix" '0.2;COMPONENTS;engine;lcp' || ! "$cmake" --build user-build >>user.log 2>&1; then cat user.log && fail "$name: find_package"; fi
+    if ! by_cmake "$prefix" '0.2;COMPONENTS;engine;lcp;c' || ! "$cmake" --build user-build >>user.log 2>&1; then cat user.log && fail "$name: find_package"; fi
     same user-build/hello hello_world "$name: find_package"
     same user-build/island island "$name: find_package, with lcp"
+    same user-build/hello_c hello_world "$name: find_package, in C"
     if [ "$name" = static ]; then same user-build/prefabs prefabs "$name: find_package, with prefabs"; fi
     refused "$prefix" '0.3' '0.2'
-    refused "$prefix" '0.2;COMPONENTS;c' 'Islet has no component c; there are engine'
+    refused "$prefix" '0.2;COMPONENTS;fortran' 'Islet has no component fortran; there are engine'
 
     if command -v pkg-config >/dev/null; then
         [ "$(pkg-config --modversion islet)" = "$version" ] || fail "$name: pkg-config's version"
         read -r -a flags < <(pkg-config --cflags --libs islet islet-lcp)
         "$compiler" -std=c++20 "$programs/hello_world.cpp" "${flags[@]}" -o hello-pkg && same ./hello-pkg hello_world "$name: pkg-config"
         "$compiler" -std=c++20 "$programs/island.cpp" "${flags[@]}" -o island-pkg && same ./island-pkg island "$name: pkg-config, with lcp"
+        read -r -a flags < <(pkg-config --cflags --libs islet)
+        cc "$programs/hello_world.c" "${flags[@]}" -o hello-c && same ./hello-c hello_world "$name: pkg-config, in C"
     fi
     # Lanes are the library's: a user's flags change nothing.
     for flags in -O0 '-O2 -march=native -ffast-math' '-O1 -mno-sse4'; do
@@ -84,11 +87,14 @@ if command -v dpkg-deb >/dev/null; then
 fi
 
 # Shown is what the public headers declare: in namespace islet, not in islet::detail, nor anybody else's.
+nm -DC --defined-only shared/lib/libislet_c.so | cut -c20- >libislet_c.txt
+grep -v -E '^islet_[a-z0-9_]+$' libislet_c.txt && fail "libislet_c shows more than the names of islet.h"
+[ "$(wc -l <libislet_c.txt)" -gt 300 ] || fail "libislet_c shows $(wc -l <libislet_c.txt) names"
 for library in libislet libislet_lcp; do
     nm -DC --defined-only "shared/lib/$library.so" | cut -c20- >"$library.txt"
     grep -v -E '^(vtable for |typeinfo (name )?for )?(islet::|islet::lcp::(Result|Residuals)<[a-z]+> islet::)' "$library.txt" && fail "$library shows more than islet's names"
-    # (StaticWorld, which is compiled with the user's program, calls the one exception.)
-    grep 'detail::' "$library.txt" | grep -v '^islet::detail::create_static(' && fail "$library shows the engine's own names"
+    # (StaticWorld, which is compiled with the user's program, calls the one exception, and libislet_c the other.)
+    grep 'detail::' "$library.txt" | grep -v -E '^islet::detail::(create_static|replace_error)\(' && fail "$library shows the engine's own names"
     printf 'ok: %s.so shows %s names\n' "$library" "$(wc -l <"$library.txt")"
 done
 for name in 'islet::World::step(float)' 'islet::make_box(float, float)' 'islet::replay(' 'islet::step_mover('; do

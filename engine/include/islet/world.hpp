@@ -25,6 +25,9 @@ struct Core;
 ISLET_INTERNAL_END
 /// Makes the world of a StaticWorld. The capacity is valid, and the block has the layout's size.
 World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& def);
+/// For interfaces of other languages, which refuse arguments themselves: the world's last error becomes `error`. With `tell`, the error hook is called as for
+/// any error. Returns the last error before.
+Error replace_error(const World& world, Error error, bool tell);
 }  // namespace detail
 
 /// A world lives at the start of the block of memory it was created in and never moves, allocates or frees. Not copyable.

@@ -136,6 +136,14 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
     return world;
 }
 
+Error replace_error(const World& world, Error error, bool tell) {
+    const Core& core = Core::of(world);
+    const Error before = core.last_error;
+    core.last_error = error;
+    if (tell) core.fail(error);
+    return before;
+}
+
 }  // namespace detail
 
 Vec2 World::gravity() const { return core().state->gravity; }

@@ -1,0 +1,152 @@
+// What the functions of the C interface have in common. They check what C can get wrong (null pointers, sizes of structs) and call the engine, which checks
+// the rest. Structs are not converted: those of C have the fields of those of C++ at the same places, which islet_c.cpp checks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include "islet/island.hpp"
+#include "islet/islet.h"
+#include "islet/islet.hpp"
+#include "islet/mover.hpp"
+
+#include "types.inc.hpp"
+
+namespace islet::c {
+
+/// Which struct or enumeration of C stands for one of C++, and where the fields of C++ begin in it.
+template <class T>
+struct Twin;
+#define ISLET_C_TWIN(T)        \
+    template <>                \
+    struct Twin<T> {           \
+        using Type = Islet##T; \
+    };
+ISLET_C_SAME(ISLET_C_TWIN)
+#undef ISLET_C_TWIN
+#define ISLET_C_TWIN(T, bytes)                        \
+    template <>                                       \
+    struct Twin<T> {                                  \
+        using Type = Islet##T;                        \
+        static constexpr std::uint32_t start = bytes; \
+    };
+ISLET_C_GROWS(ISLET_C_TWIN)
+#undef ISLET_C_TWIN
+
+template <class T>
+inline constexpr std::uint32_t start_of = Twin<T>::start;
+
+inline World& of(IsletWorld* world) { return *reinterpret_cast<World*>(world); }
+inline const World& of(const IsletWorld* world) { return *reinterpret_cast<const World*>(world); }
+
+/// A value of C as that of C++, and back.
+template <class T>
+T in(const typename Twin<T>::Type& value) {
+    return __builtin_bit_cast(T, value);
+}
+template <class T>
+typename Twin<T>::Type out(const T& value) {
+    return __builtin_bit_cast(typename Twin<T>::Type, value);
+}
+
+template <class To, class From>
+To* cast(From* pointer) {
+    return reinterpret_cast<To*>(pointer);
+}
+
+/// The same for functions. The types that they take are passed in the same way in both languages.
+template <class To, class From>
+To function(From from) {
+    return reinterpret_cast<To>(reinterpret_cast<void (*)()>(from));
+}
+
+template <class T, class Pointer>
+std::span<T> span_of(Pointer pointer, std::size_t count) {
+    return {reinterpret_cast<T*>(pointer), count};
+}
+template <class T>
+std::span<T> span_of(const void* pointer, std::size_t count) {
+    return {static_cast<T*>(pointer), count};
+}
+template <class T>
+std::span<T> span_of(void* pointer, std::size_t count) {
+    return {static_cast<T*>(pointer), count};
+}
+
+/// Records an error of C, as the world records its own, and returns it. Without a world it is returned alone.
+IsletError refuse(const IsletWorld* world, int error);
+
+/// Around a call that returns a code: its own error, none if it had none. The world's last error is then what it would be without these two.
+Error begin(IsletWorld* world);
+IsletError end(IsletWorld* world, Error before);
+
+/// The first version of a struct that has grown since (types.inc.hpp).
+template <class T>
+struct First;
+template <class T>
+concept HasGrown = requires {
+    sizeof(First<T>);
+};
+
+/// Room for a struct of an older program, with the defaults of the fields that it does not know.
+template <class T>
+struct Room {};
+template <HasGrown T>
+struct Room<T> {
+    T value = {};
+};
+
+/// Where the fields of C++ begin in a struct that carries its size; null, with the error recorded, if there is none, or its size is another than `size`.
+const void* take_exact(const IsletWorld* world, const void* given, std::uint32_t size, std::uint32_t start);
+
+/// The struct of C++ that the caller gave, or null with the error recorded.
+template <class T>
+const T* take(const IsletWorld* world, const typename Twin<T>::Type* given, [[maybe_unused]] Room<T>& room) {
+    using Type = typename Twin<T>::Type;
+    if constexpr (HasGrown<T>) {
+        if (given != nullptr && given->struct_size >= sizeof(First<T>) && given->struct_size < sizeof(Type)) {
+            std::memcpy(static_cast<void*>(&room.value), reinterpret_cast<const char*>(given) + start_of<T>, given->struct_size - start_of<T>);
+            return &room.value;
+        }
+    }
+    return static_cast<const T*>(take_exact(world, given, sizeof(Type), start_of<T>));
+}
+
+/// For a null pointer that stands for the default.
+template <class T>
+const T* take_default() {
+    static constexpr T value = {};
+    return &value;
+}
+
+/// Whether a result can be written to a struct of the caller's; if not, the error is recorded.
+template <class T>
+bool fits(const IsletWorld* world, const typename Twin<T>::Type* out) {
+    using Type = typename Twin<T>::Type;
+    if constexpr (HasGrown<T>) {
+        if (out != nullptr && out->struct_size >= sizeof(First<T>) && out->struct_size < sizeof(Type)) return true;
+    }
+    return take_exact(world, out, sizeof(Type), start_of<T>) != nullptr;
+}
+/// Writes as much of a result as the caller's struct has.
+template <class T>
+void give(typename Twin<T>::Type* out, const T& value) {
+    std::memcpy(reinterpret_cast<char*>(out) + start_of<T>, static_cast<const void*>(&value), out->struct_size - start_of<T>);
+}
+
+/// Why take or fits refused.
+inline IsletError why(const void* given) { return given == nullptr ? ISLET_ERROR_NULL_POINTER : ISLET_ERROR_STRUCT_SIZE; }
+
+/// Whether a capacity can be written where the caller wants it, if anywhere.
+inline bool fits_if_wanted(const IsletCapacity* out) { return out == nullptr || fits<Capacity>(nullptr, out); }
+
+/// Functions that draw, of C. A polygon's corners are a pointer and a count there.
+struct Drawing {
+    explicit Drawing(const DebugDraw& given);
+    DebugDraw given;      // its functions have C's types
+    DebugDraw functions;  // with the above as context
+};
+
+}  // namespace islet::c

@@ -1,0 +1,90 @@
+// Which types of C stand for which of C++. Made by bindings/c/generate.py; do not edit.
+//
+//   ISLET_C_SAME(X)   the same size and fields
+//   ISLET_C_GROWS(X)  the same after the first bytes of the C struct: X(type, bytes)
+#pragma once
+
+#define ISLET_C_SAME(X) \
+    X(ShapeType) \
+    X(DrawPart) \
+    X(BodyColors) \
+    X(FormatKind) \
+    X(Error) \
+    X(Schedule) \
+    X(JointTrees) \
+    X(SweepOrder) \
+    X(BodyType) \
+    X(RowKind) \
+    X(JointType) \
+    X(ReplayEnd) \
+    X(Vec2) \
+    X(Rot) \
+    X(Transform) \
+    X(Aabb) \
+    X(Circle) \
+    X(Capsule) \
+    X(Segment) \
+    X(ChainSegment) \
+    X(HalfSpace) \
+    X(Hull) \
+    X(Polygon) \
+    X(MassData) \
+    X(DrawStyle) \
+    X(BodyId) \
+    X(ShapeId) \
+    X(Filter) \
+    X(SurfaceMaterial) \
+    X(TouchEvent) \
+    X(SensorEvent) \
+    X(HitEvent) \
+    X(ContactPoint) \
+    X(ContactInfo) \
+    X(PreSolve) \
+    X(RowEnd) \
+    X(IslandRow) \
+    X(IslandBody) \
+    X(JointId) \
+    X(JointFrame) \
+    X(JointSpring) \
+    X(JointLimit) \
+    X(JointMotor) \
+    X(JointBase) \
+    X(JointRatchet) \
+    X(JointError) \
+    X(JointBreakEvent) \
+    X(ShapeProxy) \
+    X(CastHit) \
+    X(Separation) \
+    X(QueryFilter) \
+    X(QueryHit) \
+    X(ClosestHit) \
+    X(Surface) \
+    X(MoverState)
+
+#define ISLET_C_GROWS(X) \
+    X(DebugDraw, 8) \
+    X(FormatInfo, 4) \
+    X(TaskSystem, 8) \
+    X(Capacity, 4) \
+    X(Hooks, 8) \
+    X(SolverDef, 4) \
+    X(BodyDef, 8) \
+    X(ShapeDef, 8) \
+    X(ExplosionDef, 4) \
+    X(WindDef, 4) \
+    X(StepReport, 4) \
+    X(StepProfile, 8) \
+    X(WorldCounters, 8) \
+    X(RevoluteJointDef, 8) \
+    X(PrismaticJointDef, 8) \
+    X(DistanceJointDef, 8) \
+    X(WeldJointDef, 8) \
+    X(WheelJointDef, 8) \
+    X(MotorJointDef, 8) \
+    X(MouseJointDef, 8) \
+    X(PulleyJointDef, 8) \
+    X(GearJointDef, 8) \
+    X(AngleJointDef, 8) \
+    X(ReplayResult, 8) \
+    X(MoverDef, 8) \
+    X(MoverInput, 4)

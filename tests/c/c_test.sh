@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# c_test.sh ISLET WORK HELLO LIBRARY...: C programs compile as C11 with each compiler there is, without a warning, link without a C++ library, and do what they
+# should. The page's program is samples/programs/hello_world.c and prints what HELLO, that of C++, prints. Every function of islet.h is called by a test.
+set -euo pipefail
+
+islet=$1 work=$2 hello=$3
+libraries=("${@:4}")
+failed=false
+fail() {
+    printf 'FAILED: %s\n' "$*"
+    failed=true
+}
+
+rm -rf "$work" && mkdir -p "$work"
+cd "$work"
+for compiler in gcc clang; do
+    command -v "$compiler" >/dev/null || { printf '%s: left out, there is none\n' "$compiler" && continue; }
+    for program in "$islet"/tests/c/{calls,refusals}.c "$islet/samples/programs/hello_world.c"; do
+        name=$compiler-$(basename "$program" .c)
+        if ! "$compiler" -std=c11 -Wall -Wextra -pedantic -Werror -I "$islet/bindings/c/include" "$program" "${libraries[@]}" -lm -o "$name"; then
+            fail "$compiler: $program"
+        elif ! "./$name" >"$name.txt"; then
+            tail -n 20 "$name.txt"
+            fail "$name"
+        else
+            printf '%s: %s\n' "$name" "$(tail -n 1 "$name.txt")"
+        fi
+    done
+    diff <("$hello") "$compiler-hello_world.txt" || fail "$compiler: the C program prints something else than that of C++"
+    "$compiler" -std=c11 -Wall -Wextra -pedantic -Werror -I "$islet/bindings/c/include" -c "$islet/tests/c/machines.c" || fail "$compiler: machines.c"
+    if "$compiler" -x c++ -std=c++20 -fsyntax-only -Wall -Wextra -pedantic -Werror -I "$islet/bindings/c/include" -I "$islet/engine/include" - \
+        <<<'#include <islet/islet.h>
+#include <islet/islet.hpp>'; then printf '%s: both headers together\n' "$compiler"; else fail "$compiler: islet.h is no C++"; fi
+done
+
+functions=0
+while read -r name; do
+    functions=$((functions + 1))
+    grep -q "\b$name(" "$islet"/tests/c/{calls,machines}.c || fail "no test calls $name as it should be"
+done < <(sed -n 's/^ISLET_C_API [^(]*\b\(islet_[a-z0-9_]*\)(.*/\1/p' "$islet/bindings/c/include/islet/islet.h")
+printf '%d functions, each called\n' "$functions"
+[ "$functions" -gt 300 ] || fail "there should be more than 300 functions"
+
+if $failed; then exit 1; fi
