@@ -5,9 +5,7 @@
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../graph/colors.hpp"
-#include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
-#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

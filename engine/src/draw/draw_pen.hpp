@@ -3,7 +3,6 @@
 
 #include "../data/core.hpp"
 #include "../shapes/pen.hpp"
-#include "islet/debug_draw.hpp"
 
 namespace islet::detail {
 

@@ -1,11 +1,7 @@
 // The limits of what counts as a shape, and the test for a convex polygon.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "../math/inlining.hpp"
-#include "islet/geometry.hpp"
 #include "islet/types.hpp"
 
 namespace islet::detail {

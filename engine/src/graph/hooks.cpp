@@ -4,10 +4,7 @@
 
 #include "../calls/checks.hpp"
 #include "../graph/contact_info.hpp"
-#include "../graph/contacts.hpp"
-#include "../graph/mixing.hpp"
 #include "../graph/surface.hpp"
-#include "../math/scalar.hpp"
 
 namespace islet {
 

@@ -1,9 +1,7 @@
 // Mixing of two materials: the geometric mean of the friction coefficients and the larger restitution, unless the user's hooks mix them.
 #pragma once
 
-#include "../data/core.hpp"
 #include "../graph/hooks.hpp"
-#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {

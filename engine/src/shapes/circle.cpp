@@ -5,7 +5,6 @@
 #include "../geometry/mass.hpp"
 #include "../shapes/manifolds.hpp"
 #include "../shapes/pen.hpp"
-#include "../shapes/shape_types.hpp"
 
 namespace islet {
 

@@ -3,7 +3,6 @@
 #include "../solver/solver_def.hpp"
 
 #include "../calls/checks.hpp"
-#include "../solver/ordered_sweep.hpp"
 
 namespace islet::detail {
 

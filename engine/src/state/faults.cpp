@@ -9,7 +9,6 @@
 #include "../broadphase/tree.hpp"
 #include "../data/arrays.hpp"
 #include "../graph/contacts.hpp"
-#include "../graph/joint_graph.hpp"
 #include "../island/joint_trees.hpp"
 
 namespace islet::detail {

@@ -2,7 +2,6 @@
 #include "../exact.hpp"
 
 #include "../calls/checks.hpp"
-#include "../graph/contacts.hpp"
 #include "../state/faults.hpp"
 
 namespace islet {

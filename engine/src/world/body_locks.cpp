@@ -4,7 +4,6 @@
 #include "../bodies/bounds.hpp"
 #include "../bodies/impulses.hpp"
 #include "../bodies/sleep.hpp"
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 
 namespace islet {

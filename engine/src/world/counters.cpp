@@ -2,7 +2,6 @@
 #include "../exact.hpp"
 
 #include "../data/core.hpp"
-#include "islet/layout.hpp"
 
 namespace islet {
 

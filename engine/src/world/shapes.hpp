@@ -2,7 +2,6 @@
 
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../data/core.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {

@@ -2,7 +2,6 @@
 
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../solver/ordered_sweep.hpp"
 #include "../solver/solver_def.hpp"
 
 namespace islet {
