@@ -5,25 +5,17 @@
 
 namespace islet::detail {
 
-std::uint32_t find_body(const Core& core, BodyId id) {
-    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
-    const std::uint32_t i = id.index1 - 1;
-    const bool live = pool_live(core.state->body_pool, core.bodies, i) && core.bodies[i].generation == id.generation;
-    return check(core, live, Error::stale_id) ? i : null_index;
+namespace {
+
+template <class T, class Id>
+std::uint32_t find_live(const Core& core, const PoolState& pool, const T* slots, Id id) {
+    return check(core, id.index1 != 0, Error::null_id) && check(core, pool_holds(pool, slots, id), Error::stale_id) ? id.index1 - 1 : null_index;
 }
 
-std::uint32_t find_shape(const Core& core, ShapeId id) {
-    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
-    const std::uint32_t i = id.index1 - 1;
-    const bool live = pool_live(core.state->shape_pool, core.shapes, i) && core.shapes[i].generation == id.generation;
-    return check(core, live, Error::stale_id) ? i : null_index;
-}
+}  // namespace
 
-std::uint32_t find_joint(const Core& core, JointId id) {
-    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
-    const std::uint32_t i = id.index1 - 1;
-    const bool live = pool_live(core.state->joint_pool, core.joints, i) && core.joints[i].generation == id.generation;
-    return check(core, live, Error::stale_id) ? i : null_index;
-}
+std::uint32_t find_slot(const Core& core, BodyId id) { return find_live(core, core.state->body_pool, core.bodies, id); }
+std::uint32_t find_slot(const Core& core, ShapeId id) { return find_live(core, core.state->shape_pool, core.shapes, id); }
+std::uint32_t find_slot(const Core& core, JointId id) { return find_live(core, core.state->joint_pool, core.joints, id); }
 
 }  // namespace islet::detail

@@ -46,4 +46,10 @@ bool pool_live(const PoolState& pool, const T* slots, std::uint32_t index) {
     return index < pool.high_water && (slots[index].generation & 1u) != 0;
 }
 
+/// True if the object that an id was handed out for is still there.
+template <class T, class Id>
+bool pool_holds(const PoolState& pool, const T* slots, Id id) {
+    return id.index1 != 0 && pool_live(pool, slots, id.index1 - 1) && slots[id.index1 - 1].generation == id.generation;
+}
+
 }  // namespace islet::detail

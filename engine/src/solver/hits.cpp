@@ -3,7 +3,6 @@
 
 #include "../solver/hits.hpp"
 
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../graph/contact_info.hpp"
 

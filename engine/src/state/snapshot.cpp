@@ -5,7 +5,6 @@
 
 #include "../bodies/geometry_pool.hpp"
 #include "../bodies/joint_changes.hpp"
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../solver/joint_solve.hpp"
 #include "../state/faults.hpp"

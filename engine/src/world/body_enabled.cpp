@@ -39,15 +39,10 @@ void enable(Core& core, std::uint32_t i) {
 
 }  // namespace
 
-bool World::is_enabled(BodyId id) const {
-    const std::uint32_t i = find_body(core(), id);
-    return i != null_index && detail::is_enabled(core(), i);
-}
+bool World::is_enabled(BodyId id) const { ISLET_READ(detail::is_enabled(c, i)); }
 
 void World::set_enabled(BodyId id, bool enabled) {
-    Core& c = core();
-    note_call<Call::set_enabled>(c, id, enabled);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_enabled>(core(), id, enabled);
     if (i == null_index || detail::is_enabled(c, i) == enabled || !check_there(c, has_disabling)) return;
     if (enabled) {
         enable(c, i);

@@ -13,7 +13,7 @@ using namespace detail;
 namespace {
 
 void set_lock(Core& core, BodyId id, std::uint32_t flag, bool lock) {
-    const std::uint32_t i = find_body(core, id);
+    const std::uint32_t i = find_slot(core, id);
     if (i == null_index) return;
     Body& b = core.bodies[i];
     if (((b.flags & flag) != 0) == lock) return;
@@ -25,16 +25,11 @@ void set_lock(Core& core, BodyId id, std::uint32_t flag, bool lock) {
     wake_island(core, i, core.arena());
 }
 
-bool flag_of(const Core& core, BodyId id, std::uint32_t flag) {
-    const std::uint32_t i = find_body(core, id);
-    return i != null_index && (core.bodies[i].flags & flag) != 0;
-}
-
 }  // namespace
 
-bool World::is_x_locked(BodyId id) const { return flag_of(core(), id, body_lock_x); }
-bool World::is_y_locked(BodyId id) const { return flag_of(core(), id, body_lock_y); }
-bool World::is_rotation_fixed(BodyId id) const { return flag_of(core(), id, body_fixed_rotation); }
+bool World::is_x_locked(BodyId id) const { ISLET_READ((c.bodies[i].flags & body_lock_x) != 0); }
+bool World::is_y_locked(BodyId id) const { ISLET_READ((c.bodies[i].flags & body_lock_y) != 0); }
+bool World::is_rotation_fixed(BodyId id) const { ISLET_READ((c.bodies[i].flags & body_fixed_rotation) != 0); }
 void World::lock_x(BodyId id, bool lock) {
     note_call<Call::lock_x>(core(), id, lock);
     set_lock(core(), id, body_lock_x, lock);
@@ -45,9 +40,7 @@ void World::lock_y(BodyId id, bool lock) {
 }
 
 void World::set_fixed_rotation(BodyId id, bool fixed) {
-    Core& c = core();
-    note_call<Call::set_fixed_rotation>(c, id, fixed);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_fixed_rotation>(core(), id, fixed);
     if (i == null_index) return;
     Body& b = c.bodies[i];
     b.flags = fixed ? b.flags | body_fixed_rotation : b.flags & ~static_cast<std::uint32_t>(body_fixed_rotation);

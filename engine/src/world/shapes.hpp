@@ -1,6 +1,5 @@
 #pragma once
 
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../shapes/shape_types.hpp"
 

@@ -1,6 +1,5 @@
 #include "../exact.hpp"
 
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../solver/solver_def.hpp"
 

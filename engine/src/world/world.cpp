@@ -3,7 +3,6 @@
 
 #include "../bodies/geometry_pool.hpp"
 #include "../bodies/sleep.hpp"
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../data/arrays.hpp"
 #include "../graph/hooks.hpp"
@@ -138,11 +137,7 @@ void World::set_gravity(Vec2 gravity) {
 
 SolverDef World::solver() const { return unpack(core().state->solver); }
 
-float World::residual(BodyId body) const {
-    const Core& c = core();
-    const std::uint32_t i = find_body(c, body);
-    return i != null_index ? c.residuals[i] : 0;
-}
+float World::residual(BodyId id) const { ISLET_READ(c.residuals[i]); }
 
 TaskSystem World::tasks() const { return core().tasks; }
 
