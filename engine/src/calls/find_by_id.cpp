@@ -9,7 +9,9 @@ namespace {
 
 template <class T, class Id>
 std::uint32_t find_live(const Core& core, const PoolState& pool, const T* slots, Id id) {
-    return check(core, id.index1 != 0, Error::null_id) && check(core, pool_holds(pool, slots, id), Error::stale_id) ? id.index1 - 1 : null_index;
+    if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
+    const std::uint32_t i = id.index1 - 1;
+    return check(core, pool_live(pool, slots, i) && slots[i].generation == id.generation, Error::stale_id) ? i : null_index;
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ struct Found {
 
 /// Begins a call with an id: records it, and finds the object.
 template <Call call, class Id, class... Args>
-[[gnu::always_inline]] inline Found begin_call(Core& core, Id id, const Args&... args) {
+[[gnu::always_inline]] inline Found begin_call(Core& core, const Id& id, const Args&... args) {
     note_call<call>(core, id, args...);
     return {core, find_slot(core, id)};
 }

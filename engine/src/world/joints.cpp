@@ -31,11 +31,15 @@ std::uint32_t find_slot(const Core& core, JointId id, std::uint32_t types) {
     return check(core, (types & joint_bit(type_of(core.joints[i]))) != 0, Error::wrong_joint_type) ? i : null_index;
 }
 
+std::uint32_t find_slot(Core& core, JointId id, std::uint32_t types) {
+    return check_open(core) ? find_slot(static_cast<const Core&>(core), id, types) : null_index;
+}
+
 /// begin_call for joints of some types.
 template <Call call, class... Args>
-Found begin_call_on(std::uint32_t types, Core& core, JointId id, const Args&... args) {
+[[gnu::always_inline]] inline Found begin_call_on(std::uint32_t types, Core& core, const JointId& id, const Args&... args) {
     note_call<call>(core, id, args...);
-    return {core, check_open(core) ? find_slot(core, id, types) : null_index};
+    return {core, find_slot(core, id, types)};
 }
 
 void wake_bodies(Core& core, const Joint& j) {
