@@ -108,7 +108,6 @@ struct Closed {
 };
 
 static_assert(sizeof(Core) <= core_bytes);
-static_assert(sizeof(State) == state_bytes);
 static_assert(constraint_color_count == color_count);
 
 /// None is known from now on.

@@ -1,8 +1,6 @@
 // Contacts as the user reads them.
 #include "../exact.hpp"
 
-#include "../graph/contact_info.hpp"
-
 #include "../calls/checks.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/mixing.hpp"

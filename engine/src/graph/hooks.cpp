@@ -3,8 +3,8 @@
 #include "../graph/hooks.hpp"
 
 #include "../calls/checks.hpp"
-#include "../graph/contact_info.hpp"
-#include "../graph/surface.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/mixing.hpp"
 
 namespace islet {
 

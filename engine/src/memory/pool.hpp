@@ -46,6 +46,21 @@ bool pool_live(const PoolState& pool, const T* slots, std::uint32_t index) {
     return index < pool.high_water && (slots[index].generation & 1u) != 0;
 }
 
+/// Calls visit(slot) for each live slot, in ascending order.
+template <class T, class Visit>
+[[gnu::always_inline]] inline void for_each_live(const PoolState& pool, const T* slots, Visit&& visit) {
+    for (std::uint32_t i = 0; i < pool.high_water; ++i)
+        if ((slots[i].generation & 1u) != 0) visit(i);
+}
+
+/// Gives a slot another value; it keeps its generation.
+template <class T>
+[[gnu::always_inline]] inline void renew(T& slot, const T& value = {}) {
+    const std::uint32_t generation = slot.generation;
+    slot = value;
+    slot.generation = generation;
+}
+
 /// True if the object that an id was handed out for is still there.
 template <class T, class Id>
 bool pool_holds(const PoolState& pool, const T* slots, Id id) {

@@ -2,7 +2,7 @@
 #include "../exact.hpp"
 
 #include "../collide/outline_pair.hpp"
-#include "../geometry/mass.hpp"
+#include "../geometry/convex.hpp"
 #include "../math/boxes.hpp"
 #include "../shapes/manifolds.hpp"
 #include "../shapes/pen.hpp"

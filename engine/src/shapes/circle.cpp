@@ -2,7 +2,7 @@
 #include "../exact.hpp"
 
 #include "../collide/outline.hpp"
-#include "../geometry/mass.hpp"
+#include "../geometry/convex.hpp"
 #include "../shapes/manifolds.hpp"
 #include "../shapes/pen.hpp"
 

@@ -4,7 +4,7 @@
 #include "../solver/hits.hpp"
 
 #include "../calls/recorder.hpp"
-#include "../graph/contact_info.hpp"
+#include "../graph/contacts.hpp"
 
 namespace islet {
 

@@ -45,9 +45,7 @@ BodyId World::create_body(const BodyDef& def) {
         return {};
     }
     Body& b = c.bodies[i];
-    const std::uint32_t generation = b.generation;
-    b = Body{};
-    b.generation = generation;
+    renew(b);
     b.origin = def.position;
     b.linear_damping = def.linear_damping;
     b.angular_damping = def.angular_damping;
@@ -85,9 +83,7 @@ void World::destroy_body(BodyId id) {
     c.awake_bodies.clear(i);
     if ((c.bodies[i].flags & body_bullet) != 0) --c.state->bullet_count;
     if (c.bodies[i].has_locks()) --c.state->locked_count;
-    const std::uint32_t generation = c.bodies[i].generation;
-    c.bodies[i] = Body{};
-    c.bodies[i].generation = generation;
+    renew(c.bodies[i]);
     c.poses[i] = Pose{};
     c.motions[i] = Motion{};
     pool_give(c.state->body_pool, c.bodies, i);

@@ -9,23 +9,10 @@
 #include "../graph/contacts.hpp"
 #include "../math/float_mode.hpp"
 #include "../solver/joint_solve.hpp"
-#include "../world/joint_shared.hpp"
 
 namespace islet {
 
 using namespace detail;
-
-namespace detail {
-
-void end_forbidden_contacts(Core& core, const Joint& j) {
-    if (j.body_a == null_index) return;
-    for_each_contact(core, j.body_b, [&](std::uint32_t contact, std::uint32_t side) {
-        const Contact& c = core.contacts[contact];
-        if (other_body(core, contact, side) == j.body_a && !may_collide(core, c.shape_a, c.shape_b)) destroy_contact(core, contact);
-    });
-}
-
-}  // namespace detail
 
 namespace {
 
@@ -70,9 +57,7 @@ JointId tie(Core& core, const Joint& made) {
         return {};
     }
     Joint& j = core.joints[i];
-    const std::uint32_t generation = j.generation;
-    j = made;
-    j.generation = generation;
+    renew(j, made);
     if (j.joint_type() != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
     link_joint(core, i, 0, j.body_a);
     link_joint(core, i, 1, j.body_b);

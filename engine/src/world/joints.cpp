@@ -8,17 +8,10 @@
 #include "../constraint/joint_kinds.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
-#include "../world/joint_shared.hpp"
 
 namespace islet {
 
 using namespace detail;
-
-namespace detail {
-
-float joint_coordinate(const Core& core, const Joint& j) { return coordinate_of(j, pose_of(j, core.poses, core.bodies)); }
-
-}  // namespace detail
 
 namespace {
 

@@ -151,8 +151,7 @@ void World::enable_sleep(bool enable) {
     if (!check_open(c) || !check_there(c, has_sleep || !enable)) return;
     c.state->enable_sleep = enable ? 1 : 0;
     if (enable) return;
-    for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)
-        if (pool_live(c.state->body_pool, c.bodies, i)) wake_island(c, i, c.arena());
+    for_each_live(c.state->body_pool, c.bodies, [&](std::uint32_t i) { wake_island(c, i, c.arena()); });
 }
 
 bool World::continuous() const { return core().state->continuous != 0; }
