@@ -24,7 +24,7 @@ void untie(Core& core, std::uint32_t i) {
         // The bodies' shapes may overlap already. Without this mark their contacts would not be looked for, since the shapes have not moved.
         for (std::uint32_t s = core.bodies[j.body_b].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s);
     }
-    renew(j);
+    clear_slot(j);
     pool_give(core.state->joint_pool, core.joints, i);
 }
 

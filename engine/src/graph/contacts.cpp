@@ -82,7 +82,7 @@ void destroy_contact(Core& core, std::uint32_t index) {
     unlink(core, index, 1, m.body_b);
     core.pairs.erase(PairSet::key(c.shape_a, c.shape_b));
     core.awake_contacts.clear(index);
-    renew(c);
+    clear_slot(c);
     m = ContactManifold{};
     pool_give(core.state->contact_pool, core.contacts, index);
 }

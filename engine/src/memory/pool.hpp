@@ -53,11 +53,11 @@ template <class T, class Visit>
         if ((slots[i].generation & 1u) != 0) visit(i);
 }
 
-/// Gives a slot another value; it keeps its generation.
+/// Clears a slot but for its generation.
 template <class T>
-[[gnu::always_inline]] inline void renew(T& slot, const T& value = {}) {
+[[gnu::always_inline]] inline void clear_slot(T& slot) {
     const std::uint32_t generation = slot.generation;
-    slot = value;
+    slot = T{};
     slot.generation = generation;
 }
 

@@ -45,7 +45,7 @@ BodyId World::create_body(const BodyDef& def) {
         return {};
     }
     Body& b = c.bodies[i];
-    renew(b);
+    clear_slot(b);
     b.origin = def.position;
     b.linear_damping = def.linear_damping;
     b.angular_damping = def.angular_damping;
@@ -83,7 +83,7 @@ void World::destroy_body(BodyId id) {
     c.awake_bodies.clear(i);
     if ((c.bodies[i].flags & body_bullet) != 0) --c.state->bullet_count;
     if (c.bodies[i].has_locks()) --c.state->locked_count;
-    renew(c.bodies[i]);
+    clear_slot(c.bodies[i]);
     c.poses[i] = Pose{};
     c.motions[i] = Motion{};
     pool_give(c.state->body_pool, c.bodies, i);

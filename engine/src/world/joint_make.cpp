@@ -57,7 +57,9 @@ JointId tie(Core& core, const Joint& made) {
         return {};
     }
     Joint& j = core.joints[i];
-    renew(j, made);
+    const std::uint32_t generation = j.generation;
+    j = made;
+    j.generation = generation;
     if (j.joint_type() != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
     link_joint(core, i, 0, j.body_a);
     link_joint(core, i, 1, j.body_b);

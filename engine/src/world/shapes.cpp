@@ -40,7 +40,7 @@ void remove_shape(Core& core, std::uint32_t index) {
     if (s.next != null_index) core.shapes[s.next].prev = s.prev;
     --b.shape_count;
     release_geometry(core, s.geometry);
-    renew(s);
+    clear_slot(s);
     core.boxes[index] = Aabb{};
     pool_give(core.state->shape_pool, core.shapes, index);
 }
@@ -72,7 +72,7 @@ namespace {
 void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32_t geometry, const ShapeDef& def) {
     Shape& s = core.shapes[index];
     Body& b = core.bodies[body];
-    renew(s);
+    clear_slot(s);
     s.geometry = geometry;
     s.body = body;
     s.friction = def.friction;
