@@ -2,7 +2,6 @@
 #pragma once
 
 #include "../calls/checks.hpp"
-#include "../data/core.hpp"
 #include "../solver/free_motion.hpp"
 
 namespace islet::detail {

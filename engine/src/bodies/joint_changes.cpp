@@ -7,7 +7,6 @@
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
-#include "../math/scalar.hpp"
 
 namespace islet::detail {
 
@@ -25,9 +24,7 @@ void untie(Core& core, std::uint32_t i) {
         // The bodies' shapes may overlap already. Without this mark their contacts would not be looked for, since the shapes have not moved.
         for (std::uint32_t s = core.bodies[j.body_b].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s);
     }
-    const std::uint32_t generation = j.generation;
-    j = Joint{};
-    j.generation = generation;
+    clear_slot(j);
     pool_give(core.state->joint_pool, core.joints, i);
 }
 
@@ -51,6 +48,14 @@ void remove_gears(Core& core, std::uint32_t joint) {
 }
 
 }  // namespace
+
+void end_forbidden_contacts(Core& core, const Joint& j) {
+    if (j.body_a == null_index) return;
+    for_each_contact(core, j.body_b, [&](std::uint32_t contact, std::uint32_t side) {
+        const Contact& c = core.contacts[contact];
+        if (other_body(core, contact, side) == j.body_a && !may_collide(core, c.shape_a, c.shape_b)) destroy_contact(core, contact);
+    });
+}
 
 void link_joint_changes() {}
 

@@ -11,6 +11,9 @@ void remove_joint(Core& core, std::uint32_t joint);
 /// The body of a joint on which a gear that uses the joint hangs: a dynamic one, if there is one, else a kinematic one. Of two of one type it is B.
 std::uint32_t moving_body(const Core& core, const Joint& j);
 
+/// Destroys the contacts that the joint forbids.
+void end_forbidden_contacts(Core& core, const Joint& j);
+
 // The functions below are referenced weakly: a program that makes no joints does not link them (solver/joint_solve.hpp). They may be called only for worlds, or
 // bodies, with joints.
 

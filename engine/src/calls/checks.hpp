@@ -2,14 +2,13 @@
 #pragma once
 
 #include "../data/core.hpp"
-#include "../math/inlining.hpp"
 
 namespace islet::detail {
 
-/// Slot of a live body, or null_index with the error recorded.
-std::uint32_t find_body(const Core& core, BodyId id);
-std::uint32_t find_shape(const Core& core, ShapeId id);
-std::uint32_t find_joint(const Core& core, JointId id);
+/// Slot of a live body, shape or joint, or null_index with the error recorded.
+std::uint32_t find_slot(const Core& core, BodyId id);
+std::uint32_t find_slot(const Core& core, ShapeId id);
+std::uint32_t find_slot(const Core& core, JointId id);
 
 inline bool check(const Core& core, bool good, Error error) {
     if (!good) core.fail(error);
@@ -20,13 +19,21 @@ inline bool check(const Core& core, bool good, Error error) {
 inline bool check_there(const Core& core, bool there) { return check(core, there, Error::feature_cut); }
 
 /// False, with in_step recorded, while the world is calling a function of the user's (Inside, Closed). Every public function that changes the world, or reads
-/// all of it, checks this first. Functions with an id check it through the next three functions.
+/// all of it, checks this first. Functions with an id check it through the next function.
 ISLET_SHARED bool check_open(const Core& core) { return check(core, core.inside == 0, Error::in_step); }
 
 /// The slot of an object to be changed. (Functions that only read have a const Core, so they call the three functions above.)
-ISLET_SHARED std::uint32_t find_body(Core& core, BodyId id) { return check_open(core) ? find_body(static_cast<const Core&>(core), id) : null_index; }
-ISLET_SHARED std::uint32_t find_shape(Core& core, ShapeId id) { return check_open(core) ? find_shape(static_cast<const Core&>(core), id) : null_index; }
-ISLET_SHARED std::uint32_t find_joint(Core& core, JointId id) { return check_open(core) ? find_joint(static_cast<const Core&>(core), id) : null_index; }
+template <class Id>
+ISLET_SHARED std::uint32_t find_slot(Core& core, Id id) {
+    return check_open(core) ? find_slot(static_cast<const Core&>(core), id) : null_index;
+}
+
+/// The body of a public function that reads something of the object `id`, with the core c and its slot i. Zero if the id is not good.
+#define ISLET_READ(value)                     \
+    const Core& c = core();                   \
+    const std::uint32_t i = find_slot(c, id); \
+    if (i == null_index) return {};           \
+    return value
 
 /// True if no number is infinite or NaN: zero times any other number is zero.
 template <class... Floats>

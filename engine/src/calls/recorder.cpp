@@ -2,7 +2,6 @@
 
 #include "../calls/recorder.hpp"
 
-#include "../calls/checks.hpp"
 #include "islet/recording.hpp"
 
 namespace islet {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../calls/calls.hpp"
+#include "../calls/checks.hpp"
 #include "../math/checksum.hpp"
 #include "../math/scalar.hpp"
 #include "islet/format.hpp"
@@ -47,6 +48,19 @@ template <Call call, class... Args>
         const void* const arguments[] = {&args...};
         write_call(core, call, arguments);
     }
+}
+
+/// An object that a call changes: the world's core, and the object's slot, or null_index with the error recorded.
+struct Found {
+    Core& core;
+    std::uint32_t slot;
+};
+
+/// Begins a call with an id: records it, and finds the object.
+template <Call call, class Id, class... Args>
+[[gnu::always_inline]] inline Found begin_call(Core& core, const Id& id, const Args&... args) {
+    note_call<call>(core, id, args...);
+    return {core, find_slot(core, id)};
 }
 
 }  // namespace islet::detail

@@ -11,7 +11,6 @@
 #include "../exact.hpp"
 
 #include "../collide/outline.hpp"
-#include "../math/inlining.hpp"
 
 namespace islet::detail {
 namespace {

@@ -25,8 +25,6 @@
 // All together: 10 u L, 6e-7 L. Measured over millions of hard pairs: 3e-7 L.
 #pragma once
 
-#include <cstdint>
-
 #include "islet/query.hpp"
 
 namespace islet::detail {

@@ -13,7 +13,6 @@
 
 #include "../collide/distance.hpp"
 
-#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {

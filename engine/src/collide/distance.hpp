@@ -5,8 +5,6 @@
 // looks at a few corners instead of merging all of both.
 #pragma once
 
-#include <cstdint>
-
 #include "islet/geometry.hpp"
 
 namespace islet::detail {

@@ -5,9 +5,6 @@
 
 #include "../collide/time_of_impact.hpp"
 
-#include "../data/features.hpp"
-#include "../math/scalar.hpp"
-
 namespace islet::detail {
 
 namespace {

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "../constraint/revolute_joint.hpp"
-#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

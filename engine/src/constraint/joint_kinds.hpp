@@ -4,11 +4,8 @@
 #include "../constraint/angle_joint.hpp"
 #include "../constraint/distance_joint.hpp"
 #include "../constraint/gear_joint.hpp"
-#include "../constraint/motor_joint.hpp"
 #include "../constraint/mouse_joint.hpp"
-#include "../constraint/prismatic_joint.hpp"
 #include "../constraint/pulley_joint.hpp"
-#include "../constraint/revolute_joint.hpp"
 #include "../constraint/weld_joint.hpp"
 #include "../constraint/wheel_joint.hpp"
 
@@ -48,8 +45,9 @@ inline constexpr std::uint32_t with_frames = joints_that([](auto kind) { return 
 inline constexpr std::uint32_t with_base = joints_that([](auto kind) { return kind.has_base; });
 inline constexpr std::uint32_t with_turns = joints_that([](auto kind) { return kind.counts_turns; });
 
-/// The coordinate of a joint that has one.
-inline float coordinate_of(const Joint& j, const JointPose& p) {
+/// The coordinate of a joint that has one, now.
+ISLET_SHARED float joint_coordinate(const Core& core, const Joint& j) {
+    const JointPose p = pose_of(j, core.poses, core.bodies);
     return with_kind(j.joint_type(), [&](auto kind) {
         if constexpr (kind.has_coordinate) return kind.coordinate(j, p);
         return 0.0f;

@@ -3,7 +3,6 @@
 
 #include "../constraint/solver_body.hpp"
 #include "../math/lanes.hpp"
-#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

@@ -9,7 +9,6 @@
 #pragma once
 
 #include "../constraint/coordinate.hpp"
-#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

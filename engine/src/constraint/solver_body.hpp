@@ -1,8 +1,6 @@
 // A body as the solver sees it: gathered into contiguous scratch for one solve.
 #pragma once
 
-#include <cstdint>
-
 #include "../data/records.hpp"
 
 namespace islet::detail {

@@ -1,8 +1,6 @@
 // Core: the host's view of a world's block. Pointers to the arrays, the error hook, and the report of the last step; none of it persists.
 #pragma once
 
-#include <cstdint>
-
 #include "../data/records.hpp"
 #include "../memory/arena.hpp"
 #include "../memory/bit_set.hpp"
@@ -110,7 +108,6 @@ struct Closed {
 };
 
 static_assert(sizeof(Core) <= core_bytes);
-static_assert(sizeof(State) == state_bytes);
 static_assert(constraint_color_count == color_count);
 
 /// None is known from now on.

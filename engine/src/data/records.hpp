@@ -1,16 +1,10 @@
 // The records in the world's block: fixed-width fields, explicit padding, indices instead of pointers. Hot and cold data are apart.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
 #include "../data/features.hpp"
 #include "../math/inlining.hpp"
 #include "../memory/pool.hpp"
-#include "islet/geometry.hpp"
-#include "islet/joints.hpp"
 #include "islet/layout.hpp"
-#include "islet/types.hpp"
 
 namespace islet::detail {
 
@@ -334,11 +328,6 @@ struct State {
     std::uint32_t asked = 0;         // asked_of the flags that any shape ever had
     std::uint32_t pad[10] = {};
 };
-
-static_assert(sizeof(Pose) == pose_bytes && sizeof(Motion) == motion_bytes && sizeof(Body) == body_bytes);
-static_assert(sizeof(Shape) == shape_bytes && sizeof(Geometry) == geometry_bytes && sizeof(Aabb) == box_bytes);
-static_assert(sizeof(Contact) == contact_bytes && sizeof(ContactManifold) == manifold_bytes && sizeof(TreeNode) == tree_node_bytes);
-static_assert(sizeof(Joint) == joint_bytes && sizeof(State) == state_bytes);
 
 // The block is the same on every processor. On 32-bit x86 a struct aligns a 64-bit member to 4 bytes only, elsewhere to 8: each stands at a multiple
 // of 8 by the fields before it, and each struct ends at one, so that no compiler adds padding of its own. Counted in words of 4 bytes.

@@ -1,15 +1,11 @@
 // World::draw, layer by layer.
 #include "../exact.hpp"
 
-#include "islet/debug_draw.hpp"
-
 #include "../bodies/bounds.hpp"
 #include "../calls/checks.hpp"
-#include "../collide/manifold.hpp"
 #include "../draw/draw_pen.hpp"
 #include "../math/boxes.hpp"
 #include "../math/float_mode.hpp"
-#include "../shapes/shape_types.hpp"
 
 namespace islet {
 
@@ -128,7 +124,7 @@ void for_each_joint_in_use(const Core& core, const Draw& draw) {
 void World::draw_shape(const DebugDraw& d, ShapeId shape, const Transform& pose, const DrawStyle& style) const {
     const Core& c = core();
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_shape(c, shape);
+    const std::uint32_t i = find_slot(c, shape);
     if (i == null_index || !check_finite(c, pose.p) || !check_finite(c, Vec2{pose.q.c, pose.q.s})) return;
     const Closed closed(c);
     draw_geometry(d, c.geometries[c.shapes[i].geometry], pose, style);

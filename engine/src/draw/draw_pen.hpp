@@ -3,16 +3,8 @@
 
 #include "../data/core.hpp"
 #include "../shapes/pen.hpp"
-#include "islet/debug_draw.hpp"
 
 namespace islet::detail {
-
-/// Calls visit(slot) for each live slot of a pool, in ascending order.
-template <class T, class Visit>
-void for_each_live(const PoolState& pool, const T* slots, Visit&& visit) {
-    for (std::uint32_t i = 0; i < pool.high_water; ++i)
-        if ((slots[i].generation & 1u) != 0) visit(i);
-}
 
 /// Which colour a constraint's is, if constraints are told apart by it.
 inline DrawColor constraint_color(const DebugDraw& draw, std::uint32_t color, DrawColor otherwise) {

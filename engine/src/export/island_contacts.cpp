@@ -6,7 +6,7 @@
 
 #include "../export/island_problem.hpp"
 #include "../graph/contacts.hpp"
-#include "../graph/surface.hpp"
+#include "../graph/mixing.hpp"
 
 namespace islet::detail {
 

@@ -1,8 +1,6 @@
 // World::export_island: the island that a body is in, as a complementarity problem in the caller's memory.
 #include "../exact.hpp"
 
-#include "islet/island.hpp"
-
 #include "../calls/checks.hpp"
 #include "../export/island_problem.hpp"
 #include "../math/float_mode.hpp"
@@ -94,7 +92,7 @@ void write_problem(IslandRows& rows, const IslandLinks& links, const Sizes& size
 std::size_t World::export_island(BodyId id, float h, std::span<std::byte> memory, IslandProblem& out) const {
     const Core& c = core();
     const DefaultFloatMode mode;
-    const std::uint32_t body = check_open(c) ? find_body(c, id) : null_index;
+    const std::uint32_t body = check_open(c) ? find_slot(c, id) : null_index;
     if (body == null_index || !check(c, c.is_dynamic(body), Error::no_dynamic_body)) return 0;
     if (!check(c, h >= min_time_step / 64 && h <= 1.0f, Error::bad_time_step)) return 0;
 

@@ -1,8 +1,5 @@
-// The limits of what counts as a shape, and the test for a convex polygon.
+// The limits of what counts as a shape and as a mass, and the test for a convex polygon.
 #pragma once
-
-#include <cstdint>
-#include <span>
 
 #include "../math/inlining.hpp"
 #include "islet/geometry.hpp"
@@ -31,5 +28,10 @@ ISLET_INLINE std::uint32_t next(std::uint32_t i, std::uint32_t count) { return i
 /// True if every point lies strictly to the left of every edge it is not an end of: convex, counter-clockwise, going round just once,
 /// no two points alike and no three in a line.
 bool is_strictly_convex(std::span<const Vec2> points);
+
+ISLET_SHARED bool is_density(float density) { return density >= 0 && is_finite(density); }
+
+/// A density may be finite and still too much for the shape: no mass rather than an infinite one.
+ISLET_SHARED MassData checked(const MassData& m) { return is_finite(m.mass) && is_finite(m.inertia) ? m : MassData{}; }
 
 }  // namespace islet::detail

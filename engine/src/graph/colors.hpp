@@ -6,7 +6,6 @@
 #pragma once
 
 #include "../data/core.hpp"
-#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

@@ -1,8 +1,6 @@
 // Contacts as the user reads them.
 #include "../exact.hpp"
 
-#include "../graph/contact_info.hpp"
-
 #include "../calls/checks.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/mixing.hpp"
@@ -46,7 +44,7 @@ bool World::contact_at(std::uint32_t slot, ContactInfo& out) const {
 
 std::uint32_t World::contacts(BodyId id, std::span<ContactInfo> out) const {
     const Core& c = core();
-    const std::uint32_t i = find_body(c, id);
+    const std::uint32_t i = find_slot(c, id);
     if (i == null_index) return 0;
     std::uint32_t n = 0;
     for_each_contact(c, i, [&](std::uint32_t contact, std::uint32_t) {

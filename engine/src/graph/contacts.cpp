@@ -2,13 +2,10 @@
 
 #include "../graph/contacts.hpp"
 
-#include <cstring>
-
 #include "../graph/colors.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../graph/mixing.hpp"
 #include "../graph/sensors.hpp"
-#include "../math/scalar.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
@@ -85,9 +82,7 @@ void destroy_contact(Core& core, std::uint32_t index) {
     unlink(core, index, 1, m.body_b);
     core.pairs.erase(PairSet::key(c.shape_a, c.shape_b));
     core.awake_contacts.clear(index);
-    const std::uint32_t generation = c.generation;
-    c = Contact{};
-    c.generation = generation;
+    clear_slot(c);
     m = ContactManifold{};
     pool_give(core.state->contact_pool, core.contacts, index);
 }

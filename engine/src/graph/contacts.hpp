@@ -2,7 +2,6 @@
 // two shapes already have a contact.
 #pragma once
 
-#include "../data/core.hpp"
 #include "../graph/constraint_list.hpp"
 #include "../graph/hooks.hpp"
 
@@ -42,6 +41,9 @@ void mix_materials(Core& core, std::uint32_t contact);
 
 /// Drops the end events that the last step reported; those of calls made since stay.
 void drop_told_ends(Core& core);
+
+/// Fills in a touching contact as the user reads it, at the bodies' present poses (contact_info.cpp).
+void read_contact(const Core& core, std::uint32_t contact, ContactInfo& out);
 
 void record_end_event(Core& core, std::uint32_t contact);
 /// False, with the error recorded and counted, if the array of end events is full.

@@ -16,8 +16,7 @@ bool has_disabled_body(const Core& core, const Joint& j) {
 
 void refresh_awake_joints(Core& core) {
     if constexpr (has_joints) {
-        for (std::uint32_t i = 0; i < core.state->joint_pool.high_water; ++i)
-            if (pool_live(core.state->joint_pool, core.joints, i)) core.awake_joints.assign(i, is_joint_awake(core, core.joints[i]));
+        for_each_live(core.state->joint_pool, core.joints, [&](std::uint32_t i) { core.awake_joints.assign(i, is_joint_awake(core, core.joints[i])); });
         core.state->trees_stale = 1;
     }
 }

@@ -3,11 +3,8 @@
 #include "../graph/hooks.hpp"
 
 #include "../calls/checks.hpp"
-#include "../graph/contact_info.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/mixing.hpp"
-#include "../graph/surface.hpp"
-#include "../math/scalar.hpp"
 
 namespace islet {
 

@@ -6,7 +6,6 @@
 
 #include "../lcp/block.hpp"
 #include "../lcp/sweep.hpp"
-#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 namespace {
@@ -95,17 +94,12 @@ std::uint32_t update_block(const Task<T>& task, const T* divisors, Range range) 
 template <class T>
 Result<T> run_blocks(Task<T> task) {
     T* const divisors = task.memory.template take<T>(task.size());
-    if (const Verdict v = find_divisors(task.problem, task.options.regularisation, false, divisors); !v.good()) return finish(task, v.status, v.row, 0);
-    if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
     const std::uint32_t blocks = task.options.blocks.empty() ? task.rows : static_cast<std::uint32_t>(task.options.blocks.size());
-    for (std::uint32_t done = 0; done < task.options.max_iterations; ++done) {
-        for (std::uint32_t block = 0; block < blocks; ++block) {
-            const std::uint32_t failed = update_block(task, divisors, block_range(task, block));
-            if (failed != no_row) return finish(task, Status::diverged, failed, done + 1);
-        }
-        if (reached(task, done + 1)) return finish(task, Status::converged, no_row, done + 1);
-    }
-    return finish(task, Status::iteration_limit, no_row, task.options.max_iterations);
+    return iterate(task, false, divisors, [&] {
+        std::uint32_t failed = no_row;
+        for (std::uint32_t block = 0; block < blocks && failed == no_row; ++block) failed = update_block(task, divisors, block_range(task, block));
+        return failed;
+    });
 }
 
 template Result<float> run_blocks(Task<float>);

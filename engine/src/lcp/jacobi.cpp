@@ -6,7 +6,6 @@
 #include "../exact.hpp"
 
 #include "../lcp/sweep.hpp"
-#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 
@@ -15,19 +14,15 @@ Result<T> run_jacobi(Task<T> task) {
     const Options<T>& o = task.options;
     T* const divisors = task.memory.template take<T>(task.size());
     T* const next = task.memory.template take<T>(task.size());
-    if (const Verdict v = find_divisors(task.problem, o.regularisation, o.method == Method::l1_jacobi, divisors); !v.good())
-        return finish(task, v.status, v.row, 0);
-    if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
-    for (std::uint32_t done = 0; done < o.max_iterations; ++done) {
+    return iterate(task, o.method == Method::l1_jacobi, divisors, [&] {
         for (std::uint32_t i = 0; i < task.rows; ++i) {
             const Bounds<T> b = bounds_of(task.problem, i, task.x);
             next[i] = clamp(task.x[i] - o.omega * row_value(task.problem, i, task.x) / divisors[i], b.lo, b.hi);
-            if (!is_finite(next[i])) return finish(task, Status::diverged, i, done + 1);
+            if (!is_finite(next[i])) return i;
         }
         for (std::uint32_t i = 0; i < task.rows; ++i) task.x[i] = next[i];
-        if (reached(task, done + 1)) return finish(task, Status::converged, no_row, done + 1);
-    }
-    return finish(task, Status::iteration_limit, no_row, o.max_iterations);
+        return no_row;
+    });
 }
 
 template Result<float> run_jacobi(Task<float>);

@@ -10,7 +10,6 @@
 
 #include "../lcp/lu.hpp"
 #include "../lcp/sweep.hpp"
-#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 namespace {

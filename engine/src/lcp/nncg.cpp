@@ -9,7 +9,6 @@
 #include "../exact.hpp"
 
 #include "../lcp/sweep.hpp"
-#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 
@@ -37,21 +36,9 @@ Result<T> run_nncg(Task<T> task) {
     T* const divisors = task.memory.template take<T>(task.size());
     T* const old = task.memory.template take<T>(task.size());
     T* const direction = task.memory.template take<T>(task.size());
-    if (const Verdict v = find_divisors(task.problem, o.regularisation, false, divisors); !v.good()) return finish(task, v.status, v.row, 0);
-    if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
     for (std::uint32_t i = 0; i < task.rows; ++i) direction[i] = T(0);
     T last_square = T(0);  // of the gradient before; 0: there is none
-    for (std::uint32_t done = 0; done < o.max_iterations; ++done) {
-        for (std::uint32_t i = 0; i < task.rows; ++i) old[i] = task.x[i];
-        std::uint32_t failed = sweep(task.problem, o.order, false, T(1), divisors, task.x);
-        if (failed == no_row) failed = sweep(task.problem, o.order, true, T(1), divisors, task.x);
-        if (failed != no_row) {
-            undo_step(task);
-            return finish(task, Status::diverged, failed, done + 1);
-        }
-        if (reached(task, done + 1)) return finish(task, Status::converged, no_row, done + 1);
-        if (done + 1 == o.max_iterations) break;
-
+    const auto step_along = [&] {
         T square = T(0);
         for (std::uint32_t i = 0; i < task.rows; ++i) square += (task.x[i] - old[i]) * (task.x[i] - old[i]);
         const bool restart = !(square <= last_square) || last_square == T(0);
@@ -63,8 +50,17 @@ Result<T> run_nncg(Task<T> task) {
             const T next = task.x[i] + step;
             if (step != T(0) && is_finite(next)) task.x[i] = next;
         }
-    }
-    return finish(task, Status::iteration_limit, no_row, o.max_iterations);
+    };
+    bool swept = false;
+    return iterate(task, false, divisors, [&] {
+        if (swept) step_along();
+        swept = true;
+        for (std::uint32_t i = 0; i < task.rows; ++i) old[i] = task.x[i];
+        std::uint32_t failed = sweep(task.problem, o.order, false, T(1), divisors, task.x);
+        if (failed == no_row) failed = sweep(task.problem, o.order, true, T(1), divisors, task.x);
+        if (failed != no_row) undo_step(task);
+        return failed;
+    });
 }
 
 template Result<float> run_nncg(Task<float>);

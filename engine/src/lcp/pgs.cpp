@@ -5,7 +5,6 @@
 #include "../exact.hpp"
 
 #include "../lcp/sweep.hpp"
-#include "../lcp/task.hpp"
 
 namespace islet::lcp {
 namespace {
@@ -33,14 +32,7 @@ std::uint32_t one_iteration(const Task<T>& task, const T* divisors) {
 template <class T>
 Result<T> run_sweeps(Task<T> task) {
     T* const divisors = task.memory.template take<T>(task.size());
-    if (const Verdict v = find_divisors(task.problem, task.options.regularisation, false, divisors); !v.good()) return finish(task, v.status, v.row, 0);
-    if (reached(task, 0)) return finish(task, Status::converged, no_row, 0);
-    for (std::uint32_t done = 0; done < task.options.max_iterations; ++done) {
-        const std::uint32_t failed = one_iteration(task, divisors);
-        if (failed != no_row) return finish(task, Status::diverged, failed, done + 1);
-        if (reached(task, done + 1)) return finish(task, Status::converged, no_row, done + 1);
-    }
-    return finish(task, Status::iteration_limit, no_row, task.options.max_iterations);
+    return iterate(task, false, divisors, [&] { return one_iteration(task, divisors); });
 }
 
 template <class T>

@@ -30,7 +30,13 @@ Row<T> row_of(const Problem<T>& problem, std::uint32_t i) {
 
 /// The sum of row_value if a part of it overflowed: computed on a smaller scale and enlarged at the end. It is infinite only if w_i is, and never NaN.
 template <class T>
-T overflowing_row_value(const Problem<T>& problem, std::uint32_t i, const T* x);
+[[gnu::noinline]] T overflowing_row_value(const Problem<T>& problem, std::uint32_t i, const T* x) {
+    constexpr T s = Numbers<T>::shrink;
+    const Row<T> row = row_of(problem, i);
+    T sum = problem.q[i] * s * s;
+    for (std::uint32_t k = 0; k < row.count; ++k) sum += (row.values[k] * s) * (x[row.column(k)] * s);
+    return sum / s / s;
+}
 
 /// w_i = q_i + sum of M_ij x_j. The sum is never -0 (q_i + 0 is not, nor is any sum that begins with it). So the zeros that a dense matrix adds and a sparse
 /// one leaves out change no bit. If x is finite, the sum is not NaN.

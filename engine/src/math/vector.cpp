@@ -2,7 +2,6 @@
 #include "../exact.hpp"
 
 #include "../math/scalar.hpp"
-#include "islet/math.hpp"
 
 namespace islet {
 namespace {

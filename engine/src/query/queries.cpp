@@ -2,7 +2,6 @@
 
 #include "../query/queries.hpp"
 
-#include "../calls/checks.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {

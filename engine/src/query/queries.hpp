@@ -3,7 +3,6 @@
 
 #include "../broadphase/tree.hpp"
 #include "../calls/checks.hpp"
-#include "islet/query.hpp"
 
 namespace islet::detail {
 

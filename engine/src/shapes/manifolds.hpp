@@ -2,7 +2,6 @@
 #pragma once
 
 #include "../collide/manifold.hpp"
-#include "../data/features.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {

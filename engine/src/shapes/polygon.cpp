@@ -2,10 +2,9 @@
 #include "../exact.hpp"
 
 #include "../collide/outline_pair.hpp"
-#include "../geometry/mass.hpp"
+#include "../geometry/convex.hpp"
 #include "../shapes/manifolds.hpp"
 #include "../shapes/pen.hpp"
-#include "../shapes/shape_types.hpp"
 
 namespace islet {
 

@@ -3,9 +3,8 @@
 
 #include "../solver/hits.hpp"
 
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../graph/contact_info.hpp"
+#include "../graph/contacts.hpp"
 
 namespace islet {
 

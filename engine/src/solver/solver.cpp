@@ -5,10 +5,7 @@
 #include "../constraint/kernels.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
-#include "../graph/surface.hpp"
-#include "../math/inlining.hpp"
-#include "../math/lanes.hpp"
-#include "../math/scalar.hpp"
+#include "../graph/mixing.hpp"
 #include "../solver/free_motion.hpp"
 #include "../solver/hits.hpp"
 #include "../solver/joint_solve.hpp"
@@ -272,10 +269,10 @@ struct BatchSolve {
         }
     }
 
-    /// Calls work(part of the run, its rows), for a run that has a colour.
+    /// Calls work(part of the run, its rows). A run without a colour is one part.
     template <class Work>
     void over_run(const JointRun& r, Work&& work) {
-        if (!has_threads || !wide) return work(r, s.joint_rows + r.offset);
+        if (!has_threads || !wide || r.color == no_color) return work(r, s.joint_rows + r.offset);
         JointRun block = r;
         block.blocks = 1;
         const std::size_t block_bytes = joint_run_bytes_of(block, W);
@@ -316,11 +313,7 @@ void BatchSolve<K>::prepare() {
     if (link_count() != 0) prepare_trees(s.plan, batch, s.links, joints, s.motions);
     for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
         const JointRun& r = s.plan.runs[i];
-        if (r.color == no_color) {
-            prepare_joint_run(r, W, s.joint_rows + r.offset, s.plan.joints + r.first, joints);
-        } else {
-            over_run(r, [&](const JointRun& part, std::byte* blocks) { prepare_joint_run(part, W, blocks, s.plan.joints + part.first, joints); });
-        }
+        over_run(r, [&](const JointRun& part, std::byte* blocks) { prepare_joint_run(part, W, blocks, s.plan.joints + part.first, joints); });
     }
 }
 
@@ -434,11 +427,7 @@ void BatchSolve<K>::store() {
     if (link_count() != 0) store_trees(s.links + batch.first_link, link_count(), out);
     for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
         const JointRun& r = s.plan.runs[i];
-        if (r.color == no_color) {
-            store_joint_run(r, W, s.joint_rows + r.offset, out);
-        } else {
-            over_run(r, [&](const JointRun& part, std::byte* blocks) { store_joint_run(part, W, blocks, out); });
-        }
+        over_run(r, [&](const JointRun& part, std::byte* blocks) { store_joint_run(part, W, blocks, out); });
     }
 }
 

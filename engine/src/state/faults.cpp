@@ -7,9 +7,9 @@
 #include "../bodies/bounds.hpp"
 #include "../bodies/joint_changes.hpp"
 #include "../broadphase/tree.hpp"
+#include "../calls/checks.hpp"
 #include "../data/arrays.hpp"
 #include "../graph/contacts.hpp"
-#include "../graph/joint_graph.hpp"
 #include "../island/joint_trees.hpp"
 
 namespace islet::detail {
@@ -27,18 +27,25 @@ const char* first_fault(const PoolState& pool, const T* slots, Fault&& fault) {
 
 // -- pools ---------------------------------------------------------------------------------------------------------------------------
 
+/// is_live(i) and next(i) read slots that were used.
+template <class IsLive, class Next>
+const char* fault_in_free_list(const PoolState& pool, std::uint32_t live, IsLive&& is_live, Next&& next) {
+    if (live != pool.count) return "a pool miscounts its live slots";
+    std::uint32_t free = 0;
+    for (std::uint32_t i = pool.free_head; i != null_index; i = next(i)) {
+        if (i >= pool.high_water || is_live(i)) return "a free list holds a live slot";
+        if (++free > pool.high_water) return "a free list has a cycle";
+    }
+    return live + free == pool.high_water ? nullptr : "a pool lost a slot";
+}
+
 template <class T>
 const char* fault_in_pool(const PoolState& pool, const T* slots, std::uint32_t capacity) {
     if (pool.high_water > capacity || pool.count > pool.high_water) return "a pool holds more than its capacity";
     std::uint32_t live = 0;
     for (std::uint32_t i = 0; i < pool.high_water; ++i) live += slots[i].generation & 1u;
-    if (live != pool.count) return "a pool miscounts its live slots";
-    std::uint32_t free = 0;
-    for (std::uint32_t i = pool.free_head; i != null_index; i = slots[i].next_free) {
-        if (i >= pool.high_water || (slots[i].generation & 1u) != 0) return "a free list holds a live slot";
-        if (++free > pool.high_water) return "a free list has a cycle";
-    }
-    return live + free == pool.high_water ? nullptr : "a pool lost a slot";
+    return fault_in_free_list(
+        pool, live, [&](std::uint32_t i) { return (slots[i].generation & 1u) != 0; }, [&](std::uint32_t i) { return slots[i].next_free; });
 }
 
 // Geometries have no generation: one that shapes refer to is live.
@@ -55,17 +62,13 @@ const char* fault_in_geometry_pool(const Core& c, Arena scratch) {
         return nullptr;
     });
     if (bad != nullptr) return bad;
-    std::uint32_t live = 0, free = 0;
+    std::uint32_t live = 0;
     for (std::uint32_t i = 0; i < pool.high_water; ++i) {
         if (references[i] != c.geometries[i].references) return "a geometry miscounts its shapes";
         live += references[i] != 0 ? 1 : 0;
     }
-    if (live != pool.count) return "a pool miscounts its live slots";
-    for (std::uint32_t i = pool.free_head; i != null_index; i = c.geometries[i].next) {
-        if (i >= pool.high_water || references[i] != 0) return "a free list holds a live slot";
-        if (++free > pool.high_water) return "a free list has a cycle";
-    }
-    return live + free == pool.high_water ? nullptr : "a pool lost a slot";
+    return fault_in_free_list(
+        pool, live, [&](std::uint32_t i) { return references[i] != 0; }, [&](std::uint32_t i) { return c.geometries[i].next; });
 }
 
 /// Bits may be set for live slots only.
@@ -220,8 +223,7 @@ const char* fault_in_lists(const Core& c) {
         return fault_in_body(c, i);
     });
     if (bad != nullptr) return bad;
-    for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i)
-        if (live_joint(c, i)) ends += c.joints[i].body_a != null_index ? 2 : 1;
+    for_each_live(s.joint_pool, c.joints, [&](std::uint32_t i) { ends += c.joints[i].body_a != null_index ? 2 : 1; });
     if (shapes != s.shape_pool.count) return "a shape is in no list";
     if (resting != s.tree.leaf_count) return "the tree holds more than the shapes at rest";
     return contacts == 2 * s.contact_pool.count && joints == ends ? nullptr : "a constraint is in no list";
@@ -340,11 +342,11 @@ const char* fault_in_gear_counts(const Core& c, Arena scratch) {
     const PoolState& pool = c.state->joint_pool;
     std::uint32_t* gears = scratch.take<std::uint32_t>(pool.high_water);
     for (std::uint32_t i = 0; i < pool.high_water; ++i) gears[i] = 0;
-    for (std::uint32_t i = 0; i < pool.high_water; ++i) {
-        if (!live_joint(c, i) || c.joints[i].joint_type() != JointType::gear) continue;
+    for_each_live(pool, c.joints, [&](std::uint32_t i) {
+        if (c.joints[i].joint_type() != JointType::gear) return;
         ++gears[c.joints[i].joint1];
         ++gears[c.joints[i].joint2];
-    }
+    });
     return first_fault(pool, c.joints, [&](std::uint32_t i) { return c.joints[i].gear_count == gears[i] ? nullptr : "a joint miscounts its gears"; });
 }
 
@@ -364,11 +366,10 @@ const char* fault_in_trees(const Core& c, Arena scratch) {
 const char* fault_in_counts(const Core& c) {
     const State& s = *c.state;
     std::uint32_t bullets = 0, locked = 0;
-    for (std::uint32_t i = 0; i < s.body_pool.high_water; ++i) {
-        if (!live_body(c, i)) continue;
+    for_each_live(s.body_pool, c.bodies, [&](std::uint32_t i) {
         bullets += (c.bodies[i].flags & body_bullet) != 0 ? 1 : 0;
         locked += c.bodies[i].has_locks() ? 1 : 0;
-    }
+    });
     for (std::uint32_t i = 0; i < s.shape_pool.high_water; ++i)
         if (live_shape(c, i) && (asked_of(c.shapes[i].flags) & ~s.asked) != 0) return "a shape has a flag that the world does not know of";
     return bullets != s.bullet_count ? "the bullets are miscounted" : locked != s.locked_count ? "the bodies with locks are miscounted" : nullptr;
@@ -383,6 +384,17 @@ const char* fault_in_pairs(const Core& c, Arena scratch) {
         if (seen.contains(key)) return "two shapes have two contacts";
         seen.insert(key);
         return nullptr;
+    });
+}
+
+// Checks the arrays that images do not hold, because they follow from the others.
+const char* fault_in_pair_set(const Core& c) {
+    const PoolState& pool = c.state->contact_pool;
+    std::uint32_t keys = 0;
+    for (std::uint32_t i = 0; i <= c.pairs.mask; ++i) keys += c.pairs.keys[i] != 0 ? 1 : 0;
+    if (keys != pool.count) return "the pair set does not hold one key per contact";
+    return first_fault(pool, c.contacts, [&](std::uint32_t i) {
+        return c.pairs.contains(PairSet::key(c.contacts[i].shape_a, c.contacts[i].shape_b)) ? nullptr : "a contact is missing from the pair set";
     });
 }
 
@@ -406,3 +418,16 @@ const char* find_fault(const Core& c, Arena scratch) {
 }
 
 }  // namespace islet::detail
+
+namespace islet {
+
+using namespace detail;
+
+const char* World::validate() const {
+    const Core& c = core();
+    if (!check_open(c)) return "the world is in the middle of a call";
+    const char* bad = find_fault(c, c.arena());
+    return bad != nullptr ? bad : fault_in_pair_set(c);
+}
+
+}  // namespace islet

@@ -6,7 +6,6 @@
 
 #include "islet/recording.hpp"
 
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "islet/snapshot.hpp"
 

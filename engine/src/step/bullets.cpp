@@ -10,7 +10,6 @@
 
 #include "../bodies/bounds.hpp"
 #include "../broadphase/tree.hpp"
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../math/boxes.hpp"
 #include "../math/scalar.hpp"
@@ -104,16 +103,10 @@ void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_c
 
 }  // namespace detail
 
-bool World::is_bullet(BodyId id) const {
-    const Core& c = core();
-    const std::uint32_t i = find_body(c, id);
-    return i != null_index && (c.bodies[i].flags & body_bullet) != 0;
-}
+bool World::is_bullet(BodyId id) const { ISLET_READ((c.bodies[i].flags & body_bullet) != 0); }
 
 void World::set_bullet(BodyId id, bool bullet) {
-    Core& c = core();
-    note_call<Call::set_bullet>(c, id, bullet);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_bullet>(core(), id, bullet);
     if (i == null_index || !check_there(c, has_bullets || !bullet)) return;
     Body& b = c.bodies[i];
     if (((b.flags & body_bullet) != 0) == bullet) return;

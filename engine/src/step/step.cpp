@@ -3,7 +3,6 @@
 
 #include "../bodies/joint_changes.hpp"
 #include "../broadphase/pairs.hpp"
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../graph/contacts.hpp"
 #include "../island/batches.hpp"

@@ -5,13 +5,7 @@
 #include "../bodies/impulses.hpp"
 #include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
-#include "../broadphase/pairs.hpp"
-#include "../calls/checks.hpp"
-#include "../calls/recorder.hpp"
-#include "../graph/contacts.hpp"
-#include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
-#include "../step/continuous.hpp"
 #include "../world/shapes.hpp"
 
 namespace islet {
@@ -28,12 +22,14 @@ bool check_def(const Core& core, const BodyDef& d) {
            check_there(core, has_sleep || d.awake) && check_there(core, !d.bullet || has_bullets) && check_there(core, d.enabled || has_disabling);
 }
 
-// The slot of a body that can be pushed, which wakes up; null_index, without effect, for other bodies.
-std::uint32_t push(Core& core, BodyId id) {
-    const std::uint32_t i = find_body(core, id);
-    if (i == null_index || !is_pushable(core, i)) return null_index;
+/// Has `act`, which is pull or kick, act on a body and wakes it; no effect on a body that cannot be pushed. What turns it is `turn`, or, if a point is
+/// given, `push` at this point.
+void act_on(Core& core, BodyId id, Vec2 push, float turn, const Vec2* point, void (&act)(Core&, std::uint32_t, Vec2, float)) {
+    if (!check_finite(core, push) || !check_finite(core, turn) || (point != nullptr && !check_finite(core, *point))) return;
+    const std::uint32_t i = find_slot(core, id);
+    if (i == null_index || !is_pushable(core, i)) return;
     wake_island(core, i, core.arena());
-    return i;
+    act(core, i, push, point != nullptr ? cross(*point - core.poses[i].center, push) : turn);
 }
 
 }  // namespace
@@ -49,9 +45,7 @@ BodyId World::create_body(const BodyDef& def) {
         return {};
     }
     Body& b = c.bodies[i];
-    const std::uint32_t generation = b.generation;
-    b = Body{};
-    b.generation = generation;
+    clear_slot(b);
     b.origin = def.position;
     b.linear_damping = def.linear_damping;
     b.angular_damping = def.angular_damping;
@@ -81,9 +75,7 @@ BodyId World::create_body(const BodyDef& def) {
 }
 
 void World::destroy_body(BodyId id) {
-    Core& c = core();
-    note_call<Call::destroy_body>(c, id);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::destroy_body>(core(), id);
     if (i == null_index) return;
     if (c.bodies[i].joint_head != 0) remove_joints(c, i);
     end_contacts(c, i);
@@ -91,19 +83,13 @@ void World::destroy_body(BodyId id) {
     c.awake_bodies.clear(i);
     if ((c.bodies[i].flags & body_bullet) != 0) --c.state->bullet_count;
     if (c.bodies[i].has_locks()) --c.state->locked_count;
-    const std::uint32_t generation = c.bodies[i].generation;
-    c.bodies[i] = Body{};
-    c.bodies[i].generation = generation;
+    clear_slot(c.bodies[i]);
     c.poses[i] = Pose{};
     c.motions[i] = Motion{};
     pool_give(c.state->body_pool, c.bodies, i);
 }
 
-bool World::is_valid(BodyId id) const {
-    const Core& c = core();
-    return id.index1 != 0 && pool_live(c.state->body_pool, c.bodies, id.index1 - 1) && c.bodies[id.index1 - 1].generation == id.generation;
-}
-
+bool World::is_valid(BodyId id) const { return pool_holds(core().state->body_pool, core().bodies, id); }
 std::uint32_t World::body_count() const { return core().state->body_pool.count; }
 
 BodyId World::body_at(std::uint32_t slot) const {
@@ -111,41 +97,33 @@ BodyId World::body_at(std::uint32_t slot) const {
     return pool_live(c.state->body_pool, c.bodies, slot) ? c.body_id(slot) : BodyId{};
 }
 
-// Read functions return zero if the id is not good.
-#define ISLET_READ_BODY(value)                \
-    const Core& c = core();                   \
-    const std::uint32_t i = find_body(c, id); \
-    if (i == null_index) return {};           \
-    return value
-
-Transform World::transform(BodyId id) const { ISLET_READ_BODY(body_transform(c, i)); }
-Vec2 World::position(BodyId id) const { ISLET_READ_BODY(c.bodies[i].origin); }
-float World::angle(BodyId id) const { ISLET_READ_BODY(angle_of(c.poses[i].q)); }
-Vec2 World::center_of_mass(BodyId id) const { ISLET_READ_BODY(c.poses[i].center); }
-Vec2 World::local_center_of_mass(BodyId id) const { ISLET_READ_BODY(c.bodies[i].local_center); }
-Vec2 World::linear_velocity(BodyId id) const { ISLET_READ_BODY(c.motions[i].v); }
-float World::angular_velocity(BodyId id) const { ISLET_READ_BODY(c.motions[i].w); }
-BodyType World::type(BodyId id) const { ISLET_READ_BODY(c.bodies[i].type()); }
-float World::mass(BodyId id) const { ISLET_READ_BODY(c.bodies[i].mass); }
-float World::rotational_inertia(BodyId id) const { ISLET_READ_BODY(c.bodies[i].inertia); }
-float World::linear_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].linear_damping); }
-float World::angular_damping(BodyId id) const { ISLET_READ_BODY(c.bodies[i].angular_damping); }
-float World::gravity_scale(BodyId id) const { ISLET_READ_BODY(c.bodies[i].gravity_scale); }
-bool World::is_awake(BodyId id) const { ISLET_READ_BODY(c.is_awake(i)); }
-std::uint64_t World::user_data(BodyId id) const { ISLET_READ_BODY(c.bodies[i].user_data); }
-
-#undef ISLET_READ_BODY
+Transform World::transform(BodyId id) const { ISLET_READ(body_transform(c, i)); }
+Vec2 World::position(BodyId id) const { ISLET_READ(c.bodies[i].origin); }
+float World::angle(BodyId id) const { ISLET_READ(angle_of(c.poses[i].q)); }
+Vec2 World::center_of_mass(BodyId id) const { ISLET_READ(c.poses[i].center); }
+Vec2 World::local_center_of_mass(BodyId id) const { ISLET_READ(c.bodies[i].local_center); }
+Vec2 World::linear_velocity(BodyId id) const { ISLET_READ(c.motions[i].v); }
+float World::angular_velocity(BodyId id) const { ISLET_READ(c.motions[i].w); }
+BodyType World::type(BodyId id) const { ISLET_READ(c.bodies[i].type()); }
+float World::mass(BodyId id) const { ISLET_READ(c.bodies[i].mass); }
+float World::rotational_inertia(BodyId id) const { ISLET_READ(c.bodies[i].inertia); }
+float World::linear_damping(BodyId id) const { ISLET_READ(c.bodies[i].linear_damping); }
+float World::angular_damping(BodyId id) const { ISLET_READ(c.bodies[i].angular_damping); }
+float World::sleep_threshold(BodyId id) const { ISLET_READ(c.bodies[i].sleep_threshold); }
+float World::gravity_scale(BodyId id) const { ISLET_READ(c.bodies[i].gravity_scale); }
+bool World::is_awake(BodyId id) const { ISLET_READ(c.is_awake(i)); }
+std::uint64_t World::user_data(BodyId id) const { ISLET_READ(c.bodies[i].user_data); }
 
 Vec2 World::velocity_at(BodyId id, Vec2 point) const {
     const Core& c = core();
-    const std::uint32_t i = find_body(c, id);
+    const std::uint32_t i = find_slot(c, id);
     if (i == null_index || !check_finite(c, point)) return {};
     return c.motions[i].v + cross(c.motions[i].w, point - c.poses[i].center);
 }
 
 std::uint32_t World::shapes(BodyId id, std::span<ShapeId> out) const {
     const Core& c = core();
-    const std::uint32_t i = find_body(c, id);
+    const std::uint32_t i = find_slot(c, id);
     if (i == null_index) return 0;
     std::uint32_t n = 0;
     for (std::uint32_t s = c.bodies[i].shape_head; s != null_index; s = c.shapes[s].next, ++n)
@@ -154,10 +132,8 @@ std::uint32_t World::shapes(BodyId id, std::span<ShapeId> out) const {
 }
 
 void World::set_transform(BodyId id, Vec2 position, float angle) {
-    Core& c = core();
-    note_call<Call::set_transform>(c, id, position, angle);
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_transform>(core(), id, position, angle);
     if (i == null_index || !check_position(c, position) || !check_finite(c, angle)) return;
     end_contacts(c, i);
     wake_island(c, i, c.arena());
@@ -171,18 +147,14 @@ void World::set_transform(BodyId id, Vec2 position, float angle) {
 }
 
 void World::set_linear_velocity(BodyId id, Vec2 velocity) {
-    Core& c = core();
-    note_call<Call::set_linear_velocity>(c, id, velocity);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_linear_velocity>(core(), id, velocity);
     if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
     if (velocity != Vec2{}) wake_island(c, i, c.arena());
     if (c.is_awake(i) || !detail::is_enabled(c, i)) c.motions[i].v = c.is_dynamic(i) ? unlocked(c.bodies[i], velocity) : velocity;
 }
 
 void World::set_angular_velocity(BodyId id, float velocity) {
-    Core& c = core();
-    note_call<Call::set_angular_velocity>(c, id, velocity);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_angular_velocity>(core(), id, velocity);
     if (i == null_index || !check_finite(c, velocity) || c.bodies[i].type() == BodyType::static_body) return;
     if ((c.bodies[i].flags & body_fixed_rotation) != 0) return;
     if (velocity != 0) wake_island(c, i, c.arena());
@@ -190,58 +162,33 @@ void World::set_angular_velocity(BodyId id, float velocity) {
 }
 
 void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
-    Core& c = core();
-    note_call<Call::apply_force>(c, id, force, point);
-    if (!check_finite(c, force) || !check_finite(c, point)) return;
-    const std::uint32_t i = push(c, id);
-    if (i != null_index) pull(c, i, force, cross(point - c.poses[i].center, force));
+    note_call<Call::apply_force>(core(), id, force, point);
+    act_on(core(), id, force, 0, &point, pull);
 }
-
 void World::apply_force_to_center(BodyId id, Vec2 force) {
-    Core& c = core();
-    note_call<Call::apply_force_to_center>(c, id, force);
-    if (!check_finite(c, force)) return;
-    const std::uint32_t i = push(c, id);
-    if (i != null_index) pull(c, i, force, 0);
+    note_call<Call::apply_force_to_center>(core(), id, force);
+    act_on(core(), id, force, 0, nullptr, pull);
 }
-
 void World::apply_torque(BodyId id, float torque) {
-    Core& c = core();
-    note_call<Call::apply_torque>(c, id, torque);
-    if (!check_finite(c, torque)) return;
-    const std::uint32_t i = push(c, id);
-    if (i != null_index) pull(c, i, {0, 0}, torque);
+    note_call<Call::apply_torque>(core(), id, torque);
+    act_on(core(), id, {0, 0}, torque, nullptr, pull);
 }
-
 void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {
-    Core& c = core();
-    note_call<Call::apply_linear_impulse>(c, id, impulse, point);
-    if (!check_finite(c, impulse) || !check_finite(c, point)) return;
-    const std::uint32_t i = push(c, id);
-    if (i != null_index) kick(c, i, impulse, cross(point - c.poses[i].center, impulse));
+    note_call<Call::apply_linear_impulse>(core(), id, impulse, point);
+    act_on(core(), id, impulse, 0, &point, kick);
 }
-
 void World::apply_linear_impulse_to_center(BodyId id, Vec2 impulse) {
-    Core& c = core();
-    note_call<Call::apply_linear_impulse_to_center>(c, id, impulse);
-    if (!check_finite(c, impulse)) return;
-    const std::uint32_t i = push(c, id);
-    if (i != null_index) kick(c, i, impulse, 0);
+    note_call<Call::apply_linear_impulse_to_center>(core(), id, impulse);
+    act_on(core(), id, impulse, 0, nullptr, kick);
 }
-
 void World::apply_angular_impulse(BodyId id, float impulse) {
-    Core& c = core();
-    note_call<Call::apply_angular_impulse>(c, id, impulse);
-    if (!check_finite(c, impulse)) return;
-    const std::uint32_t i = push(c, id);
-    if (i != null_index) kick(c, i, {0, 0}, impulse);
+    note_call<Call::apply_angular_impulse>(core(), id, impulse);
+    act_on(core(), id, {0, 0}, impulse, nullptr, kick);
 }
 
 void World::set_type(BodyId id, BodyType type) {
-    Core& c = core();
-    note_call<Call::set_type>(c, id, type);
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_type>(core(), id, type);
     if (i == null_index || !check(c, type <= BodyType::dynamic, Error::out_of_range)) return;
     Body& b = c.bodies[i];
     if (b.type() == type) return;
@@ -274,10 +221,8 @@ void World::set_type(BodyId id, BodyType type) {
 }
 
 void World::set_mass(BodyId id, const MassData& mass) {
-    Core& c = core();
-    note_call<Call::set_mass>(c, id, mass);
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_mass>(core(), id, mass);
     if (i == null_index || !check_range(c, mass.mass, min_mass, max_mass) || !check_position(c, mass.center)) return;
     if (mass.inertia != 0 && !check_range(c, mass.inertia, min_inertia, max_mass)) return;
     if (!c.is_dynamic(i)) return;
@@ -287,10 +232,8 @@ void World::set_mass(BodyId id, const MassData& mass) {
 }
 
 void World::reset_mass(BodyId id) {
-    Core& c = core();
-    note_call<Call::reset_mass>(c, id);
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::reset_mass>(core(), id);
     if (i == null_index) return;
     wake_island(c, i, c.arena());
     update_mass(c, i);
@@ -298,61 +241,42 @@ void World::reset_mass(BodyId id) {
 }
 
 void World::set_linear_damping(BodyId id, float damping) {
-    Core& c = core();
-    note_call<Call::set_linear_damping>(c, id, damping);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_linear_damping>(core(), id, damping);
     if (i != null_index && check_range(c, damping, 0, no_limit)) c.bodies[i].linear_damping = damping;
 }
 
 void World::set_angular_damping(BodyId id, float damping) {
-    Core& c = core();
-    note_call<Call::set_angular_damping>(c, id, damping);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_angular_damping>(core(), id, damping);
     if (i != null_index && check_range(c, damping, 0, no_limit)) c.bodies[i].angular_damping = damping;
 }
 
 void World::set_gravity_scale(BodyId id, float scale) {
-    Core& c = core();
-    note_call<Call::set_gravity_scale>(c, id, scale);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_gravity_scale>(core(), id, scale);
     if (i == null_index || !check_finite(c, scale)) return;
     c.bodies[i].gravity_scale = scale;
     wake_island(c, i, c.arena());
 }
 
 void World::enable_sleep(BodyId id, bool enable) {
-    Core& c = core();
-    note_call<Call::enable_body_sleep>(c, id, enable);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::enable_body_sleep>(core(), id, enable);
     if (i == null_index) return;
     Body& b = c.bodies[i];
     b.flags = enable ? b.flags | body_may_sleep : b.flags & ~static_cast<std::uint32_t>(body_may_sleep);
     if (!enable) wake_island(c, i, c.arena());
 }
 
-float World::sleep_threshold(BodyId id) const {
-    const std::uint32_t i = find_body(core(), id);
-    return i != null_index ? core().bodies[i].sleep_threshold : 0;
-}
-
 void World::set_sleep_threshold(BodyId id, float threshold) {
-    Core& c = core();
-    note_call<Call::set_sleep_threshold>(c, id, threshold);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_sleep_threshold>(core(), id, threshold);
     if (i != null_index && check_range(c, threshold, 0, no_limit)) c.bodies[i].sleep_threshold = threshold;
 }
 
 void World::wake(BodyId id) {
-    Core& c = core();
-    note_call<Call::wake>(c, id);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::wake>(core(), id);
     if (i != null_index) wake_island(c, i, c.arena());
 }
 
 void World::set_user_data(BodyId id, std::uint64_t data) {
-    Core& c = core();
-    note_call<Call::set_body_user_data>(c, id, data);
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_body_user_data>(core(), id, data);
     if (i != null_index) c.bodies[i].user_data = data;
 }
 

@@ -1,7 +1,6 @@
 // Targets of kinematic bodies: the velocities that take a body to a pose in one step.
 #include "../exact.hpp"
 
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../math/float_mode.hpp"
 #include "../solver/free_motion.hpp"
@@ -24,10 +23,8 @@ float turn_to(Rot q, float most) {
 }  // namespace
 
 void World::set_target(BodyId id, const Transform& target, float dt) {
-    Core& c = core();
-    note_call<Call::set_body_target>(c, id, target, dt);
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_body(c, id);
+    const auto [c, i] = begin_call<Call::set_body_target>(core(), id, target, dt);
     if (i == null_index || !check_position(c, target.p) || !check(c, all_finite(target.q.c, target.q.s), Error::not_finite)) return;
     if (!check(c, abs(target.q.c * target.q.c + target.q.s * target.q.s - 1.0f) <= 1.0e-3f, Error::out_of_range)) return;
     if (!check(c, is_time_step(dt), Error::bad_time_step) || c.bodies[i].type() != BodyType::kinematic) return;

@@ -2,9 +2,6 @@
 #include "../exact.hpp"
 
 #include "../bodies/geometry_pool.hpp"
-#include "../calls/checks.hpp"
-#include "../calls/recorder.hpp"
-#include "../shapes/manifolds.hpp"
 #include "../world/shapes.hpp"
 
 namespace islet {
@@ -17,7 +14,7 @@ std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool 
     Core& c = core();
     note_call<Call::create_chain>(c, id, points, loop, def);
     if (!check_there(c, has_chains)) return 0;
-    const std::uint32_t body = find_body(c, id);
+    const std::uint32_t body = find_slot(c, id);
     if (body == null_index || !check_shape_def(c, def)) return 0;
     const std::size_t n = points.size();
     if (!check(c, n >= (loop ? 3u : 2u) && n <= max_capacity, Error::bad_chain)) return 0;

@@ -2,17 +2,10 @@
 #include "../exact.hpp"
 
 #include "../data/core.hpp"
-#include "islet/layout.hpp"
 
 namespace islet {
 
 using namespace detail;
-
-namespace {
-
-void add(WorldCounters& counters, std::uint32_t color) { ++(color == no_color ? counters.uncolored : counters.colors[color]); }
-
-}  // namespace
 
 WorldCounters World::counters() const {
     const Core& c = core();
@@ -23,12 +16,11 @@ WorldCounters World::counters() const {
     counters.geometries = state.geometry_pool.count;
     counters.tree_shapes = state.tree.leaf_count;
     if (state.tree.root != null_index) counters.tree_height = c.tree[state.tree.root].height + 1;
-    for (std::uint32_t i = 0; i < state.contact_pool.high_water; ++i) {
-        const bool touches = pool_live(state.contact_pool, c.contacts, i) && (c.manifolds[i].flags & contact_touching) != 0;
-        if (touches) add(counters, c.manifolds[i].color());
-    }
-    for (std::uint32_t i = 0; i < state.joint_pool.high_water; ++i)
-        if (pool_live(state.joint_pool, c.joints, i)) add(counters, c.joints[i].color());
+    const auto count = [&](std::uint32_t color) { ++(color == no_color ? counters.uncolored : counters.colors[color]); };
+    for_each_live(state.contact_pool, c.contacts, [&](std::uint32_t i) {
+        if ((c.manifolds[i].flags & contact_touching) != 0) count(c.manifolds[i].color());
+    });
+    for_each_live(state.joint_pool, c.joints, [&](std::uint32_t i) { count(c.joints[i].color()); });
     return counters;
 }
 

@@ -3,34 +3,16 @@
 
 #include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
-#include "../broadphase/pairs.hpp"
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../collide/manifold.hpp"
 #include "../constraint/joint_kinds.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
-#include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
-#include "../math/inlining.hpp"
 #include "../solver/joint_solve.hpp"
-#include "../world/joint_shared.hpp"
 
 namespace islet {
 
 using namespace detail;
-
-namespace detail {
-
-void end_forbidden_contacts(Core& core, const Joint& j) {
-    if (j.body_a == null_index) return;
-    for_each_contact(core, j.body_b, [&](std::uint32_t contact, std::uint32_t side) {
-        const Contact& c = core.contacts[contact];
-        if (other_body(core, contact, side) == j.body_a && !may_collide(core, c.shape_a, c.shape_b)) destroy_contact(core, contact);
-    });
-}
-
-}  // namespace detail
 
 namespace {
 
@@ -101,9 +83,9 @@ bool measure_rope(const Core& core, Joint& j) {
 /// A joint between two bodies, checked as far as all types have it in common.
 [[maybe_unused]] JointId make(Core& core, Joint& j, const JointBase& base) {
     const DefaultFloatMode mode;
-    j.body_a = find_body(core, base.body_a);
+    j.body_a = find_slot(core, base.body_a);
     if (j.body_a == null_index) return {};
-    j.body_b = find_body(core, base.body_b);
+    j.body_b = find_slot(core, base.body_b);
     if (j.body_b == null_index) return {};
     if (!check(core, j.body_a != j.body_b, Error::same_body) || !check(core, core.is_dynamic(j.body_a) || core.is_dynamic(j.body_b), Error::no_dynamic_body) ||
         !check_frame(core, base.frame_a) || !check_frame(core, base.frame_b) || !check_numbers(core, j))
@@ -118,7 +100,7 @@ bool measure_rope(const Core& core, Joint& j) {
 /// A body's point and the world.
 [[maybe_unused]] JointId make(Core& c, const MouseJointDef& def) {
     const DefaultFloatMode mode;
-    const std::uint32_t body = find_body(c, def.body);
+    const std::uint32_t body = find_slot(c, def.body);
     if (body == null_index || !check(c, c.is_dynamic(body), Error::no_dynamic_body) || !check_position(c, def.target)) return {};
     Joint j = new_joint(JointType::mouse, def.user_data);
     j.body_b = body;
@@ -130,9 +112,9 @@ bool measure_rope(const Core& core, Joint& j) {
 /// Two joints.
 [[maybe_unused]] JointId make(Core& c, const GearJointDef& def) {
     const DefaultFloatMode mode;
-    const std::uint32_t joint1 = find_joint(c, def.joint1);
+    const std::uint32_t joint1 = find_slot(c, def.joint1);
     if (joint1 == null_index) return {};
-    const std::uint32_t joint2 = find_joint(c, def.joint2);
+    const std::uint32_t joint2 = find_slot(c, def.joint2);
     if (joint2 == null_index) return {};
     const auto may_gear = [&](std::uint32_t joint) {
         const auto type = c.joints[joint].joint_type();

@@ -4,37 +4,35 @@
 #include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../collide/manifold.hpp"
 #include "../constraint/joint_kinds.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
-#include "../world/joint_shared.hpp"
 
 namespace islet {
 
 using namespace detail;
-
-namespace detail {
-
-float joint_coordinate(const Core& core, const Joint& j) { return coordinate_of(j, pose_of(j, core.poses, core.bodies)); }
-
-}  // namespace detail
 
 namespace {
 
 JointType type_of(const Joint& j) { return j.joint_type(); }
 
 /// Slot of a live joint of one of the types, or null_index with the error recorded.
-std::uint32_t find_joint(const Core& core, JointId id, std::uint32_t types) {
-    const std::uint32_t i = detail::find_joint(core, id);
+std::uint32_t find_slot(const Core& core, JointId id, std::uint32_t types) {
+    const std::uint32_t i = find_slot(core, id);
     if (i == null_index) return i;
     return check(core, (types & joint_bit(type_of(core.joints[i]))) != 0, Error::wrong_joint_type) ? i : null_index;
 }
 
-std::uint32_t find_joint(Core& core, JointId id, std::uint32_t types) {
-    return check_open(core) ? find_joint(static_cast<const Core&>(core), id, types) : null_index;
+std::uint32_t find_slot(Core& core, JointId id, std::uint32_t types) {
+    return check_open(core) ? find_slot(static_cast<const Core&>(core), id, types) : null_index;
+}
+
+/// begin_call for joints of some types.
+template <Call call, class... Args>
+[[gnu::always_inline]] inline Found begin_call_on(std::uint32_t types, Core& core, const JointId& id, const Args&... args) {
+    note_call<call>(core, id, args...);
+    return {core, find_slot(core, id, types)};
 }
 
 void wake_bodies(Core& core, const Joint& j) {
@@ -62,16 +60,11 @@ float force_of(const Core& core, float impulse) { return core.state->last_subste
 }  // namespace
 
 void World::destroy_joint(JointId id) {
-    note_call<Call::destroy_joint>(core(), id);
-    const std::uint32_t i = detail::find_joint(core(), id);
-    if (i != null_index) remove_joint(core(), i);
+    const auto [c, i] = begin_call<Call::destroy_joint>(core(), id);
+    if (i != null_index) remove_joint(c, i);
 }
 
-bool World::is_valid(JointId id) const {
-    const Core& c = core();
-    return id.index1 != 0 && pool_live(c.state->joint_pool, c.joints, id.index1 - 1) && c.joints[id.index1 - 1].generation == id.generation;
-}
-
+bool World::is_valid(JointId id) const { return pool_holds(core().state->joint_pool, core().joints, id); }
 std::uint32_t World::joint_count() const { return core().state->joint_pool.count; }
 
 JointId World::joint_at(std::uint32_t slot) const {
@@ -81,7 +74,7 @@ JointId World::joint_at(std::uint32_t slot) const {
 
 std::uint32_t World::joints(BodyId id, std::span<JointId> out) const {
     const Core& c = core();
-    const std::uint32_t i = find_body(c, id);
+    const std::uint32_t i = find_slot(c, id);
     if (i == null_index) return 0;
     std::uint32_t n = 0;
     for_each_joint(c, i, [&](std::uint32_t joint, std::uint32_t) {
@@ -92,11 +85,11 @@ std::uint32_t World::joints(BodyId id, std::span<JointId> out) const {
 }
 
 // Reading: value if the id is good and the joint of one of the types, else the value's zero.
-#define ISLET_READ_JOINT(types, value)                \
-    const Core& c = core();                           \
-    const std::uint32_t i = find_joint(c, id, types); \
-    if (i == null_index) return {};                   \
-    const Joint& j = c.joints[i];                     \
+#define ISLET_READ_JOINT(types, value)               \
+    const Core& c = core();                          \
+    const std::uint32_t i = find_slot(c, id, types); \
+    if (i == null_index) return {};                  \
+    const Joint& j = c.joints[i];                    \
     return value
 
 JointType World::joint_type(JointId id) const { ISLET_READ_JOINT(~0u, type_of(j)); }
@@ -128,7 +121,7 @@ float World::joint_torque(JointId id) const { ISLET_READ_JOINT(~0u, force_of(c, 
 
 float World::joint_speed(JointId id) const {
     const Core& c = core();
-    const std::uint32_t i = find_joint(c, id, with_coordinate);
+    const std::uint32_t i = find_slot(c, id, with_coordinate);
     if (i == null_index) return 0;
     const Joint& j = c.joints[i];
     const JointPose p = pose_of(j, c.poses, c.bodies);
@@ -141,7 +134,7 @@ float World::joint_speed(JointId id) const {
 
 JointError World::joint_error(JointId id) const {
     const Core& c = core();
-    const std::uint32_t i = detail::find_joint(c, id);
+    const std::uint32_t i = find_slot(c, id);
     if (i == null_index) return {};
     const Joint& j = c.joints[i];
     const JointPose p = pose_of(j, c.poses, c.bodies);
@@ -149,10 +142,8 @@ JointError World::joint_error(JointId id) const {
 }
 
 void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& frame_b) {
-    Core& c = core();
-    note_call<Call::set_frames>(c, id, frame_a, frame_b);
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_joint(c, id, with_frames);
+    const auto [c, i] = begin_call_on<Call::set_frames>(with_frames, core(), id, frame_a, frame_b);
     if (i == null_index || !check_frame(c, frame_a) || !check_frame(c, frame_b)) return;
     Joint& j = c.joints[i];
     j.local_a = frame_a.position;
@@ -163,9 +154,7 @@ void World::set_frames(JointId id, const JointFrame& frame_a, const JointFrame& 
 }
 
 void World::set_collide_connected(JointId id, bool collide) {
-    Core& c = core();
-    note_call<Call::set_collide_connected>(c, id, collide);
-    const std::uint32_t i = find_joint(c, id, with_base);
+    const auto [c, i] = begin_call_on<Call::set_collide_connected>(with_base, core(), id, collide);
     if (i == null_index) return;
     Joint& j = c.joints[i];
     if (((j.flags & joint_collide) != 0) == collide) return;
@@ -176,50 +165,38 @@ void World::set_collide_connected(JointId id, bool collide) {
 }
 
 void World::set_break(JointId id, float force, float torque) {
-    Core& c = core();
-    note_call<Call::set_break>(c, id, force, torque);
-    const std::uint32_t i = detail::find_joint(c, id);
+    const auto [c, i] = begin_call<Call::set_break>(core(), id, force, torque);
     if (i == null_index || !check_not_negative(c, force) || !check_not_negative(c, torque)) return;
     c.joints[i].break_force = force;
     c.joints[i].break_torque = torque;
 }
 
 void World::set_user_data(JointId id, std::uint64_t data) {
-    Core& c = core();
-    note_call<Call::set_joint_user_data>(c, id, data);
-    const std::uint32_t i = detail::find_joint(c, id);
+    const auto [c, i] = begin_call<Call::set_joint_user_data>(core(), id, data);
     if (i != null_index) c.joints[i].user_data = data;
 }
 
 void World::set_spring(JointId id, const JointSpring& spring) {
-    Core& c = core();
-    note_call<Call::set_spring>(c, id, spring);
-    const std::uint32_t i = find_joint(c, id, with_coordinate);
+    const auto [c, i] = begin_call_on<Call::set_spring>(with_coordinate, core(), id, spring);
     if (i == null_index || !check_spring(c, spring)) return;
     change_parts(c, c.joints[i], [&](Joint& j) { set_spring_of(j, spring); });
 }
 
 void World::set_limit(JointId id, const JointLimit& limit) {
-    Core& c = core();
-    note_call<Call::set_limit>(c, id, limit);
-    const std::uint32_t i = find_joint(c, id, with_coordinate);
+    const auto [c, i] = begin_call_on<Call::set_limit>(with_coordinate, core(), id, limit);
     if (i == null_index || !check_limit(c, limit)) return;
     if (!check(c, (with_length & joint_bit(type_of(c.joints[i]))) == 0 || !limit.enable || limit.lower >= 0, Error::out_of_range)) return;
     change_parts(c, c.joints[i], [&](Joint& j) { set_limit_of(j, limit); });
 }
 
 void World::set_motor(JointId id, const JointMotor& motor) {
-    Core& c = core();
-    note_call<Call::set_motor>(c, id, motor);
-    const std::uint32_t i = find_joint(c, id, with_coordinate);
+    const auto [c, i] = begin_call_on<Call::set_motor>(with_coordinate, core(), id, motor);
     if (i == null_index || !check_motor(c, motor)) return;
     change_parts(c, c.joints[i], [&](Joint& j) { set_motor_of(j, motor); });
 }
 
 void World::set_joint_friction(JointId id, float friction) {
-    Core& c = core();
-    note_call<Call::set_joint_friction>(c, id, friction);
-    const std::uint32_t i = find_joint(c, id, with_friction);
+    const auto [c, i] = begin_call_on<Call::set_joint_friction>(with_friction, core(), id, friction);
     if (i == null_index || !check_not_negative(c, friction)) return;
     c.state->trees_stale = 1;  // friction too has a hinge swept
     c.joints[i].friction = friction;
@@ -228,27 +205,21 @@ void World::set_joint_friction(JointId id, float friction) {
 }
 
 void World::set_joint_length(JointId id, float length) {
-    Core& c = core();
-    note_call<Call::set_joint_length>(c, id, length);
-    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::distance));
+    const auto [c, i] = begin_call_on<Call::set_joint_length>(joint_bit(JointType::distance), core(), id, length);
     if (i == null_index || !check_range(c, length, linear_slop, max_position)) return;
     c.joints[i].length = length;
     wake_bodies(c, c.joints[i]);
 }
 
 void World::set_ratchet(JointId id, const JointRatchet& ratchet) {
-    Core& c = core();
-    note_call<Call::set_ratchet>(c, id, ratchet);
-    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::angle));
+    const auto [c, i] = begin_call_on<Call::set_ratchet>(joint_bit(JointType::angle), core(), id, ratchet);
     if (i == null_index || !check_ratchet(c, ratchet)) return;
     set_ratchet_of(c.joints[i], ratchet);
     wake_bodies(c, c.joints[i]);
 }
 
 void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
-    Core& c = core();
-    note_call<Call::set_joint_velocity>(c, id, linear, angular);
-    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::motor));
+    const auto [c, i] = begin_call_on<Call::set_joint_velocity>(joint_bit(JointType::motor), core(), id, linear, angular);
     if (i == null_index || !check_finite(c, linear) || !check_finite(c, angular)) return;
     c.joints[i].velocity = linear;
     c.joints[i].motor_speed = angular;
@@ -256,9 +227,7 @@ void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
 }
 
 void World::set_joint_strength(JointId id, float max_force, float max_torque) {
-    Core& c = core();
-    note_call<Call::set_joint_strength>(c, id, max_force, max_torque);
-    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::motor));
+    const auto [c, i] = begin_call_on<Call::set_joint_strength>(joint_bit(JointType::motor), core(), id, max_force, max_torque);
     if (i == null_index || !check_not_negative(c, max_force) || !check_not_negative(c, max_torque)) return;
     c.joints[i].motor_max = max_force;
     c.joints[i].max_torque = max_torque;
@@ -266,9 +235,7 @@ void World::set_joint_strength(JointId id, float max_force, float max_torque) {
 }
 
 void World::set_target(JointId id, Vec2 target) {
-    Core& c = core();
-    note_call<Call::set_joint_target>(c, id, target);
-    const std::uint32_t i = find_joint(c, id, joint_bit(JointType::mouse));
+    const auto [c, i] = begin_call_on<Call::set_joint_target>(joint_bit(JointType::mouse), core(), id, target);
     if (i == null_index || !check_position(c, target)) return;
     c.joints[i].local_a = target;
     wake_bodies(c, c.joints[i]);

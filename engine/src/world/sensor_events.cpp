@@ -16,7 +16,7 @@ std::span<const SensorEvent> World::sensor_end_events() const { return {core().s
 
 std::uint32_t World::sensor_overlaps(ShapeId id, std::span<ShapeId> out) const {
     const Core& c = core();
-    const std::uint32_t i = find_shape(c, id);
+    const std::uint32_t i = find_slot(c, id);
     if (i == null_index || !check(c, detail::is_sensor(c, i), Error::not_a_sensor)) return 0;
     std::uint32_t n = 0;
     for_each_contact(c, c.shapes[i].body, [&](std::uint32_t contact, std::uint32_t) {

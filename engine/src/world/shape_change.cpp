@@ -6,11 +6,8 @@
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../broadphase/tree.hpp"
-#include "../calls/checks.hpp"
-#include "../calls/recorder.hpp"
 #include "../graph/contacts.hpp"
 #include "../math/float_mode.hpp"
-#include "../step/one_way.hpp"
 #include "../world/shapes.hpp"
 
 namespace islet {
@@ -23,7 +20,7 @@ namespace {
 void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) {
     const DefaultFloatMode mode;
     if (!check_there(core, there)) return;
-    const std::uint32_t i = find_shape(core, id);
+    const std::uint32_t i = find_slot(core, id);
     if (i == null_index || !check(core, valid, Error::bad_geometry)) return;
     Shape& s = core.shapes[i];
     if (!check(core, !is_endless(g) || !core.is_dynamic(s.body), Error::endless_shape)) return;
@@ -48,7 +45,7 @@ void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) 
 }
 
 void set_flag(Core& core, ShapeId id, std::uint32_t flag, bool on) {
-    const std::uint32_t i = find_shape(core, id);
+    const std::uint32_t i = find_slot(core, id);
     if (i == null_index) return;
     Shape& s = core.shapes[i];
     s.flags = on ? s.flags | flag : s.flags & ~flag;
@@ -57,7 +54,7 @@ void set_flag(Core& core, ShapeId id, std::uint32_t flag, bool on) {
 }
 
 bool flag_of(const Core& core, ShapeId id, std::uint32_t flag) {
-    const std::uint32_t i = find_shape(core, id);
+    const std::uint32_t i = find_slot(core, id);
     return i != null_index && (core.shapes[i].flags & flag) != 0;
 }
 
@@ -72,16 +69,9 @@ bool flag_of(const Core& core, ShapeId id, std::uint32_t flag) {
 #define ISLET_SET_when_made(name, Type)
 ISLET_SHAPE_TYPES(ISLET_SET)
 
-float World::density(ShapeId id) const {
-    const std::uint32_t i = find_shape(core(), id);
-    return i != null_index ? core().shapes[i].density : 0;
-}
-
 void World::set_density(ShapeId id, float density) {
-    Core& c = core();
-    note_call<Call::set_density>(c, id, density);
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::set_density>(core(), id, density);
     if (i == null_index || !check_range(c, density, 0, no_limit)) return;
     c.shapes[i].density = density;
     wake_island(c, c.shapes[i].body, c.arena());
@@ -90,16 +80,12 @@ void World::set_density(ShapeId id, float density) {
 }
 
 SurfaceMaterial World::material(ShapeId id) const {
-    const std::uint32_t i = find_shape(core(), id);
-    if (i == null_index) return {};
-    const Shape& s = core().shapes[i];
-    return {s.friction, s.restitution, s.rolling_resistance, s.tangent_speed, s.material};
+    ISLET_READ(
+        (SurfaceMaterial{c.shapes[i].friction, c.shapes[i].restitution, c.shapes[i].rolling_resistance, c.shapes[i].tangent_speed, c.shapes[i].material}));
 }
 
 void World::set_material(ShapeId id, const SurfaceMaterial& m) {
-    Core& c = core();
-    note_call<Call::set_material>(c, id, m);
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::set_material>(core(), id, m);
     if (i == null_index) return;
     ShapeDef def;
     def.friction = m.friction;
@@ -119,10 +105,7 @@ void World::set_material(ShapeId id, const SurfaceMaterial& m) {
 bool World::is_sensor(ShapeId id) const { return flag_of(core(), id, shape_sensor); }
 bool World::hit_events_enabled(ShapeId id) const { return flag_of(core(), id, shape_hit_events); }
 bool World::pre_solve_enabled(ShapeId id) const { return flag_of(core(), id, shape_pre_solve); }
-bool World::sensor_events_enabled(ShapeId id) const {
-    const std::uint32_t i = find_shape(core(), id);
-    return i != null_index && (core().shapes[i].flags & shape_unseen) == 0;
-}
+bool World::sensor_events_enabled(ShapeId id) const { ISLET_READ((c.shapes[i].flags & shape_unseen) == 0); }
 
 void World::enable_hit_events(ShapeId id, bool enable) {
     note_call<Call::enable_hit_events>(core(), id, enable);
@@ -134,16 +117,11 @@ void World::enable_pre_solve(ShapeId id, bool enable) {
     if (check_there(core(), has_hooks || !enable)) set_flag(core(), id, shape_pre_solve, enable);
 }
 
-Vec2 World::one_way(ShapeId id) const {
-    const std::uint32_t i = find_shape(core(), id);
-    return i != null_index ? direction_of_flags(core().shapes[i].flags) : Vec2{};
-}
+Vec2 World::one_way(ShapeId id) const { ISLET_READ(direction_of_flags(c.shapes[i].flags)); }
 
 void World::set_one_way(ShapeId id, Vec2 direction) {
-    Core& c = core();
-    note_call<Call::set_one_way>(c, id, direction);
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::set_one_way>(core(), id, direction);
     if (i == null_index || !check_finite(c, direction) || !check_there(c, has_one_way || direction == Vec2{})) return;
     Shape& s = c.shapes[i];
     s.flags = (s.flags & ~std::uint32_t{shape_one_way_bits}) | flags_of_direction(normalize(direction));
@@ -152,9 +130,7 @@ void World::set_one_way(ShapeId id, Vec2 direction) {
 }
 
 void World::enable_sensor_events(ShapeId id, bool enable) {
-    Core& c = core();
-    note_call<Call::enable_sensor_events>(c, id, enable);
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::enable_sensor_events>(core(), id, enable);
     if (i == null_index || ((c.shapes[i].flags & shape_unseen) == 0) == enable) return;
     c.shapes[i].flags ^= shape_unseen;
     c.state->asked |= asked_of(c.shapes[i].flags);

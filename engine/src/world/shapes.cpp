@@ -1,8 +1,6 @@
 // The public functions on shapes.
 #include "../exact.hpp"
 
-#include "../calls/recorder.hpp"
-#include "../step/one_way.hpp"
 #include "../world/shapes.hpp"
 
 #include "../bodies/bounds.hpp"
@@ -10,11 +8,8 @@
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../broadphase/tree.hpp"
-#include "../calls/checks.hpp"
 #include "../graph/contacts.hpp"
-#include "../graph/sensors.hpp"
 #include "../math/float_mode.hpp"
-#include "../solver/hits.hpp"
 
 namespace islet {
 
@@ -45,9 +40,7 @@ void remove_shape(Core& core, std::uint32_t index) {
     if (s.next != null_index) core.shapes[s.next].prev = s.prev;
     --b.shape_count;
     release_geometry(core, s.geometry);
-    const std::uint32_t generation = s.generation;
-    s = Shape{};
-    s.generation = generation;
+    clear_slot(s);
     core.boxes[index] = Aabb{};
     pool_give(core.state->shape_pool, core.shapes, index);
 }
@@ -79,9 +72,7 @@ namespace {
 void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32_t geometry, const ShapeDef& def) {
     Shape& s = core.shapes[index];
     Body& b = core.bodies[body];
-    const std::uint32_t generation = s.generation;
-    s = Shape{};
-    s.generation = generation;
+    clear_slot(s);
     s.geometry = geometry;
     s.body = body;
     s.friction = def.friction;
@@ -133,7 +124,7 @@ std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& g, const
 }
 
 ShapeId attach_shape(Core& core, BodyId id, const Geometry& g, bool valid, const ShapeDef& def) {
-    const std::uint32_t body = find_body(core, id);
+    const std::uint32_t body = find_slot(core, id);
     if (body == null_index || !check(core, valid, Error::bad_geometry) || !check_shape_def(core, def)) return {};
     if (!check(core, !is_endless(g) || !core.is_dynamic(body), Error::endless_shape)) return {};
     const std::uint32_t index = add_shape(core, body, g, def);
@@ -151,9 +142,7 @@ ShapeId attach_shape(Core& core, BodyId id, const Geometry& g, bool valid, const
 ISLET_SHAPE_TYPES(ISLET_CREATE)
 
 void World::destroy_shape(ShapeId id) {
-    Core& c = core();
-    note_call<Call::destroy_shape>(c, id);
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::destroy_shape>(core(), id);
     if (i == null_index) return;
     const std::uint32_t body = c.shapes[i].body;
     wake_island(c, body, c.arena());
@@ -161,36 +150,24 @@ void World::destroy_shape(ShapeId id) {
     shapes_changed(c, body);
 }
 
-bool World::is_valid(ShapeId id) const {
-    const Core& c = core();
-    return id.index1 != 0 && pool_live(c.state->shape_pool, c.shapes, id.index1 - 1) && c.shapes[id.index1 - 1].generation == id.generation;
-}
-
+bool World::is_valid(ShapeId id) const { return pool_holds(core().state->shape_pool, core().shapes, id); }
 std::uint32_t World::shape_count() const { return core().state->shape_pool.count; }
 
-// Read functions return zero if the id is not good.
-#define ISLET_READ_SHAPE(value)                \
-    const Core& c = core();                    \
-    const std::uint32_t i = find_shape(c, id); \
-    if (i == null_index) return {};            \
-    return value
-
-BodyId World::body(ShapeId id) const { ISLET_READ_SHAPE(c.body_id(c.shapes[i].body)); }
-ShapeType World::shape_type(ShapeId id) const { ISLET_READ_SHAPE(c.geometries[c.shapes[i].geometry].shape_type()); }
-Aabb World::aabb(ShapeId id) const { ISLET_READ_SHAPE(shape_aabb(c, i)); }
-float World::friction(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].friction); }
-float World::restitution(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].restitution); }
-float World::rolling_resistance(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].rolling_resistance); }
-float World::tangent_speed(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].tangent_speed); }
-Filter World::filter(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].filter); }
-std::uint64_t World::user_data(ShapeId id) const { ISLET_READ_SHAPE(c.shapes[i].user_data); }
-
-#undef ISLET_READ_SHAPE
+BodyId World::body(ShapeId id) const { ISLET_READ(c.body_id(c.shapes[i].body)); }
+ShapeType World::shape_type(ShapeId id) const { ISLET_READ(c.geometries[c.shapes[i].geometry].shape_type()); }
+Aabb World::aabb(ShapeId id) const { ISLET_READ(shape_aabb(c, i)); }
+float World::density(ShapeId id) const { ISLET_READ(c.shapes[i].density); }
+float World::friction(ShapeId id) const { ISLET_READ(c.shapes[i].friction); }
+float World::restitution(ShapeId id) const { ISLET_READ(c.shapes[i].restitution); }
+float World::rolling_resistance(ShapeId id) const { ISLET_READ(c.shapes[i].rolling_resistance); }
+float World::tangent_speed(ShapeId id) const { ISLET_READ(c.shapes[i].tangent_speed); }
+Filter World::filter(ShapeId id) const { ISLET_READ(c.shapes[i].filter); }
+std::uint64_t World::user_data(ShapeId id) const { ISLET_READ(c.shapes[i].user_data); }
 
 namespace {
 
 const Geometry* geometry_if(const Core& c, ShapeId id, ShapeType type) {
-    const std::uint32_t i = find_shape(c, id);
+    const std::uint32_t i = find_slot(c, id);
     if (i == null_index) return nullptr;
     const Geometry& g = c.geometries[c.shapes[i].geometry];
     return g.shape_type() == type ? &g : nullptr;
@@ -206,36 +183,28 @@ const Geometry* geometry_if(const Core& c, ShapeId id, ShapeType type) {
 ISLET_SHAPE_TYPES(ISLET_DEFINE_READ)
 
 void World::set_friction(ShapeId id, float friction) {
-    Core& c = core();
-    note_call<Call::set_friction>(c, id, friction);
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::set_friction>(core(), id, friction);
     if (i == null_index || !check_range(c, friction, 0, max_coefficient)) return;
     c.shapes[i].friction = friction;
     remix(c, i);
 }
 
 void World::set_restitution(ShapeId id, float restitution) {
-    Core& c = core();
-    note_call<Call::set_restitution>(c, id, restitution);
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::set_restitution>(core(), id, restitution);
     if (i == null_index || !check_range(c, restitution, 0, 1) || !check_there(c, has_restitution || restitution == 0)) return;
     c.shapes[i].restitution = restitution;
     remix(c, i);
 }
 
 void World::set_rolling_resistance(ShapeId id, float resistance) {
-    Core& c = core();
-    note_call<Call::set_rolling_resistance>(c, id, resistance);
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::set_rolling_resistance>(core(), id, resistance);
     if (i == null_index || !check_range(c, resistance, 0, max_coefficient) || !check_there(c, has_surfaces || resistance == 0)) return;
     c.shapes[i].rolling_resistance = resistance;
     remix(c, i);
 }
 
 void World::set_tangent_speed(ShapeId id, float speed) {
-    Core& c = core();
-    note_call<Call::set_tangent_speed>(c, id, speed);
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::set_tangent_speed>(core(), id, speed);
     if (i == null_index || !check_range(c, speed, -max_speed_limit, max_speed_limit)) return;
     if (!check_there(c, has_surfaces || speed == 0)) return;
     c.shapes[i].tangent_speed = speed;
@@ -243,9 +212,7 @@ void World::set_tangent_speed(ShapeId id, float speed) {
 }
 
 void World::set_filter(ShapeId id, const Filter& filter) {
-    Core& c = core();
-    note_call<Call::set_filter>(c, id, filter);
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::set_filter>(core(), id, filter);
     if (i == null_index) return;
     c.shapes[i].filter = filter;
     wake_island(c, c.shapes[i].body, c.arena());
@@ -254,9 +221,7 @@ void World::set_filter(ShapeId id, const Filter& filter) {
 }
 
 void World::set_user_data(ShapeId id, std::uint64_t data) {
-    Core& c = core();
-    note_call<Call::set_shape_user_data>(c, id, data);
-    const std::uint32_t i = find_shape(c, id);
+    const auto [c, i] = begin_call<Call::set_shape_user_data>(core(), id, data);
     if (i != null_index) c.shapes[i].user_data = data;
 }
 

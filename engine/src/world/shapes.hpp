@@ -1,8 +1,6 @@
 #pragma once
 
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
-#include "../data/core.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {

@@ -9,10 +9,8 @@
 #include "../bodies/bounds.hpp"
 #include "../bodies/impulses.hpp"
 #include "../bodies/sleep.hpp"
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../math/float_mode.hpp"
-#include "../shapes/shape_types.hpp"
 
 namespace islet {
 
@@ -35,10 +33,9 @@ void push(Core& core, std::uint32_t body, const Stream& s, float width, Vec2 arm
 }  // namespace
 
 void World::apply_wind(ShapeId id, const WindDef& wind) {
-    Core& c = core();
-    note_call<Call::apply_wind>(c, id, wind);
     const DefaultFloatMode mode;
-    const std::uint32_t i = find_shape(c, id);
+    Core& c = core();
+    const std::uint32_t i = begin_call<Call::apply_wind>(c, id, wind).slot;
     if (i == null_index || !check(c, all_finite(wind.velocity.x, wind.velocity.y, wind.drag, wind.lift, wind.density), Error::not_finite)) return;
     if (!check(c, wind.density >= 0 && wind.drag >= 0 && length_squared(wind.velocity) <= max_speed_limit * max_speed_limit, Error::out_of_range)) return;
     const std::uint32_t body = c.shapes[i].body;

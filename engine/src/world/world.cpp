@@ -1,24 +1,14 @@
 // Making a world, and functions on the world as a whole.
 #include "../exact.hpp"
 
-#include "islet/world.hpp"
-
 #include "../bodies/geometry_pool.hpp"
 #include "../bodies/sleep.hpp"
-#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../data/arrays.hpp"
 #include "../graph/hooks.hpp"
-#include "../graph/joint_graph.hpp"
-#include "../graph/sensors.hpp"
 #include "../math/cpu.hpp"
 #include "../math/float_mode.hpp"
-#include "../math/scalar.hpp"
-#include "../solver/hits.hpp"
-#include "../solver/ordered_sweep.hpp"
 #include "../solver/solver_def.hpp"
-#include "../step/continuous.hpp"
-#include "../step/one_way.hpp"
 #include "../step/profile.hpp"
 
 // A placement new without <new>: the engine needs no C++ runtime.
@@ -155,11 +145,7 @@ void World::set_gravity(Vec2 gravity) {
 
 SolverDef World::solver() const { return unpack(core().state->solver); }
 
-float World::residual(BodyId body) const {
-    const Core& c = core();
-    const std::uint32_t i = find_body(c, body);
-    return i != null_index ? c.residuals[i] : 0;
-}
+float World::residual(BodyId id) const { ISLET_READ(c.residuals[i]); }
 
 TaskSystem World::tasks() const { return core().tasks; }
 
@@ -173,8 +159,7 @@ void World::enable_sleep(bool enable) {
     if (!check_open(c) || !check_there(c, has_sleep || !enable)) return;
     c.state->enable_sleep = enable ? 1 : 0;
     if (enable) return;
-    for (std::uint32_t i = 0; i < c.state->body_pool.high_water; ++i)
-        if (pool_live(c.state->body_pool, c.bodies, i)) wake_island(c, i, c.arena());
+    for_each_live(c.state->body_pool, c.bodies, [&](std::uint32_t i) { wake_island(c, i, c.arena()); });
 }
 
 bool World::continuous() const { return core().state->continuous != 0; }
