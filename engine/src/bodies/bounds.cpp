@@ -5,6 +5,7 @@
 #include "../bodies/impulses.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../graph/contacts.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

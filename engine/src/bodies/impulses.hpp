@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../calls/checks.hpp"
+#include "../data/core.hpp"
 #include "../solver/free_motion.hpp"
 
 namespace islet::detail {

@@ -7,6 +7,7 @@
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

@@ -7,8 +7,10 @@
 
 #include "../broadphase/columns.hpp"
 #include "../broadphase/tree.hpp"
+#include "../collide/manifold.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/contacts.hpp"
+#include "../math/scalar.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {

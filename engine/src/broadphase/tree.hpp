@@ -7,6 +7,8 @@
 
 #include "../data/records.hpp"
 #include "../math/boxes.hpp"
+#include "../math/inlining.hpp"
+#include "../math/lanes.hpp"
 
 namespace islet::detail {
 

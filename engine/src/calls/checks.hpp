@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../data/core.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

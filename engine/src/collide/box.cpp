@@ -11,6 +11,7 @@
 #include "../exact.hpp"
 
 #include "../collide/outline.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 namespace {

@@ -25,6 +25,8 @@
 // All together: 10 u L, 6e-7 L. Measured over millions of hard pairs: 3e-7 L.
 #pragma once
 
+#include <cstdint>
+
 #include "islet/query.hpp"
 
 namespace islet::detail {

@@ -13,6 +13,7 @@
 
 #include "../collide/distance.hpp"
 
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {

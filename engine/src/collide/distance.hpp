@@ -5,6 +5,8 @@
 // looks at a few corners instead of merging all of both.
 #pragma once
 
+#include <cstdint>
+
 #include "islet/geometry.hpp"
 
 namespace islet::detail {

@@ -4,7 +4,10 @@
 // the origin collides exactly like one at the origin.
 #pragma once
 
+#include <cstdint>
+
 #include "../geometry/convex.hpp"
+#include "islet/geometry.hpp"
 
 namespace islet::detail {
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "../collide/manifold.hpp"
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {

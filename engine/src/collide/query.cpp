@@ -1,6 +1,8 @@
 // Proxies, and the questions about shapes by themselves: checks around what difference.hpp answers.
 #include "../exact.hpp"
 
+#include "islet/query.hpp"
+
 #include "../collide/difference.hpp"
 #include "../geometry/convex.hpp"
 

@@ -5,6 +5,9 @@
 
 #include "../collide/time_of_impact.hpp"
 
+#include "../data/features.hpp"
+#include "../math/scalar.hpp"
+
 namespace islet::detail {
 
 namespace {

@@ -11,6 +11,10 @@
 #pragma once
 
 #include "../constraint/contact_prepare.hpp"
+#include "../constraint/kernels.hpp"
+#include "../constraint/lane_vectors.hpp"
+#include "../math/lanes.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

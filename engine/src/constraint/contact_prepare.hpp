@@ -5,7 +5,12 @@
 //     k_tangent = ma + mb + ia rta^2 + ib rtb^2
 #pragma once
 
+#include "../collide/manifold.hpp"
 #include "../constraint/kernels.hpp"
+#include "../constraint/lane_vectors.hpp"
+#include "../math/inlining.hpp"
+#include "../math/lanes.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

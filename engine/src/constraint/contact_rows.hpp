@@ -1,7 +1,10 @@
 // The rows of contacts, in blocks of lanes.
 #pragma once
 
+#include <cstdint>
+
 #include "../constraint/solver_body.hpp"
+#include "../data/records.hpp"
 
 namespace islet::detail {
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "../constraint/revolute_joint.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

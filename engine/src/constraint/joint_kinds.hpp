@@ -4,8 +4,11 @@
 #include "../constraint/angle_joint.hpp"
 #include "../constraint/distance_joint.hpp"
 #include "../constraint/gear_joint.hpp"
+#include "../constraint/motor_joint.hpp"
 #include "../constraint/mouse_joint.hpp"
+#include "../constraint/prismatic_joint.hpp"
 #include "../constraint/pulley_joint.hpp"
+#include "../constraint/revolute_joint.hpp"
 #include "../constraint/weld_joint.hpp"
 #include "../constraint/wheel_joint.hpp"
 

@@ -18,9 +18,12 @@
 // stretch by h v^2 / (2 L rate). The correction is bounded to a slop per substep, so that wildly turning bodies do not feed on it.
 #pragma once
 
+#include <cstdint>
+
 #include "../collide/manifold.hpp"
 #include "../constraint/lane_vectors.hpp"
 #include "../constraint/softness.hpp"
+#include "../constraint/solver_body.hpp"
 #include "../data/core.hpp"
 
 namespace islet::detail {

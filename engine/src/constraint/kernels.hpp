@@ -10,6 +10,7 @@
 
 #include "../constraint/contact_rows.hpp"
 #include "../constraint/joint_rows.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

@@ -3,6 +3,7 @@
 
 #include "../constraint/solver_body.hpp"
 #include "../math/lanes.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "../constraint/coordinate.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

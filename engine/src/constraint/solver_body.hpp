@@ -1,6 +1,8 @@
 // A body as the solver sees it: gathered into contiguous scratch for one solve.
 #pragma once
 
+#include <cstdint>
+
 #include "../data/records.hpp"
 
 namespace islet::detail {

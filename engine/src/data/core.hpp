@@ -1,6 +1,8 @@
 // Core: the host's view of a world's block. Pointers to the arrays, the error hook, and the report of the last step; none of it persists.
 #pragma once
 
+#include <cstdint>
+
 #include "../data/records.hpp"
 #include "../memory/arena.hpp"
 #include "../memory/bit_set.hpp"

@@ -1,6 +1,8 @@
 // What this build has (islet/config.hpp), as constants; and hints by which the compiler leaves out what cannot happen in it.
 #pragma once
 
+#include "islet/config.hpp"
+#include "islet/geometry.hpp"
 #include "islet/joints.hpp"
 
 /// Before a declaration: whoever calls the function does not make the linker take it from an archive; someone else must. Callers have to know from the

@@ -1,10 +1,16 @@
 // The records in the world's block: fixed-width fields, explicit padding, indices instead of pointers. Hot and cold data are apart.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "../data/features.hpp"
 #include "../math/inlining.hpp"
 #include "../memory/pool.hpp"
+#include "islet/geometry.hpp"
+#include "islet/joints.hpp"
 #include "islet/layout.hpp"
+#include "islet/types.hpp"
 
 namespace islet::detail {
 

@@ -1,11 +1,15 @@
 // World::draw, layer by layer.
 #include "../exact.hpp"
 
+#include "islet/debug_draw.hpp"
+
 #include "../bodies/bounds.hpp"
 #include "../calls/checks.hpp"
+#include "../collide/manifold.hpp"
 #include "../draw/draw_pen.hpp"
 #include "../math/boxes.hpp"
 #include "../math/float_mode.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 

@@ -3,6 +3,7 @@
 
 #include "../data/core.hpp"
 #include "../shapes/pen.hpp"
+#include "islet/debug_draw.hpp"
 
 namespace islet::detail {
 

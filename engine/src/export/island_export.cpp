@@ -1,6 +1,8 @@
 // World::export_island: the island that a body is in, as a complementarity problem in the caller's memory.
 #include "../exact.hpp"
 
+#include "islet/island.hpp"
+
 #include "../calls/checks.hpp"
 #include "../export/island_problem.hpp"
 #include "../math/float_mode.hpp"

@@ -1,6 +1,9 @@
 // The limits of what counts as a shape and as a mass, and the test for a convex polygon.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "../math/inlining.hpp"
 #include "islet/geometry.hpp"
 #include "islet/types.hpp"

@@ -2,10 +2,13 @@
 
 #include "../graph/contacts.hpp"
 
+#include <cstring>
+
 #include "../graph/colors.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../graph/mixing.hpp"
 #include "../graph/sensors.hpp"
+#include "../math/scalar.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {

@@ -2,6 +2,7 @@
 // two shapes already have a contact.
 #pragma once
 
+#include "../data/core.hpp"
 #include "../graph/constraint_list.hpp"
 #include "../graph/hooks.hpp"
 

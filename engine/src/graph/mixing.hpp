@@ -1,7 +1,9 @@
 // Mixing of two materials: the geometric mean of the friction coefficients and the larger restitution, unless the user's hooks mix them.
 #pragma once
 
+#include "../data/core.hpp"
 #include "../graph/hooks.hpp"
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 #include "../shapes/shape_types.hpp"
 

@@ -5,6 +5,8 @@
 #include "../constraint/joint_runs.hpp"
 #include "../data/parallel.hpp"
 #include "../island/height_order.hpp"
+#include "../island/joint_trees.hpp"
+#include "../island/union_find.hpp"
 
 namespace islet::detail {
 

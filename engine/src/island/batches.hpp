@@ -11,6 +11,7 @@
 #pragma once
 
 #include "../constraint/joint_rows.hpp"
+#include "../data/core.hpp"
 #include "../island/joint_trees.hpp"
 
 namespace islet::detail {

@@ -1,7 +1,10 @@
 // Functions on boxes that many places call: a build for size keeps one copy of each.
 #pragma once
 
+#include "../math/inlining.hpp"
 #include "../math/lanes.hpp"
+#include "islet/config.hpp"
+#include "islet/math.hpp"
 
 namespace islet::detail {
 

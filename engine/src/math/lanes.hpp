@@ -3,10 +3,13 @@
 // A lane never sees another lane's value, and every operation is a single IEEE operation, so each width gives the same bits.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 #include "islet/config.hpp"
+#include "islet/math.hpp"
 
 #if defined(__SSE2__)
 #include <immintrin.h>

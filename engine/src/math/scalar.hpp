@@ -1,6 +1,8 @@
 // The square root, the only floating-point function that the engine takes from the machine, and small functions on floats.
 #pragma once
 
+#include <cstdint>
+
 #include "../math/inlining.hpp"
 #include "islet/math.hpp"
 

@@ -9,7 +9,10 @@
 // the caller meant. No step converts a number to an integer type that cannot hold it.
 #include "../exact.hpp"
 
+#include <cstdint>
+
 #include "../math/scalar.hpp"
+#include "islet/math.hpp"
 
 namespace islet {
 namespace {

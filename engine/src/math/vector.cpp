@@ -2,6 +2,7 @@
 #include "../exact.hpp"
 
 #include "../math/scalar.hpp"
+#include "islet/math.hpp"
 
 namespace islet {
 namespace {

@@ -1,6 +1,7 @@
 // A set of bits in words of the world's block: a view, like a span. A walk visits indices in ascending order.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 
 #include "../math/inlining.hpp"

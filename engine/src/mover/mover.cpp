@@ -1,6 +1,8 @@
 // A mover's step: its ground carries it, then it walks or falls, and then it pushes the bodies around it.
 #include "../exact.hpp"
 
+#include "islet/mover.hpp"
+
 #include "../calls/checks.hpp"
 #include "../math/float_mode.hpp"
 #include "../mover/mover_slide.hpp"

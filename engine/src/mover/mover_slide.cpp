@@ -2,6 +2,7 @@
 
 #include "../mover/mover_slide.hpp"
 
+#include "../collide/manifold.hpp"
 #include "../step/one_way.hpp"
 
 namespace islet::detail {

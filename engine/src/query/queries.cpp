@@ -2,6 +2,7 @@
 
 #include "../query/queries.hpp"
 
+#include "../calls/checks.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {

@@ -3,6 +3,7 @@
 
 #include "../broadphase/tree.hpp"
 #include "../calls/checks.hpp"
+#include "islet/query.hpp"
 
 namespace islet::detail {
 

@@ -2,7 +2,9 @@
 #include "../exact.hpp"
 
 #include "../bodies/bounds.hpp"
+#include "../calls/checks.hpp"
 #include "../collide/difference.hpp"
+#include "../math/boxes.hpp"
 #include "../math/float_mode.hpp"
 #include "../query/queries.hpp"
 

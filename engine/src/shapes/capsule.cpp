@@ -6,6 +6,7 @@
 #include "../math/boxes.hpp"
 #include "../shapes/manifolds.hpp"
 #include "../shapes/pen.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 

@@ -14,7 +14,10 @@
 
 #include "../collide/distance.hpp"
 #include "../collide/outline.hpp"
+#include "../geometry/convex.hpp"
+#include "../math/inlining.hpp"
 #include "../shapes/manifolds.hpp"
+#include "islet/query.hpp"
 
 namespace islet {
 

@@ -5,6 +5,7 @@
 #include "../geometry/convex.hpp"
 #include "../shapes/manifolds.hpp"
 #include "../shapes/pen.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 

@@ -4,8 +4,11 @@
 // bodies, sensors) there is a patch: a square whose face lies on the surface, so large that what is asked about comes nowhere near its other sides.
 #include "../exact.hpp"
 
+#include "../geometry/convex.hpp"
+#include "../math/scalar.hpp"
 #include "../shapes/manifolds.hpp"
 #include "../shapes/pen.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../collide/manifold.hpp"
+#include "../data/features.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {

@@ -2,7 +2,10 @@
 // room: which shapes are valid, their mass and box, the points they have with the types before it in the list, how they are drawn.
 #pragma once
 
+#include <cstddef>
+
 #include "../data/records.hpp"
+#include "../math/inlining.hpp"
 #include "islet/debug_draw.hpp"
 #include "islet/query.hpp"
 

@@ -3,6 +3,7 @@
 
 #include "../constraint/solver_body.hpp"
 #include "../data/core.hpp"
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {

@@ -5,6 +5,7 @@
 // weak references, the functions are ordinary ones and always linked.)
 #pragma once
 
+#include "../constraint/joint_rows.hpp"
 #include "../island/batches.hpp"
 
 namespace islet::detail {

@@ -3,6 +3,8 @@
 #include "../solver/ordered_sweep.hpp"
 
 #include "../constraint/kernels.hpp"
+#include "../island/height_order.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 

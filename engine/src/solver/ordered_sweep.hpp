@@ -7,6 +7,8 @@
 #pragma once
 
 #include "../constraint/contact_rows.hpp"
+#include "../constraint/solver_body.hpp"
+#include "../data/features.hpp"
 
 namespace islet::detail {
 

@@ -2,7 +2,9 @@
 
 #include "../solver/solver_def.hpp"
 
+#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
+#include "../solver/ordered_sweep.hpp"
 
 namespace islet::detail {
 

@@ -4,7 +4,10 @@
 #include "../bodies/bounds.hpp"
 #include "../bodies/geometry_pool.hpp"
 #include "../broadphase/pairs.hpp"
+#include "../calls/checks.hpp"
+#include "../collide/manifold.hpp"
 #include "../constraint/joint_kinds.hpp"
+#include "../shapes/shape_types.hpp"
 #include "../solver/solver_def.hpp"
 #include "../state/faults.hpp"
 

@@ -10,6 +10,7 @@
 #include "../calls/checks.hpp"
 #include "../data/arrays.hpp"
 #include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
 #include "../island/joint_trees.hpp"
 
 namespace islet::detail {

@@ -1,6 +1,8 @@
 // What some bytes are, and a sentence about it.
 #include "../exact.hpp"
 
+#include "islet/format.hpp"
+
 #include "../calls/recorder.hpp"
 #include "../state/image.hpp"
 

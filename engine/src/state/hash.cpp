@@ -1,9 +1,12 @@
 // The state hash: all persistent state that affects the future, word by word. It does not depend on the byte order of the machine, nor on the capacity.
 #include "../exact.hpp"
 
+#include <cstddef>
+
 #include "../calls/checks.hpp"
 #include "../data/arrays.hpp"
 #include "../math/checksum.hpp"
+#include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet {

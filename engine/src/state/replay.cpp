@@ -6,6 +6,7 @@
 
 #include "islet/recording.hpp"
 
+#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "islet/snapshot.hpp"
 

@@ -6,9 +6,18 @@
 #include "../bodies/geometry_pool.hpp"
 #include "../bodies/joint_changes.hpp"
 #include "../calls/recorder.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/hooks.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../graph/sensors.hpp"
+#include "../math/checksum.hpp"
+#include "../solver/hits.hpp"
 #include "../solver/joint_solve.hpp"
+#include "../solver/ordered_sweep.hpp"
 #include "../state/faults.hpp"
 #include "../state/image.hpp"
+#include "../step/continuous.hpp"
+#include "../step/one_way.hpp"
 
 namespace islet {
 

@@ -5,7 +5,13 @@
 #include "../bodies/impulses.hpp"
 #include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
+#include "../step/continuous.hpp"
 #include "../world/shapes.hpp"
 
 namespace islet {

@@ -5,6 +5,7 @@
 #include "../bodies/bounds.hpp"
 #include "../bodies/impulses.hpp"
 #include "../bodies/sleep.hpp"
+#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../graph/joint_graph.hpp"
 

@@ -2,6 +2,9 @@
 #include "../exact.hpp"
 
 #include "../bodies/geometry_pool.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
+#include "../shapes/manifolds.hpp"
 #include "../world/shapes.hpp"
 
 namespace islet {

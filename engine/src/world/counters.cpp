@@ -2,6 +2,7 @@
 #include "../exact.hpp"
 
 #include "../data/core.hpp"
+#include "islet/layout.hpp"
 
 namespace islet {
 

@@ -4,10 +4,12 @@
 #include "../bodies/bounds.hpp"
 #include "../bodies/impulses.hpp"
 #include "../bodies/sleep.hpp"
+#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../collide/distance.hpp"
 #include "../math/boxes.hpp"
 #include "../math/float_mode.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 

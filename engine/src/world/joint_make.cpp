@@ -3,11 +3,16 @@
 
 #include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
+#include "../broadphase/pairs.hpp"
+#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
+#include "../collide/manifold.hpp"
 #include "../constraint/joint_kinds.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
 #include "../math/float_mode.hpp"
+#include "../math/inlining.hpp"
 #include "../solver/joint_solve.hpp"
 
 namespace islet {

@@ -6,8 +6,11 @@
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../broadphase/tree.hpp"
+#include "../calls/checks.hpp"
+#include "../calls/recorder.hpp"
 #include "../graph/contacts.hpp"
 #include "../math/float_mode.hpp"
+#include "../step/one_way.hpp"
 #include "../world/shapes.hpp"
 
 namespace islet {

@@ -1,6 +1,8 @@
 // The public functions on shapes.
 #include "../exact.hpp"
 
+#include "../calls/recorder.hpp"
+#include "../step/one_way.hpp"
 #include "../world/shapes.hpp"
 
 #include "../bodies/bounds.hpp"
@@ -8,8 +10,11 @@
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../broadphase/tree.hpp"
+#include "../calls/checks.hpp"
 #include "../graph/contacts.hpp"
+#include "../graph/sensors.hpp"
 #include "../math/float_mode.hpp"
+#include "../solver/hits.hpp"
 
 namespace islet {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../calls/recorder.hpp"
+#include "../data/core.hpp"
 #include "../shapes/shape_types.hpp"
 
 namespace islet::detail {

@@ -9,8 +9,10 @@
 #include "../bodies/bounds.hpp"
 #include "../bodies/impulses.hpp"
 #include "../bodies/sleep.hpp"
+#include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
 #include "../math/float_mode.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet {
 

@@ -1,14 +1,23 @@
 // Making a world, and functions on the world as a whole.
 #include "../exact.hpp"
 
+#include "islet/world.hpp"
+
 #include "../bodies/geometry_pool.hpp"
 #include "../bodies/sleep.hpp"
 #include "../calls/recorder.hpp"
 #include "../data/arrays.hpp"
 #include "../graph/hooks.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../graph/sensors.hpp"
 #include "../math/cpu.hpp"
 #include "../math/float_mode.hpp"
+#include "../math/scalar.hpp"
+#include "../solver/hits.hpp"
+#include "../solver/ordered_sweep.hpp"
 #include "../solver/solver_def.hpp"
+#include "../step/continuous.hpp"
+#include "../step/one_way.hpp"
 #include "../step/profile.hpp"
 
 // A placement new without <new>: the engine needs no C++ runtime.
