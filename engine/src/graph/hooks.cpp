@@ -3,7 +3,6 @@
 #include "../graph/hooks.hpp"
 
 #include "../calls/checks.hpp"
-#include "../graph/contact_info.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/mixing.hpp"
 #include "../math/scalar.hpp"
