@@ -9,6 +9,9 @@
 // A contact along a covered side is made anew: along that uncovered face of S in which D is least deep. If D is clear of that face there is no contact, since
 // the neighbour alone holds D.
 //
+// A line (a segment, a capsule, a link of a chain) has no sides, but its ends are met like corners. It counts as a box behind that face of it which looks at D;
+// so lines laid end to end, or flush beside a box, are a floor like any other.
+//
 // (Bullet, Jolt and bepuphysics2 correct the inner edges of triangle meshes in similar ways. Here there is no mesh: the neighbours are the shapes that the body
 // touches.)
 #include "../exact.hpp"
@@ -25,19 +28,46 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float least_lean = 1.0e-4f;            // the least lean of a normal, as a cosine, that counts
-inline constexpr float least_slope = 1.0e-6f;           // sine of the angle below which a line is parallel to a face
-inline constexpr std::uint32_t most_pieces = 4;         // the most pieces in a row that cover one side; a side behind more is not part of a floor
-inline constexpr float gap_width = 0.2f * linear_slop;  // m: a neighbour that covers a side holds what is this far in front of it
+inline constexpr float least_lean = 1.0e-4f;              // the least lean of a normal, as a cosine, that counts
+inline constexpr float least_slope = 1.0e-6f;             // sine of the angle below which a line is parallel to a face
+inline constexpr std::uint32_t most_pieces = 4;           // the most pieces in a row that cover one side; a side behind more is not part of a floor
+inline constexpr float gap_width = 0.2f * linear_slop;    // m: a neighbour that covers a side holds what is this far in front of it
+inline constexpr float end_reach = 0.8f * linear_slop;    // m: a line holds what is this far beyond its ends; less than where a surface counts as near
+inline constexpr float piece_depth = 2.0f * linear_slop;  // m: of a line as a piece
+inline constexpr float behind_line = 100;                 // m: what a line covers of others, behind it
+inline constexpr bool has_lines = ShapeRow<Capsule>::is_there || ShapeRow<Segment>::is_there || ShapeRow<ChainSegment>::is_there;
 
 // Signed distance of a point from the plane of a face of the core, body frame.
 float height_over(const Polygon& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
 
-// How far the neighbour's own surface near `point` leans towards `side`, as a cosine; 0 if it has none there.
-float lean_of(const Polygon& neighbor, Vec2 point, Vec2 side) {
-    float lean = 0;
+// The box behind that face of a line which looks at `viewer`, longer by `reach` at either end. Its corners 0 and 1, by the last bit of their index, are those
+// of the line.
+Polygon behind(const Corners& line, Vec2 viewer, float depth, float reach, Vec2& normal) {
+    const Vec2 p1 = line.points[0], p2 = line.points[1];
+    const Vec2 edge = direction_of(p2 - p1, {1, 0}).unit;
+    const bool from_left = cross(edge, viewer - p1) > 0;
+    normal = from_left ? left_perp(edge) : right_perp(edge);
+    const Vec2 front1 = p1 + line.radius * normal - reach * edge, front2 = p2 + line.radius * normal + reach * edge;
+    const Vec2 back1 = front1 - depth * normal, back2 = front2 - depth * normal;
+    Polygon p;
+    p.count = 4;
+    p.vertices[0] = front1;
+    p.vertices[1] = from_left ? back1 : front2;
+    p.vertices[2] = back2;
+    p.vertices[3] = from_left ? front2 : back1;
+    p.normals[0] = from_left ? -edge : normal;
+    p.normals[1] = from_left ? -normal : edge;
+    p.normals[2] = -p.normals[0];
+    p.normals[3] = -p.normals[1];
+    return p;
+}
+
+// The normal of the neighbour's surface near `point` that leans most towards `side`; zero if none leans that way.
+Vec2 lean_of(const Polygon& neighbor, Vec2 point, Vec2 side) {
+    Vec2 lean = {0, 0};
     for (std::uint32_t i = 0; i < neighbor.count; ++i)
-        if (abs(height_over(neighbor, i, point) - neighbor.radius) <= linear_slop) lean = max(lean, dot(neighbor.normals[i], side));
+        if (abs(height_over(neighbor, i, point) - neighbor.radius) <= linear_slop && dot(neighbor.normals[i], side) > dot(lean, side))
+            lean = neighbor.normals[i];
     return lean;
 }
 
@@ -62,7 +92,7 @@ Span held_by(const Polygon& p, Vec2 start, Vec2 direction, Span part) {
     return part;
 }
 
-const Polygon* polygon_of(const Core& core, std::uint32_t shape) { return faces_of(core.geometries[core.shapes[shape].geometry]); }
+const Geometry& geometry_at(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
 
 /// A piece of floor and the shape that stands on it. Everything is in the piece's body frame.
 struct Floor {
@@ -73,8 +103,10 @@ struct Floor {
     Vec2 corners[max_polygon_vertices];  // of the other shape
     std::uint32_t count;
     float radius;
+    Vec2 middle;        // of the other shape
+    std::uint32_t ids;  // which bits of a corner's index name it
 
-    // Calls visit(neighbour, from this body's frame to the neighbour's) for each polygon near the other body that cannot move against the piece.
+    // Calls visit(neighbour, from this body's frame to the neighbour's) for each piece near the other body that cannot move against this one.
     template <class Visit>
     void for_each_neighbor(Visit&& visit) const {
         const std::uint32_t body = core.shapes[shape].body;
@@ -85,14 +117,20 @@ struct Floor {
             const std::uint32_t its_body = core.shapes[neighbor].body;
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
             const std::uint32_t flags = core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags;
-            const Polygon* its = polygon_of(core, neighbor);
-            if (neighbor == shape || !fixed || its == nullptr || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0)
-                return;  // it holds nothing, or may not
-            visit(*its, inv_mul(body_transform(core, its_body), at));
+            if (neighbor == shape || !fixed || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
+            const Geometry& g = geometry_at(core, neighbor);
+            const Transform to_its = inv_mul(body_transform(core, its_body), at);
+            if (const Polygon* its = faces_of(g)) return visit(*its, to_its);
+            if (!has_lines || corners_of(g).count != 2) return;
+            const Corners line = corners_of(g);
+            const Vec2 viewer = transform_point(to_its, middle);
+            const bool from_back = kind_of(g) == ShapeKind::front && cross(line.points[1] - line.points[0], viewer - line.points[0]) > 0;
+            Vec2 front;
+            if (!from_back) visit(behind(line, viewer, behind_line, end_reach, front), to_its);
         });
     }
 
-    // True if neighbours cover the face as far as the other shape reaches along it, and their own surface at `point` leans less than `normal`.
+    // True if neighbours cover the face as far as the other shape reaches along it, and `normal` leans over their own surface at `point`.
     bool is_covered(std::uint32_t face, Vec2 point, Vec2 normal) const {
         const Vec2 side = piece.normals[face], along = left_perp(side);
         const Vec2 start = piece.vertices[face] + (piece.radius + gap_width) * side;
@@ -105,7 +143,7 @@ struct Floor {
         }
         const float end = clamp(reach.high + radius, inset, length - inset);
         float covered = clamp(reach.low - radius, inset, length - inset);
-        float lean = 0;
+        Vec2 lean = {0, 0};
         // Each pass goes on where the last one ended.
         bool found = true;
         for (std::uint32_t pass = 0; pass < most_pieces && found; ++pass) {
@@ -114,10 +152,11 @@ struct Floor {
                 const Span held = held_by(its, transform_point(to_its, start), rotate(to_its.q, along), {covered, end});
                 if (held.low > covered + gap_width || held.high < held.low || (pass != 0 && held.high <= covered)) return;
                 covered = max(covered, held.high);
-                lean = max(lean, lean_of(its, transform_point(to_its, point), rotate(to_its.q, side)));
+                const Vec2 its_lean = inv_rotate(to_its.q, lean_of(its, transform_point(to_its, point), rotate(to_its.q, side)));
+                if (dot(its_lean, side) > dot(lean, side)) lean = its_lean;
                 found = true;
             });
-            if (found && covered >= end - gap_width) return dot(normal, side) > lean + least_lean;
+            if (found && covered >= end - gap_width) return dot(normal, side - dot(lean, side) * lean) > least_lean;
         }
         return false;
     }
@@ -151,11 +190,16 @@ struct Floor {
             gap = height;
         }
         if (best == null_index || gap > margin + piece.radius + radius) return {};
-        const Face bare = {piece.vertices[best], piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best, next(best, piece.count)};
+        Face bare = {piece.vertices[best],         piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best & ids,
+                     next(best, piece.count) & ids};
         // The incident face: of the two faces at the deepest corner the one that rises less from the piece's face and runs the other way.
         const std::uint32_t after = next(deepest, count), before = (deepest == 0 ? count : deepest) - 1;
         const auto rise = [&](std::uint32_t i) { return height_over(piece, best, corners[i]) - gap; };
         const Vec2 along = left_perp(bare.normal);
+        if (count == 1) {  // what is over a gap that is covered is over both its sides
+            bare.v1 -= 0.5f * linear_slop * along;
+            bare.v2 += 0.5f * linear_slop * along;
+        }
         const float run_after = dot(corners[deepest] - corners[after], along), run_before = dot(corners[before] - corners[deepest], along);
         const bool forward = run_after > 0 && !(rise(before) * run_after < rise(after) * run_before);
         const std::uint32_t i1 = forward ? deepest : before, i2 = forward ? after : deepest;
@@ -173,17 +217,32 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         const std::uint32_t other_shape = piece_is_a ? contact.shape_b : contact.shape_a;
         const std::uint32_t body = core.shapes[shape].body;
         const std::uint32_t other = core.shapes[other_shape].body;
-        const Polygon* piece = polygon_of(core, shape);
-        if (core.is_dynamic(body) || piece == nullptr || core.bodies[other].contact_count < 2) continue;
-        const Corners its = corners_of(core.geometries[core.shapes[other_shape].geometry]);
-        Floor floor{core, shape, *piece, other, {}, its.count, its.radius};
-        for (std::uint32_t i = 0; i < its.count; ++i)
-            floor.corners[i] = piece_is_a ? transform_point(b_in_a, its.points[i]) : inv_transform_point(b_in_a, its.points[i]);
+        if (core.is_dynamic(body) || core.bodies[other].contact_count < 2) continue;
+        const Geometry& g = geometry_at(core, shape);
+        const Polygon* faces = faces_of(g);
+        const bool is_line = has_lines && faces == nullptr && corners_of(g).count == 2 && kind_of(g) != ShapeKind::front;
+        if (faces == nullptr && !is_line) continue;
         const Vec2 normal = piece_is_a ? manifold.normal : -inv_rotate(b_in_a.q, manifold.normal);
+        const Corners line = corners_of(g);
+        if (is_line && abs(dot(normal, line.points[1] - line.points[0])) <= least_lean * linear_slop) continue;  // along the line's own normal, as most are
+        const Corners its = corners_of(geometry_at(core, other_shape));
+        Polygon box;
+        Floor floor{core, shape, is_line ? box : *faces, other, {}, its.count, its.radius, {}, is_line ? 1u : max_polygon_vertices - 1};
+        for (std::uint32_t i = 0; i < its.count; ++i) {
+            floor.corners[i] = piece_is_a ? transform_point(b_in_a, its.points[i]) : inv_transform_point(b_in_a, its.points[i]);
+            floor.middle += 1.0f / static_cast<float>(its.count) * floor.corners[i];
+        }
+        float round = 0;
+        Vec2 front = normal;
+        if (is_line) {
+            box = behind(line, floor.middle, piece_depth, 0, front);
+            round = line.radius;
+        }
         bool inner = true;
         for (std::uint32_t i = 0; i < manifold.count && inner; ++i) {
+            if (is_line && manifold.points[i].separation > least_separation(manifold) + linear_slop) continue;  // the far end of a line that is met by an end
             const Vec2 middle = piece_is_a ? manifold.points[i].point : inv_transform_point(b_in_a, manifold.points[i].point);
-            inner = floor.is_inner(middle - 0.5f * manifold.points[i].separation * normal, normal);
+            inner = floor.is_inner(middle - 0.5f * manifold.points[i].separation * normal + round * (front - normal), normal);
         }
         if (!inner) continue;
         manifold = floor.along_bare_face(margin);
