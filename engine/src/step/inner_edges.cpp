@@ -37,33 +37,29 @@ inline constexpr float piece_depth = 2.0f * linear_slop;  // m: of a line as a p
 inline constexpr float behind_line = 100;                 // m: what a line covers of others, behind it
 inline constexpr bool has_lines = ShapeRow<Capsule>::is_there || ShapeRow<Segment>::is_there || ShapeRow<ChainSegment>::is_there;
 
-// Signed distance of a point from the plane of a face of the core, body frame.
-float height_over(const Polygon& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
+// Signed distance of a point from the plane of a face of the core.
+float height_over(const Outline& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
 
-// The box behind that face of a line which looks at `viewer`, longer by `reach` at either end. Its corners 0 and 1, by the last bit of their index, are those
-// of the line.
-Polygon behind(const Corners& line, Vec2 viewer, float depth, float reach, Vec2& normal) {
-    const Vec2 p1 = line.points[0], p2 = line.points[1];
-    const Vec2 edge = direction_of(p2 - p1, {1, 0}).unit;
-    const bool from_left = cross(edge, viewer - p1) > 0;
-    normal = from_left ? left_perp(edge) : right_perp(edge);
-    const Vec2 front1 = p1 + line.radius * normal - reach * edge, front2 = p2 + line.radius * normal + reach * edge;
-    const Vec2 back1 = front1 - depth * normal, back2 = front2 - depth * normal;
-    Polygon p;
-    p.count = 4;
-    p.vertices[0] = front1;
-    p.vertices[1] = from_left ? back1 : front2;
-    p.vertices[2] = back2;
-    p.vertices[3] = from_left ? front2 : back1;
-    p.normals[0] = from_left ? -edge : normal;
-    p.normals[1] = from_left ? -normal : edge;
-    p.normals[2] = -p.normals[0];
-    p.normals[3] = -p.normals[1];
-    return p;
+// The faces of a piece that stands at `pose`: a polygon's own, or those of the box of some depth behind that face of a line which looks at `viewer`, longer by
+// `reach` at either end. None (count 0) if the shape is no piece, or is met from its front alone and looks away.
+Outline piece_of(const Geometry& g, const Transform& pose, Vec2 viewer, float depth, float reach) {
+    if (const Polygon* faces = faces_of(g)) return outline_of(*faces, pose, {0, 0});
+    const Corners line = corners_of(g);
+    if (!has_lines || line.count != 2) return {};
+    const Vec2 start = transform_point(pose, line.points[0]), edge = transform_point(pose, line.points[1]) - start;
+    const float whole = length(edge);
+    Rot q = {edge.x / whole, edge.y / whole};
+    if (cross(edge, viewer - start) < 0) {
+        q = {-q.c, -q.s};
+    } else if (kind_of(g) == ShapeKind::front) {
+        return {};
+    }
+    const Vec2 center = start + 0.5f * edge + (line.radius - 0.5f * depth) * Vec2{-q.s, q.c};
+    return outline_of(make_box(0.5f * whole + reach, 0.5f * depth), {center, q}, {0, 0});
 }
 
 // The normal of the neighbour's surface near `point` that leans most towards `side`; zero if none leans that way.
-Vec2 lean_of(const Polygon& neighbor, Vec2 point, Vec2 side) {
+Vec2 lean_of(const Outline& neighbor, Vec2 point, Vec2 side) {
     Vec2 lean = {0, 0};
     for (std::uint32_t i = 0; i < neighbor.count; ++i)
         if (abs(height_over(neighbor, i, point) - neighbor.radius) <= linear_slop && dot(neighbor.normals[i], side) > dot(lean, side))
@@ -77,7 +73,7 @@ struct Span {
 };
 
 // The part of the line that the polygon holds; empty (low above high) if none.
-Span held_by(const Polygon& p, Vec2 start, Vec2 direction, Span part) {
+Span held_by(const Outline& p, Vec2 start, Vec2 direction, Span part) {
     for (std::uint32_t i = 0; i < p.count; ++i) {
         const float height = height_over(p, i, start) - p.radius;
         const float slope = dot(p.normals[i], direction);
@@ -94,23 +90,22 @@ Span held_by(const Polygon& p, Vec2 start, Vec2 direction, Span part) {
 
 const Geometry& geometry_at(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
 
-/// A piece of floor and the shape that stands on it. Everything is in the piece's body frame.
+/// A piece of floor and the shape that stands on it. Everything is in the frame of the manifold.
 struct Floor {
     const Core& core;
     std::uint32_t shape;  // the piece
-    const Polygon& piece;
+    Transform frame;      // of the manifold, in the world
+    Outline piece;
     std::uint32_t other;                 // the other shape's body
     Vec2 corners[max_polygon_vertices];  // of the other shape
     std::uint32_t count;
     float radius;
-    Vec2 middle;        // of the other shape
-    std::uint32_t ids;  // which bits of a corner's index name it
+    Vec2 middle;  // of the other shape
 
-    // Calls visit(neighbour, from this body's frame to the neighbour's) for each piece near the other body that cannot move against this one.
+    // Calls visit(neighbour) for each piece near the other body that cannot move against this one.
     template <class Visit>
     void for_each_neighbor(Visit&& visit) const {
         const std::uint32_t body = core.shapes[shape].body;
-        const Transform at = body_transform(core, body);
         for_each_contact(core, other, [&](std::uint32_t contact, std::uint32_t end) {
             const Contact& link = core.contacts[contact];
             const std::uint32_t neighbor = end == 0 ? link.shape_b : link.shape_a;
@@ -118,15 +113,8 @@ struct Floor {
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
             const std::uint32_t flags = core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags;
             if (neighbor == shape || !fixed || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
-            const Geometry& g = geometry_at(core, neighbor);
-            const Transform to_its = inv_mul(body_transform(core, its_body), at);
-            if (const Polygon* its = faces_of(g)) return visit(*its, to_its);
-            if (!has_lines || corners_of(g).count != 2) return;
-            const Corners line = corners_of(g);
-            const Vec2 viewer = transform_point(to_its, middle);
-            const bool from_back = kind_of(g) == ShapeKind::front && cross(line.points[1] - line.points[0], viewer - line.points[0]) > 0;
-            Vec2 front;
-            if (!from_back) visit(behind(line, viewer, behind_line, end_reach, front), to_its);
+            const Outline its = piece_of(geometry_at(core, neighbor), inv_mul(frame, body_transform(core, its_body)), middle, behind_line, end_reach);
+            if (its.count != 0) visit(its);
         });
     }
 
@@ -148,11 +136,11 @@ struct Floor {
         bool found = true;
         for (std::uint32_t pass = 0; pass < most_pieces && found; ++pass) {
             found = false;
-            for_each_neighbor([&](const Polygon& its, const Transform& to_its) {
-                const Span held = held_by(its, transform_point(to_its, start), rotate(to_its.q, along), {covered, end});
+            for_each_neighbor([&](const Outline& its) {
+                const Span held = held_by(its, start, along, {covered, end});
                 if (held.low > covered + gap_width || held.high < held.low || (pass != 0 && held.high <= covered)) return;
                 covered = max(covered, held.high);
-                const Vec2 its_lean = inv_rotate(to_its.q, lean_of(its, transform_point(to_its, point), rotate(to_its.q, side)));
+                const Vec2 its_lean = lean_of(its, point, side);
                 if (dot(its_lean, side) > dot(lean, side)) lean = its_lean;
                 found = true;
             });
@@ -170,8 +158,8 @@ struct Floor {
         return false;
     }
 
-    // The manifold along that uncovered face in which the other shape is least deep, with the piece as A.
-    Manifold along_bare_face(float margin) const {
+    // The manifold along that uncovered face in which the other shape is least deep.
+    Manifold along_bare_face(float margin, bool piece_is_a) const {
         std::uint32_t best = null_index, deepest = 0;
         float gap = -3.0e38f;
         for (std::uint32_t i = 0; i < piece.count; ++i) {
@@ -190,8 +178,7 @@ struct Floor {
             gap = height;
         }
         if (best == null_index || gap > margin + piece.radius + radius) return {};
-        Face bare = {piece.vertices[best],         piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best & ids,
-                     next(best, piece.count) & ids};
+        Face bare = {piece.vertices[best], piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best, next(best, piece.count)};
         // The incident face: of the two faces at the deepest corner the one that rises less from the piece's face and runs the other way.
         const std::uint32_t after = next(deepest, count), before = (deepest == 0 ? count : deepest) - 1;
         const auto rise = [&](std::uint32_t i) { return height_over(piece, best, corners[i]) - gap; };
@@ -203,7 +190,7 @@ struct Floor {
         const float run_after = dot(corners[deepest] - corners[after], along), run_before = dot(corners[before] - corners[deepest], along);
         const bool forward = run_after > 0 && !(rise(before) * run_after < rise(after) * run_before);
         const std::uint32_t i1 = forward ? deepest : before, i2 = forward ? after : deepest;
-        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, radius, i1, i2}, false, {0, 0}, margin);
+        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, radius, i1, i2}, !piece_is_a, {0, 0}, margin);
         if (count == 1 && m.count == 2) m.count = 1;
         return m;
     }
@@ -219,39 +206,27 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         const std::uint32_t other = core.shapes[other_shape].body;
         if (core.is_dynamic(body) || core.bodies[other].contact_count < 2) continue;
         const Geometry& g = geometry_at(core, shape);
-        const Polygon* faces = faces_of(g);
-        const bool is_line = has_lines && faces == nullptr && corners_of(g).count == 2 && kind_of(g) != ShapeKind::front;
-        if (faces == nullptr && !is_line) continue;
-        const Vec2 normal = piece_is_a ? manifold.normal : -inv_rotate(b_in_a.q, manifold.normal);
-        const Corners line = corners_of(g);
-        if (is_line && abs(dot(normal, line.points[1] - line.points[0])) <= least_lean * linear_slop) continue;  // along the line's own normal, as most are
+        const bool is_line = has_lines && faces_of(g) == nullptr;
+        if (is_line && kind_of(g) == ShapeKind::front) continue;  // it knows its neighbours
+        const Transform poses[] = {{}, b_in_a};
         const Corners its = corners_of(geometry_at(core, other_shape));
-        Polygon box;
-        Floor floor{core, shape, is_line ? box : *faces, other, {}, its.count, its.radius, {}, is_line ? 1u : max_polygon_vertices - 1};
+        const Transform &pose = poses[piece_is_a ? 0 : 1], at = body_transform(core, body);
+        const Rot q = at.q * inverse(pose.q);
+        Floor floor{core, shape, {at.p - rotate(q, pose.p), q}, {}, other, {}, its.count, its.radius, {}};
         for (std::uint32_t i = 0; i < its.count; ++i) {
-            floor.corners[i] = piece_is_a ? transform_point(b_in_a, its.points[i]) : inv_transform_point(b_in_a, its.points[i]);
+            floor.corners[i] = transform_point(poses[piece_is_a ? 1 : 0], its.points[i]);
             floor.middle += 1.0f / static_cast<float>(its.count) * floor.corners[i];
         }
-        float round = 0;
-        Vec2 front = normal;
-        if (is_line) {
-            box = behind(line, floor.middle, piece_depth, 0, front);
-            round = line.radius;
-        }
+        floor.piece = piece_of(g, pose, floor.middle, piece_depth, 0);
+        const Vec2 normal = piece_is_a ? manifold.normal : -manifold.normal;
+        const Vec2 lift = is_line ? corners_of(g).radius * (floor.piece.normals[2] - normal) : Vec2{};  // from the round end of a capsule to where it begins
         bool inner = true;
         for (std::uint32_t i = 0; i < manifold.count && inner; ++i) {
-            if (is_line && manifold.points[i].separation > least_separation(manifold) + linear_slop) continue;  // the far end of a line that is met by an end
-            const Vec2 middle = piece_is_a ? manifold.points[i].point : inv_transform_point(b_in_a, manifold.points[i].point);
-            inner = floor.is_inner(middle - 0.5f * manifold.points[i].separation * normal + round * (front - normal), normal);
+            const ManifoldPoint& p = manifold.points[i];
+            if (is_line && p.separation > least_separation(manifold) + linear_slop) continue;  // the far end of a line that is met by an end
+            inner = floor.is_inner(p.point - 0.5f * p.separation * normal + lift, normal);
         }
-        if (!inner) continue;
-        manifold = floor.along_bare_face(margin);
-        if (piece_is_a) continue;
-        manifold.normal = -rotate(b_in_a.q, manifold.normal);
-        for (ManifoldPoint& p : manifold.points) {
-            p.point = transform_point(b_in_a, p.point);
-            p.id = static_cast<std::uint16_t>(p.id << 8 | p.id >> 8);
-        }
+        if (inner) manifold = floor.along_bare_face(margin, piece_is_a);
     }
 }
 
