@@ -2,125 +2,14 @@
 // an inner corner is no seam of a floor. How deep two shapes overlap is worked out here, since a contact that is left out is not told of.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <map>
 #include <string>
 #include <tuple>
-#include <vector>
 
-#include "measure.hpp"
-#include "support/random.hpp"
+#include "support/polygon_sites.hpp"
 
 namespace islet::test {
 namespace {
-
-constexpr double most_overlap = 0.01;  // m: what a user does not see; twice the slop that contacts keep
-
-using Corner = std::array<double, 2>;
-using Outline = std::vector<Corner>;
-
-/// A polygon's corners in the world, counter-clockwise.
-Outline hull_in_world(const Polygon& p, const Transform& pose) {
-    Outline hull;
-    for (std::uint32_t i = 0; i < p.count; ++i) {
-        const double x = double(p.vertices[i].x), y = double(p.vertices[i].y), c = double(pose.q.c), s = double(pose.q.s);
-        hull.push_back({double(pose.p.x) + c * x - s * y, double(pose.p.y) + s * x + c * y});
-    }
-    return hull;
-}
-
-/// How far `b` would have to move to leave the half-planes of a's faces; negative where they are apart along one of them.
-double depth_along_faces(const Outline& a, const Outline& b) {
-    double least = 1e9;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        const Corner &p = a[i], &q = a[(i + 1) % a.size()];
-        const double nx = q[1] - p[1], ny = p[0] - q[0], length = std::hypot(nx, ny);
-        double deepest = -1e9;
-        for (const Corner& c : b) deepest = std::fmax(deepest, -(nx * (c[0] - p[0]) + ny * (c[1] - p[1])) / length);
-        least = std::fmin(least, deepest);
-    }
-    return least;
-}
-
-double overlap_of(const Outline& a, const Outline& b) { return std::fmin(depth_along_faces(a, b), depth_along_faces(b, a)); }
-
-/// A world of static or turning pieces and of polygons that are thrown at them.
-struct Site {
-    TestWorld world;
-    struct Piece {
-        BodyId body;
-        Polygon shape;
-    };
-    std::vector<Piece> pieces, thrown;
-    ShapeDef material;
-    std::map<std::pair<std::size_t, std::size_t>, int> deep_for;  // steps that a pair has been deep and slow
-    int longest_deep = 0;                                         // the longest of these
-    double deepest = 0;                                           // m, of any pair in any step that was looked at
-
-    explicit Site(float friction = 0.3f, WorldDef def = sleepless())
-        : world({.bodies = 64, .shapes = 128, .contacts = 1024}, def), material(rough(friction)) {}
-
-    void add_piece(const Polygon& shape, Vec2 at, float angle = 0) {
-        BodyDef def;
-        def.position = at;
-        def.angle = angle;
-        pieces.push_back({world.add(shape, def, material), shape});
-    }
-    void add_to(BodyId body, const Polygon& shape) {
-        world->create_shape(body, shape, material);
-        pieces.push_back({body, shape});
-    }
-    BodyId throw_in(const Polygon& shape, const BodyDef& def) {
-        const BodyId id = world.add(shape, def, material);
-        thrown.push_back({id, shape});
-        return id;
-    }
-
-    /// Every pair of a thrown polygon and a piece.
-    void look() {
-        std::vector<Outline> fixed;
-        for (const Piece& p : pieces) fixed.push_back(hull_in_world(p.shape, world->transform(p.body)));
-        for (std::size_t i = 0; i < thrown.size(); ++i) {
-            const Outline hull = hull_in_world(thrown[i].shape, world->transform(thrown[i].body));
-            const bool slow = length(world->linear_velocity(thrown[i].body)) < 1;  // m/s
-            for (std::size_t k = 0; k < fixed.size(); ++k) {
-                const double overlap = overlap_of(fixed[k], hull);
-                deepest = std::fmax(deepest, overlap);
-                int& steps = deep_for[{i, k}];
-                steps = overlap > most_overlap && slow ? steps + 1 : 0;
-                longest_deep = std::max(longest_deep, steps);
-            }
-        }
-    }
-    void run(int steps) {
-        for (int i = 0; i < steps; ++i) {
-            world.step();
-            look();
-        }
-    }
-};
-
-/// A convex polygon of 3 to 8 corners, 0.1 to 0.8 m across and no thinner than a fifth of that.
-Polygon random_polygon(Random& random, std::uint32_t corners) {
-    for (;;) {
-        const float radius = random.between(0.15f, 0.4f);
-        std::array<Vec2, 8> points;
-        for (std::uint32_t i = 0; i < corners; ++i) {
-            const Rot q = make_rot(2 * pi * (static_cast<float>(i) + random.between(-0.4f, 0.4f)) / static_cast<float>(corners));
-            points[i] = radius * random.between(0.7f, 1) * Vec2{q.c, q.s};
-        }
-        const Polygon p = make_polygon(compute_hull({points.data(), corners}));
-        if (p.count == corners) return p;
-    }
-}
-
-BodyDef random_throw(Random& random, Vec2 lower, Vec2 upper, float speed) {
-    BodyDef def = dynamic_at({random.between(lower.x, upper.x), random.between(lower.y, upper.y)}, random.between(-pi, pi));
-    def.linear_velocity = {random.between(-speed, speed), random.between(-speed, speed)};
-    def.angular_velocity = random.between(-5, 5);
-    return def;
-}
 
 TEST(InnerCorner, ATriangleThatSlidesAlongAFloorStopsAtAWall) {
     // The tip, 27 or 45 or 60 degrees sharp, goes ahead; the wall stands on the floor, or goes through it, and is a box or of two boxes.
@@ -161,11 +50,13 @@ TEST(InnerCorner, ASquareComesToRestInAVOfTwoBoxes) {
                 const Rot q = make_rot(angle);
                 // Both go 2 m past the groove's bottom, which is the origin.
                 for (const float side : {1.0f, -1.0f}) site.add_piece(make_box(7, 1), {side * (5 * q.c + q.s), 5 * q.s - q.c}, side * angle);
-                const BodyId square = site.throw_in(make_box(0.5f, 0.5f), dynamic_at({0.05f * static_cast<float>(start - 4), 2.5f}, 0.15f * static_cast<float>(start)));
+                const BodyId square =
+                    site.throw_in(make_box(0.5f, 0.5f), dynamic_at({0.05f * static_cast<float>(start - 4), 2.5f}, 0.15f * static_cast<float>(start)));
                 site.world.step(1200);  // without friction it rocks for long
                 site.run(300);
                 EXPECT_LT(site.deepest, most_overlap) << degrees << " degrees, friction " << friction << ", start " << start;
-                EXPECT_LT(length(site.world->linear_velocity(square)), friction > 0 ? 0.01f : 0.5f) << degrees << " degrees, friction " << friction << ", start " << start;
+                EXPECT_LT(length(site.world->linear_velocity(square)), friction > 0 ? 0.01f : 0.5f)
+                    << degrees << " degrees, friction " << friction << ", start " << start;
             }
         }
     }
@@ -178,11 +69,11 @@ TEST(InnerCorner, NoTriangleGetsOutOfARoomOfCrossingWalls) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         Random random(seed);
         Site site(random.between(0, 0.6f));
-        for (const float side : {-1.0f, 1.0f}) {
-            site.add_piece(make_box(0.01f, 1.5f + random.between(0.01f, 0.2f)), {side * 2, 0});
-            site.add_piece(make_box(2 + random.between(0.01f, 0.2f), 0.01f), {0, side * 1.5f});
+        build_crossing_walls(site, random);
+        for (int i = 0; i < 8; ++i) {
+            const Polygon triangle = random_polygon(random, 3);
+            site.throw_in(triangle, random_throw(random, {-1.4f, -0.9f}, {1.4f, 0.9f}, 5));
         }
-        for (int i = 0; i < 8; ++i) site.throw_in(random_polygon(random, 3), random_throw(random, {-1.4f, -0.9f}, {1.4f, 0.9f}, 5));
         site.world.step(300);
         site.run(120);
         for (const Site::Piece& p : site.thrown) {
@@ -197,64 +88,11 @@ TEST(InnerCorner, NoTriangleGetsOutOfARoomOfCrossingWalls) {
     EXPECT_LT(deepest, 0.05);
 }
 
-enum class Ground { room, ramps, groove, stairs, gears };
-
-void build(Site& site, Ground ground, Random& random) {
-    // All within a box of thick walls.
-    site.add_piece(make_box(4, 0.5f), {0, -0.5f});
-    for (const float side : {-1.0f, 1.0f}) site.add_piece(make_box(0.5f, 4), {side * 3.5f, 3});
-    const auto add_gear = [&](Vec2 at, float spin) {
-        BodyDef def;
-        def.type = BodyType::kinematic;
-        def.position = at;
-        def.angular_velocity = spin;
-        const BodyId gear = site.world->create_body(def);
-        for (int i = 0; i < 4; ++i) site.add_to(gear, make_offset_box(0.9f, 0.12f, {{0, 0}, make_rot(pi / 4 * static_cast<float>(i))}));
-        std::array<Vec2, 8> hub;
-        for (int i = 0; i < 8; ++i) hub[std::size_t(i)] = 0.6f * Vec2{make_rot(pi / 4 * static_cast<float>(i)).c, make_rot(pi / 4 * static_cast<float>(i)).s};
-        site.add_to(gear, make_polygon(compute_hull(hub)));
-    };
-    switch (ground) {
-    case Ground::room:
-        for (int i = 0; i < 5; ++i)
-            site.add_piece(make_box(random.between(0.2f, 1), random.between(0.2f, 1)), {random.between(-3, 3), random.between(0, 2)}, random.one_in(2) ? 0 : random.between(-pi, pi));
-        break;
-    case Ground::ramps:
-        for (const float side : {-1.0f, 1.0f}) {
-            const float foot = random.between(0.2f, 2), top = random.between(0.3f, 1.5f);
-            const Vec2 corners[] = {{side * foot, 0}, {side * 3, 0}, {side * 3, top}};
-            site.add_piece(make_polygon(compute_hull(corners)), {0, 0});
-        }
-        break;
-    case Ground::groove:
-        for (const float side : {-1.0f, 1.0f}) {
-            const float angle = random.between(10, 60) * pi / 180;
-            const Rot q = make_rot(angle);
-            site.add_piece(make_box(4, 0.5f), {side * (3 * q.c + 0.5f * q.s), 0.5f + 3 * q.s - 0.5f * q.c}, side * angle);
-        }
-        break;
-    case Ground::stairs: {
-        const float rise = random.between(0.1f, 0.4f), tread = random.between(0.2f, 0.6f);
-        for (int i = 0; i < 6; ++i) {
-            const float x = -1 + tread * static_cast<float>(i), h = rise * static_cast<float>(i + 1);
-            const bool slab = random.one_in(2);
-            site.add_piece(make_box(0.5f * tread, slab ? 0.5f * rise : 0.5f * h), {x, slab ? h - 0.5f * rise : 0.5f * h});
-        }
-        break;
-    }
-    case Ground::gears:
-        // The one that turns has room around it, so that it cannot crush what falls beside it.
-        add_gear({-2, 0.6f}, 0);
-        add_gear({2, 0.6f}, 0);
-        add_gear({0, 2.8f}, random.between(-0.5f, 0.5f));
-        break;
-    }
-}
-
 class SlowPolygons : public testing::TestWithParam<std::tuple<Ground, std::uint32_t>> {};
 
-// Between two gears, or a gear and a wall, a triangle may be wedged still: in 4 of 2400 sites of gears with 3 to 8 corners (12 before contacts were made
-// ahead), and in 3 of 1800 rooms. That is a defect, and known. So of ten sites of gears or rooms one may be deep; elsewhere none.
+// In 4 of 6000 rooms and 3 of 3000 sites of gears (`islet_random_rooms --ground rooms`) a polygon stays wedged 1 to 1.5 cm deep: that is a defect, and known.
+// A wall throws the polygon within one step onto another piece, which its free way would have missed, so no contact was made ahead; then friction holds it
+// between faces that meet at less than 30 degrees. So of ten sites of gears or rooms one may be deep; elsewhere none.
 TEST_P(SlowPolygons, AreNotDeepForLong) {
     const auto [ground, corners] = GetParam();
     int deep = 0;

@@ -9,6 +9,9 @@
 // A contact along a covered side is made anew: along that uncovered face of S in which D is least deep. If D is clear of that face there is no contact, since
 // the neighbour alone holds D.
 //
+// A line (a segment, a capsule, a link of a chain) has no sides, but its ends are met like corners. It counts as a box behind that face of it which looks at D;
+// so lines laid end to end, or flush beside a box, are a floor like any other.
+//
 // (Bullet, Jolt and bepuphysics2 correct the inner edges of triangle meshes in similar ways. Here there is no mesh: the neighbours are the shapes that the body
 // touches.)
 #include "../exact.hpp"
@@ -25,19 +28,42 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float least_lean = 1.0e-4f;            // the least lean of a normal, as a cosine, that counts
-inline constexpr float least_slope = 1.0e-6f;           // sine of the angle below which a line is parallel to a face
-inline constexpr std::uint32_t most_pieces = 4;         // the most pieces in a row that cover one side; a side behind more is not part of a floor
-inline constexpr float gap_width = 0.2f * linear_slop;  // m: a neighbour that covers a side holds what is this far in front of it
+inline constexpr float least_lean = 1.0e-4f;              // the least lean of a normal, as a cosine, that counts
+inline constexpr float least_slope = 1.0e-6f;             // sine of the angle below which a line is parallel to a face
+inline constexpr std::uint32_t most_pieces = 4;           // the most pieces in a row that cover one side; a side behind more is not part of a floor
+inline constexpr float gap_width = 0.2f * linear_slop;    // m: a neighbour that covers a side holds what is this far in front of it
+inline constexpr float end_reach = 0.8f * linear_slop;    // m: a line holds what is this far beyond its ends; less than where a surface counts as near
+inline constexpr float piece_depth = 2.0f * linear_slop;  // m: of a line as a piece
+inline constexpr float behind_line = 100;                 // m: what a line covers of others, behind it
+inline constexpr bool has_lines = ShapeRow<Capsule>::is_there || ShapeRow<Segment>::is_there || ShapeRow<ChainSegment>::is_there;
 
-// Signed distance of a point from the plane of a face of the core, body frame.
-float height_over(const Polygon& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
+// Signed distance of a point from the plane of a face of the core.
+float height_over(const Outline& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
 
-// How far the neighbour's own surface near `point` leans towards `side`, as a cosine; 0 if it has none there.
-float lean_of(const Polygon& neighbor, Vec2 point, Vec2 side) {
-    float lean = 0;
+// The faces of a piece that stands at `pose`: a polygon's own, or those of the box of some depth behind that face of a line which looks at `viewer`, longer by
+// `reach` at either end. None (count 0) if the shape is no piece, or is met from its front alone and looks away.
+Outline piece_of(const Geometry& g, const Transform& pose, Vec2 viewer, float depth, float reach) {
+    if (const Polygon* faces = faces_of(g)) return outline_of(*faces, pose, {0, 0});
+    const Corners line = corners_of(g);
+    if (!has_lines || line.count != 2) return {};
+    const Vec2 start = transform_point(pose, line.points[0]), edge = transform_point(pose, line.points[1]) - start;
+    const float whole = length(edge);
+    Rot q = {edge.x / whole, edge.y / whole};
+    if (cross(edge, viewer - start) < 0) {
+        q = {-q.c, -q.s};
+    } else if (kind_of(g) == ShapeKind::front) {
+        return {};
+    }
+    const Vec2 center = start + 0.5f * edge + (line.radius - 0.5f * depth) * Vec2{-q.s, q.c};
+    return outline_of(make_box(0.5f * whole + reach, 0.5f * depth), {center, q}, {0, 0});
+}
+
+// The normal of the neighbour's surface near `point` that leans most towards `side`; zero if none leans that way.
+Vec2 lean_of(const Outline& neighbor, Vec2 point, Vec2 side) {
+    Vec2 lean = {0, 0};
     for (std::uint32_t i = 0; i < neighbor.count; ++i)
-        if (abs(height_over(neighbor, i, point) - neighbor.radius) <= linear_slop) lean = max(lean, dot(neighbor.normals[i], side));
+        if (abs(height_over(neighbor, i, point) - neighbor.radius) <= linear_slop && dot(neighbor.normals[i], side) > dot(lean, side))
+            lean = neighbor.normals[i];
     return lean;
 }
 
@@ -47,7 +73,7 @@ struct Span {
 };
 
 // The part of the line that the polygon holds; empty (low above high) if none.
-Span held_by(const Polygon& p, Vec2 start, Vec2 direction, Span part) {
+Span held_by(const Outline& p, Vec2 start, Vec2 direction, Span part) {
     for (std::uint32_t i = 0; i < p.count; ++i) {
         const float height = height_over(p, i, start) - p.radius;
         const float slope = dot(p.normals[i], direction);
@@ -62,37 +88,37 @@ Span held_by(const Polygon& p, Vec2 start, Vec2 direction, Span part) {
     return part;
 }
 
-const Polygon* polygon_of(const Core& core, std::uint32_t shape) { return faces_of(core.geometries[core.shapes[shape].geometry]); }
+const Geometry& geometry_at(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
 
-/// A piece of floor and the shape that stands on it. Everything is in the piece's body frame.
+/// A piece of floor and the shape that stands on it. Everything is in the frame of the manifold.
 struct Floor {
     const Core& core;
     std::uint32_t shape;  // the piece
-    const Polygon& piece;
+    Transform frame;      // of the manifold, in the world
+    Outline piece;
     std::uint32_t other;                 // the other shape's body
     Vec2 corners[max_polygon_vertices];  // of the other shape
     std::uint32_t count;
     float radius;
+    Vec2 middle;  // of the other shape
 
-    // Calls visit(neighbour, from this body's frame to the neighbour's) for each polygon near the other body that cannot move against the piece.
+    // Calls visit(neighbour) for each piece near the other body that cannot move against this one.
     template <class Visit>
     void for_each_neighbor(Visit&& visit) const {
         const std::uint32_t body = core.shapes[shape].body;
-        const Transform at = body_transform(core, body);
         for_each_contact(core, other, [&](std::uint32_t contact, std::uint32_t end) {
             const Contact& link = core.contacts[contact];
             const std::uint32_t neighbor = end == 0 ? link.shape_b : link.shape_a;
             const std::uint32_t its_body = core.shapes[neighbor].body;
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
             const std::uint32_t flags = core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags;
-            const Polygon* its = polygon_of(core, neighbor);
-            if (neighbor == shape || !fixed || its == nullptr || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0)
-                return;  // it holds nothing, or may not
-            visit(*its, inv_mul(body_transform(core, its_body), at));
+            if (neighbor == shape || !fixed || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
+            const Outline its = piece_of(geometry_at(core, neighbor), inv_mul(frame, body_transform(core, its_body)), middle, behind_line, end_reach);
+            if (its.count != 0) visit(its);
         });
     }
 
-    // True if neighbours cover the face as far as the other shape reaches along it, and their own surface at `point` leans less than `normal`.
+    // True if neighbours cover the face as far as the other shape reaches along it, and `normal` leans over their own surface at `point`.
     bool is_covered(std::uint32_t face, Vec2 point, Vec2 normal) const {
         const Vec2 side = piece.normals[face], along = left_perp(side);
         const Vec2 start = piece.vertices[face] + (piece.radius + gap_width) * side;
@@ -105,19 +131,20 @@ struct Floor {
         }
         const float end = clamp(reach.high + radius, inset, length - inset);
         float covered = clamp(reach.low - radius, inset, length - inset);
-        float lean = 0;
+        Vec2 lean = {0, 0};
         // Each pass goes on where the last one ended.
         bool found = true;
         for (std::uint32_t pass = 0; pass < most_pieces && found; ++pass) {
             found = false;
-            for_each_neighbor([&](const Polygon& its, const Transform& to_its) {
-                const Span held = held_by(its, transform_point(to_its, start), rotate(to_its.q, along), {covered, end});
+            for_each_neighbor([&](const Outline& its) {
+                const Span held = held_by(its, start, along, {covered, end});
                 if (held.low > covered + gap_width || held.high < held.low || (pass != 0 && held.high <= covered)) return;
                 covered = max(covered, held.high);
-                lean = max(lean, lean_of(its, transform_point(to_its, point), rotate(to_its.q, side)));
+                const Vec2 its_lean = lean_of(its, point, side);
+                if (dot(its_lean, side) > dot(lean, side)) lean = its_lean;
                 found = true;
             });
-            if (found && covered >= end - gap_width) return dot(normal, side) > lean + least_lean;
+            if (found && covered >= end - gap_width) return dot(normal, side - dot(lean, side) * lean) > least_lean;
         }
         return false;
     }
@@ -131,8 +158,8 @@ struct Floor {
         return false;
     }
 
-    // The manifold along that uncovered face in which the other shape is least deep, with the piece as A.
-    Manifold along_bare_face(float margin) const {
+    // The manifold along that uncovered face in which the other shape is least deep.
+    Manifold along_bare_face(float margin, bool piece_is_a) const {
         std::uint32_t best = null_index, deepest = 0;
         float gap = -3.0e38f;
         for (std::uint32_t i = 0; i < piece.count; ++i) {
@@ -151,15 +178,19 @@ struct Floor {
             gap = height;
         }
         if (best == null_index || gap > margin + piece.radius + radius) return {};
-        const Face bare = {piece.vertices[best], piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best, next(best, piece.count)};
+        Face bare = {piece.vertices[best], piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best, next(best, piece.count)};
         // The incident face: of the two faces at the deepest corner the one that rises less from the piece's face and runs the other way.
         const std::uint32_t after = next(deepest, count), before = (deepest == 0 ? count : deepest) - 1;
         const auto rise = [&](std::uint32_t i) { return height_over(piece, best, corners[i]) - gap; };
         const Vec2 along = left_perp(bare.normal);
+        if (count == 1) {  // what is over a gap that is covered is over both its sides
+            bare.v1 -= 0.5f * linear_slop * along;
+            bare.v2 += 0.5f * linear_slop * along;
+        }
         const float run_after = dot(corners[deepest] - corners[after], along), run_before = dot(corners[before] - corners[deepest], along);
         const bool forward = run_after > 0 && !(rise(before) * run_after < rise(after) * run_before);
         const std::uint32_t i1 = forward ? deepest : before, i2 = forward ? after : deepest;
-        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, radius, i1, i2}, false, {0, 0}, margin);
+        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, radius, i1, i2}, !piece_is_a, {0, 0}, margin);
         if (count == 1 && m.count == 2) m.count = 1;
         return m;
     }
@@ -173,26 +204,29 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         const std::uint32_t other_shape = piece_is_a ? contact.shape_b : contact.shape_a;
         const std::uint32_t body = core.shapes[shape].body;
         const std::uint32_t other = core.shapes[other_shape].body;
-        const Polygon* piece = polygon_of(core, shape);
-        if (core.is_dynamic(body) || piece == nullptr || core.bodies[other].contact_count < 2) continue;
-        const Corners its = corners_of(core.geometries[core.shapes[other_shape].geometry]);
-        Floor floor{core, shape, *piece, other, {}, its.count, its.radius};
-        for (std::uint32_t i = 0; i < its.count; ++i)
-            floor.corners[i] = piece_is_a ? transform_point(b_in_a, its.points[i]) : inv_transform_point(b_in_a, its.points[i]);
-        const Vec2 normal = piece_is_a ? manifold.normal : -inv_rotate(b_in_a.q, manifold.normal);
+        if (core.is_dynamic(body) || core.bodies[other].contact_count < 2) continue;
+        const Geometry& g = geometry_at(core, shape);
+        const bool is_line = has_lines && faces_of(g) == nullptr;
+        if (is_line && kind_of(g) == ShapeKind::front) continue;  // it knows its neighbours
+        const Transform poses[] = {{}, b_in_a};
+        const Corners its = corners_of(geometry_at(core, other_shape));
+        const Transform &pose = poses[piece_is_a ? 0 : 1], at = body_transform(core, body);
+        const Rot q = at.q * inverse(pose.q);
+        Floor floor{core, shape, {at.p - rotate(q, pose.p), q}, {}, other, {}, its.count, its.radius, {}};
+        for (std::uint32_t i = 0; i < its.count; ++i) {
+            floor.corners[i] = transform_point(poses[piece_is_a ? 1 : 0], its.points[i]);
+            floor.middle += 1.0f / static_cast<float>(its.count) * floor.corners[i];
+        }
+        floor.piece = piece_of(g, pose, floor.middle, piece_depth, 0);
+        const Vec2 normal = piece_is_a ? manifold.normal : -manifold.normal;
+        const Vec2 lift = is_line ? corners_of(g).radius * (floor.piece.normals[2] - normal) : Vec2{};  // from the round end of a capsule to where it begins
         bool inner = true;
         for (std::uint32_t i = 0; i < manifold.count && inner; ++i) {
-            const Vec2 middle = piece_is_a ? manifold.points[i].point : inv_transform_point(b_in_a, manifold.points[i].point);
-            inner = floor.is_inner(middle - 0.5f * manifold.points[i].separation * normal, normal);
+            const ManifoldPoint& p = manifold.points[i];
+            if (is_line && p.separation > least_separation(manifold) + linear_slop) continue;  // the far end of a line that is met by an end
+            inner = floor.is_inner(p.point - 0.5f * p.separation * normal + lift, normal);
         }
-        if (!inner) continue;
-        manifold = floor.along_bare_face(margin);
-        if (piece_is_a) continue;
-        manifold.normal = -rotate(b_in_a.q, manifold.normal);
-        for (ManifoldPoint& p : manifold.points) {
-            p.point = transform_point(b_in_a, p.point);
-            p.id = static_cast<std::uint16_t>(p.id << 8 | p.id >> 8);
-        }
+        if (inner) manifold = floor.along_bare_face(margin, piece_is_a);
     }
 }
 
