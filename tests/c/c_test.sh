@@ -33,6 +33,16 @@ for compiler in gcc clang; do
 #include <islet/islet.hpp>'; then printf '%s: both headers together\n' "$compiler"; else fail "$compiler: islet.h is no C++"; fi
 done
 
+# The page: its program is the one above; its pieces compile.
+diff "$islet/samples/programs/hello_world.c" <(awk '/^```/ { if (block ~ /int main/) exit; block = ""; inside = ($0 == "```c"); next } inside { block = block $0 "\n" } END { printf "%s", block }' "$islet/docs/c.md") ||
+    fail "the program of docs/c.md is not samples/programs/hello_world.c"
+{
+    printf '#include <islet/islet.h>\n#include <stdio.h>\nvoid pieces(IsletWorld* world, IsletBodyId crate);\nvoid pieces(IsletWorld* world, IsletBodyId crate) {\n'
+    awk '/^```/ { if (inside && block !~ /int main/) printf "{\n%s}\n", block; block = ""; inside = ($0 == "```c"); next } inside { block = block $0 "\n" }' "$islet/docs/c.md"
+    printf '}\n'
+} >pieces.c
+cc -std=c11 -Wall -Wextra -Wno-unused-but-set-variable -pedantic -Werror -I "$islet/bindings/c/include" -c pieces.c || fail "a piece of docs/c.md does not compile"
+
 functions=0
 while read -r name; do
     functions=$((functions + 1))
