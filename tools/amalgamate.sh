@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Writes the engine as one header and one source.
-#   tools/amalgamate.sh [FOLDER]   islet.hpp, islet.cpp and islet_lcp.cpp into FOLDER (build/amalgamation unless given)
+#   tools/amalgamate.sh [FOLDER]   islet.hpp, islet.cpp, islet_lcp.cpp, islet.h and islet_c.cpp into FOLDER (build/amalgamation unless given)
 # They need nothing else and no flags but -std=c++20:
 #   g++ -std=c++20 islet.cpp game.cpp
-# islet.hpp holds all the public headers. islet.cpp is the engine, islet_lcp.cpp the matrix solvers, for programs that use them.
+# islet.hpp holds all the public headers. islet.cpp is the engine, islet_lcp.cpp the matrix solvers, for programs that use them. Programs in C include islet.h
+# and link islet_c.cpp too.
 set -euo pipefail
 
 case ${1:-} in
 -h | --help)
-    sed -n '2,6s/^# \{0,1\}//p' "$0"
+    sed -n '2,7s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 -*)
@@ -65,9 +66,16 @@ before=$headers$'\nsrc/exact.hpp\nsrc/math/avx2.hpp'
     printf '\n#include "islet.hpp"\n'
     flatten "$lcp" "$before"
 } >"$out/islet_lcp.cpp.new"
+cat "$root/bindings/c/include/islet/islet.h" >"$out/islet.h.new"
+{
+    head "the interface for C as one source. A program in C needs it and islet.cpp."
+    printf '\n#include "islet.h"\n#include "islet.hpp"\n'
+    (cd "$root/bindings/c/src" && cat types.inc.hpp glue.hpp && find . -name '*.cpp' | LC_ALL=C sort | xargs cat) |
+        grep -v -E '^#include "|^#pragma once'
+} >"$out/islet_c.cpp.new"
 
 # Only now, so that no half-written file stays, and what did not change need not be compiled anew.
-for name in islet.hpp islet.cpp islet_lcp.cpp; do
+for name in islet.hpp islet.cpp islet_lcp.cpp islet.h islet_c.cpp; do
     if cmp -s "$out/$name.new" "$out/$name"; then rm "$out/$name.new"; else mv "$out/$name.new" "$out/$name"; fi
     printf '%s\n' "$out/$name"
 done

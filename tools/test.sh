@@ -40,6 +40,8 @@ if $all; then
     export CCACHE_SLOPPINESS=pch_defines,time_macros # or it would not know files that read a precompiled header
     need clang command_exists clang++
     need shellcheck command_exists shellcheck
+    need python3-clang-14 path_exists /usr/lib/python3/dist-packages/clang/cindex.py
+    need libclang1-14 path_exists /usr/lib/llvm-14/lib/libclang-14.so.1
     need nodejs command_exists node
     need npm command_exists npm
     need chromium command_exists chromium
@@ -155,6 +157,15 @@ check_firmware() {
     results+=("firmware: $([ "$status" -eq 0 ] && echo "the host's hashes, within its limits" || echo 'see above')")
 }
 
+# The description of the public headers, from which bindings are made.
+check_description() {
+    local status=0
+    say "the description of the public headers"
+    "$root/tools/api/describe.py" --check || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("description: $([ "$status" -eq 0 ] && echo 'is what the headers say' || echo 'run tools/api/describe.py')")
+}
+
 # The golden hashes on other processors, emulated, and by this one's compilers with all its instructions.
 check_targets() {
     local status=0 table=$root/build/targets.txt
@@ -209,6 +220,7 @@ if $all; then
     build_tests asan-ubsan
     start_fuzzer
     check_scripts
+    check_description
     check_firmware
     lap "firmware"
     check_targets

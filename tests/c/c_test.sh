@@ -26,12 +26,24 @@ for compiler in gcc clang; do
             printf '%s: %s\n' "$name" "$(tail -n 1 "$name.txt")"
         fi
     done
+    # What the program does not call it does not link, as in C++ (engine/src/data/features.hpp): joints, chains, recordings, the profile.
+    nm -C "$compiler-hello_world" | grep -E ' [TtW] .*(solve_joint_run|collide\(islet::ChainSegment|write_call|note_stage)' && fail "$compiler: the program links too much"
     diff <("$hello") "$compiler-hello_world.txt" || fail "$compiler: the C program prints something else than that of C++"
     "$compiler" -std=c11 -Wall -Wextra -pedantic -Werror -I "$islet/bindings/c/include" -c "$islet/tests/c/machines.c" || fail "$compiler: machines.c"
     if "$compiler" -x c++ -std=c++20 -fsyntax-only -Wall -Wextra -pedantic -Werror -I "$islet/bindings/c/include" -I "$islet/engine/include" - \
         <<<'#include <islet/islet.h>
 #include <islet/islet.hpp>'; then printf '%s: both headers together\n' "$compiler"; else fail "$compiler: islet.h is no C++"; fi
 done
+
+# The page: its program is the one above; its pieces compile.
+diff "$islet/samples/programs/hello_world.c" <(awk '/^```/ { if (block ~ /int main/) exit; block = ""; inside = ($0 == "```c"); next } inside { block = block $0 "\n" } END { printf "%s", block }' "$islet/docs/c.md") ||
+    fail "the program of docs/c.md is not samples/programs/hello_world.c"
+{
+    printf '#include <islet/islet.h>\n#include <stdio.h>\nvoid pieces(IsletWorld* world, IsletBodyId crate);\nvoid pieces(IsletWorld* world, IsletBodyId crate) {\n'
+    awk '/^```/ { if (inside && block !~ /int main/) printf "{\n%s}\n", block; block = ""; inside = ($0 == "```c"); next } inside { block = block $0 "\n" }' "$islet/docs/c.md"
+    printf '}\n'
+} >pieces.c
+cc -std=c11 -Wall -Wextra -Wno-unused-but-set-variable -pedantic -Werror -I "$islet/bindings/c/include" -c pieces.c || fail "a piece of docs/c.md does not compile"
 
 functions=0
 while read -r name; do

@@ -17,7 +17,7 @@ trap 'rm -rf "$scratch"' EXIT
 # A folder like the root of the tree, with the programs where the manual says they are.
 cd "$scratch"
 ln -s "$root" islet
-for name in samples tools engine docs LICENSE; do ln -s "$root/$name" "$name"; done
+for name in samples tools engine bindings docs LICENSE; do ln -s "$root/$name" "$name"; done
 mkdir build
 ln -s "$build" build/release
 PATH=$build/tools/islet:$build/samples:$PATH

@@ -21,6 +21,8 @@ cd "$build"
 sed 's|#include <islet/islet.hpp>|#include "islet.hpp"|' "$islet/samples/programs/hello_world.cpp" >hello.cpp
 sed 's|#include <islet/lcp.hpp>|#include "islet.hpp"|' "$islet/samples/programs/lcp.cpp" >lcp.cpp
 grep -q '#include <islet/' hello.cpp lcp.cpp && fail "a program still includes a header of the tree"
+sed 's|#include <islet/islet.h>|#include "islet.h"|' "$islet/samples/programs/hello_world.c" >hello.c
+grep -n '#include "' islet.h islet_c.cpp | grep -v -E ':#include "islet.hp{0,2}"' && fail "an include of the tree is left in the C interface"
 grep -n '#include "' islet.hpp islet.cpp islet_lcp.cpp | grep -v -F ':#include "islet.hpp"' && fail "an include of the tree is left"
 g++ -std=c++20 -O0 -I "$islet/engine/include" -I "$islet/samples" -c "$islet/tests/determinism/hashes.cpp" -o hashes.o
 
@@ -41,6 +43,9 @@ for compiler in g++ clang++; do
     # The command of the manual.
     "$compiler" -std=c++20 islet.cpp hello.cpp -o "hello-$compiler"
     diff <("$program") <("./hello-$compiler") || fail "$compiler: the program prints something else"
+    cc -std=c11 -c hello.c -o hello_c.o
+    "$compiler" -std=c++20 islet.cpp islet_c.cpp hello_c.o -o "hello-c-$compiler"
+    diff <("$program") <("./hello-c-$compiler") || fail "$compiler: the program in C prints something else"
     "$compiler" -std=c++20 islet_lcp.cpp lcp.cpp -o "lcp-$compiler"
     "./lcp-$compiler" >/dev/null || fail "$compiler: the matrix solvers find no solution"
     "$compiler" -std=c++20 -c islet.cpp -o "$compiler.o"
