@@ -32,11 +32,6 @@ constexpr T larger(T a, T b) {
     return a > b ? a : b;
 }
 
-template <class T>
-constexpr T smaller(T a, T b) {
-    return a < b ? a : b;
-}
-
 /// A NaN stays one.
 template <class T>
 constexpr T clamp(T a, T lo, T hi) {
