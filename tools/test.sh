@@ -67,7 +67,8 @@ build_tests() {
     local preset=$1
     say "$preset: building"
     configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON \
-        -DISLET_BROWSER_TESTS="$([ "$preset" = release ] && $all && echo ON || echo OFF)"
+        -DISLET_BROWSER_TESTS="$([ "$preset" = release ] && $all && echo ON || echo OFF)" \
+        -DISLET_PRECOMPILE="$([ "$preset" = asan-ubsan ] && echo ON || echo OFF)" # the optimised build shows what a test forgets to include
     build "$preset" "${targets[@]}"
     lap "$preset: build"
 }
