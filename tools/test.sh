@@ -5,8 +5,8 @@
 #                              other processors and of the firmware in microcontrollers, both emulated; the engine compiled by hand and in a fresh tree; pages played in
 #                              a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
-# Installs a compiler, CMake, Box2D, Chipmunk, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr, shellcheck,
-# Node.js, npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
+# Installs a compiler, CMake, Box2D, Chipmunk, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr, ShellCheck,
+# ccache, Node.js, npm, Chromium, cross compilers and QEMU; npm fetches what drives the browser).
 set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"
@@ -31,6 +31,13 @@ done
 need_build_tools
 need_test_tools
 if $all; then
+    if ! command_exists ccache; then
+        # first_command_test.sh compiles in a fresh tree what the optimised build has compiled: once, by a cache of this run's own.
+        need ccache command_exists ccache
+        rm -rf "$root/build/ccache"
+        export CCACHE_DIR=$root/build/ccache CCACHE_BASEDIR=$root CCACHE_DEPEND=1 CCACHE_IGNOREOPTIONS=-Werror
+    fi
+    export CCACHE_SLOPPINESS=pch_defines,time_macros # or it would not know files that read a precompiled header
     need clang command_exists clang++
     need shellcheck command_exists shellcheck
     need nodejs command_exists node
