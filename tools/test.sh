@@ -71,11 +71,14 @@ lap() {
 
 # build_tests PRESET
 build_tests() {
-    local preset=$1
+    local preset=$1 options=(-DISLET_WERROR=ON)
     say "$preset: building"
-    configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON \
-        -DISLET_BROWSER_TESTS="$([ "$preset" = release ] && $all && echo ON || echo OFF)" \
-        -DISLET_PRECOMPILE="$([ "$preset" = asan-ubsan ] && echo ON || echo OFF)" # the optimised build shows what a test forgets to include
+    case $preset in
+    asan-ubsan) options+=(-DISLET_PRECOMPILE=ON) ;;              # the optimised build shows what a test forgets to include
+    tsan) options=(-DCMAKE_UNITY_BUILD=ON -DISLET_WERROR=OFF) ;; # the optimised build by the same compiler gives the warnings, file by file
+    release) options+=(-DISLET_BROWSER_TESTS="$($all && echo ON || echo OFF)") ;;
+    esac
+    configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON "${options[@]}"
     build "$preset" "${targets[@]}"
     lap "$preset: build"
 }
