@@ -2,8 +2,8 @@
 # The engine without CMake, and under flags that ruin results elsewhere: each build comes to the golden hashes, or is refused with its sentence.
 #   tests/determinism/by_hand.sh [WORK_FOLDER]
 # First, by each compiler, file by file as docs/using-islet.md says, with all objects in one folder; then with flags of the user's own, many files as one (build.sh).
-# The scenes and the program are built once a compiler, with exact flags: only what the engine is compiled with differs. Prints one line per build; exit
-# status 1 if one is not as it must be. What is missing is left out by name. Takes three minutes on two cores.
+# The scenes and the program are built once a compiler, with exact flags: only what the engine is compiled with differs. Prints one line per build, as they end; exit
+# status 1 if one is not as it must be. What is missing is left out by name. Takes five minutes of processor time.
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -19,7 +19,22 @@ processor=$(uname -m)
 scenes=()
 for scene in hello pyramid card_house car ragdoll bullets hourglass; do scenes+=(--scene "$scene"); done
 
-failed=false
+# Linking and running are work for one core: a core each for as many rows at once keeps all of them busy.
+at_once=$jobs
+jobs=1
+running=0
+rm -f "$work/failed"
+failed=false  # within a row
+# row ...: in the background. (What ended before `wait -n` began has left no status, so a failure is a file.)
+row() {
+    if [ "$running" -ge "$at_once" ]; then
+        wait -n || true
+        running=$((running - 1))
+    fi
+    { "$@" && ! $failed; } || touch "$work/failed" &
+    running=$((running + 1))
+}
+
 report() { printf '%-18s %-44s %s\n' "$@"; }
 first_complaint() { grep -m 1 -E 'error|undefined' "$1" || tail -n 1 "$1"; }
 
@@ -55,11 +70,17 @@ quickly() {
     done
 }
 
+# build_user COMPILER: the scenes and the program.
+build_user() {
+    local user=$work/user-$1
+    command -v "$1" >/dev/null || return 0
+    build_scenes "$user" "$processor" "$1" &&
+        "$1" -std=c++20 -O1 -ffp-contract=off -I "$root/engine/include" -I "$root/samples" -c "$root/tests/determinism/hashes.cpp" -o "$user/program.o"
+}
+
 # link_and_run FOLDER COMPILER: prints what the program ends with.
 link_and_run() {
     local user=$work/user-$2
-    build_scenes "$user" "$processor" "$2" >&2 || return
-    [ -e "$user/program.o" ] || "$2" -std=c++20 -O1 -ffp-contract=off -I "$root/engine/include" -I "$root/samples" -c "$root/tests/determinism/hashes.cpp" -o "$user/program.o" || return
     "$2" "$1"/*.o "$user"/*.o -pthread -o "$1/hashes" || return
     "$1/hashes" "$root/tests/determinism/golden.txt" --most-steps 60 --lanes 1,4,8 "${scenes[@]}" 2>&1 | tail -n 1
 }
@@ -91,13 +112,13 @@ refused() {
 same_size() {
     local name=$1 compiler=$2 flags=("${@:3}") sizes=() flag
     is_there "$name" "${compiler%% *}" || return 0
-    cat >"$work/size.cpp" <<'END'
+    cat >"$work/$name.cpp" <<'END'
 #include "islet/layout.hpp"
 extern constexpr unsigned bytes_of_a_world = unsigned(islet::world_bytes({.bodies = 64, .shapes = 64, .contacts = 256, .joints = 16}));
 END
     for flag in '' "${flags[@]}"; do
         # shellcheck disable=SC2086  # several flags, or none
-        sizes+=("$($compiler -std=c++20 $flag -I "$root/engine/include" -S "$work/size.cpp" -o - | grep -A 9 '^bytes_of_a_world:' | grep -m 1 -oE '[0-9]{4,}' || echo '?')")
+        sizes+=("$($compiler -std=c++20 $flag -I "$root/engine/include" -S "$work/$name.cpp" -o - | grep -A 9 '^bytes_of_a_world:' | grep -m 1 -oE '[0-9]{4,}' || echo '?')")
     done
     result="${sizes[*]}"
     [ "$(printf '%s\n' "${sizes[@]}" | sort -u | wc -l)" -eq 1 ] && [ "${sizes[0]}" != '?' ] || failed=true
@@ -133,20 +154,26 @@ board() {
     report "$name" "arm-none-eabi-g++ $*" "$result"
 }
 
-refused x87 g++ -m32 -O2
-refused fast-clang++ clang++ -O3 -march=native -ffast-math
-refused finite-clang++ clang++ -O2 -ffinite-math-only
-same_size size g++ -march=native -mno-sse4
-same_size size-clang++ clang++ -march=native
-same_size size-wasm 'clang++-16 --target=wasm32-wasi -cxx-isystem /usr/lib/llvm-16/include/wasm32-wasi/c++/v1' -msimd128
-same_size size-aarch64 aarch64-linux-gnu-g++ -march=armv8.2-a+sve
+(
+    for compiler in g++ clang++; do { build_user "$compiler" || touch "$work/failed"; } >"$work/user-$compiler.log" 2>&1 & done
+    wait
+)
+# The longest first.
+for compiler in g++ clang++; do row check same "by-hand-$compiler" as_manual "$compiler" -O2; done
+row board cortex-m4f-softfp -mfloat-abi=softfp -O2
+row check same fast-g++ quickly g++ -O3 -march=native -ffast-math
 for compiler in g++ clang++; do
-    check same "by-hand-$compiler" as_manual "$compiler" -O2
-    check same "small-$compiler" quickly "$compiler" -Os
-    check same "unsigned-$compiler" quickly "$compiler" -O2 -funsigned-char
-    check same "fma-$compiler" quickly "$compiler" -O2 -mfma
+    row check same "small-$compiler" quickly "$compiler" -Os
+    row check same "unsigned-$compiler" quickly "$compiler" -O2 -funsigned-char
+    row check same "fma-$compiler" quickly "$compiler" -O2 -mfma
 done
-check same fast-g++ quickly g++ -O3 -march=native -ffast-math
-check "floats are not IEEE's" contract-clang++ quickly clang++ -O2 -mfma -ffp-contract=fast
-board cortex-m4f-softfp -mfloat-abi=softfp -O2
-if $failed; then exit 1; fi
+row check "floats are not IEEE's" contract-clang++ quickly clang++ -O2 -mfma -ffp-contract=fast
+row refused x87 g++ -m32 -O2
+row refused fast-clang++ clang++ -O3 -march=native -ffast-math
+row refused finite-clang++ clang++ -O2 -ffinite-math-only
+row same_size size g++ -march=native -mno-sse4
+row same_size size-clang++ clang++ -march=native
+row same_size size-wasm 'clang++-16 --target=wasm32-wasi -cxx-isystem /usr/lib/llvm-16/include/wasm32-wasi/c++/v1' -msimd128
+row same_size size-aarch64 aarch64-linux-gnu-g++ -march=armv8.2-a+sve
+wait
+if [ -e "$work/failed" ]; then exit 1; fi
