@@ -137,7 +137,8 @@ enum class Schedule : std::uint8_t {
 /// swept, and so are hinges with a spring, a limit, a motor or friction.
 enum class JointTrees : std::uint8_t {
     off,        ///< none
-    automatic,  ///< those of trees in which a hinge bears much more than the bodies it joins weigh and no hinge is swept: chains with a load, long ropes
+    automatic,  ///< those of trees in which a hinge bears SolverDef::joint_tree_load times a body it joins and no hinge is swept. A tree that static or
+                ///< kinematic bodies hold in several places is swept if a hinge of it can break, for exact impulses are as sharp as the blow.
     all,        ///< all that can be
 };
 
@@ -172,9 +173,9 @@ struct SolverDef {
     float omega = 1.0f;                              ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
     bool warm_start = true;                          ///< Start each step from the impulses of the last.
     JointTrees joint_trees = JointTrees::automatic;  ///< Which hinges are solved exactly instead of swept.
-    float joint_tree_load = 10.0f;  ///< >= 1. With JointTrees::automatic, a tree is solved exactly if one of its hinges bears at least so many times
-                                    ///< the mass of the lighter body that it joins. Lower values: more trees. (Not for masses above 1e18 kg, whose
-                                    ///< squares overflow.)
+    float joint_tree_load = 1.0f;  ///< >= 1. With JointTrees::automatic, a tree is solved exactly if one of its hinges bears at least so many times
+                                   ///< the mass of the lighter body that it joins. Lower values: more trees. (Not for masses above 1e18 kg, whose
+                                   ///< squares overflow.)
     SweepOrder sweep_order = SweepOrder::colored;  ///< With block_contacts, colored stands for as_found.
     bool block_contacts = false;                   ///< Solve the two normal impulses of a contact together, exactly.
     float shock = 0;  ///< 0 to max_shock. Shock propagation: the solver takes each body for lighter, by this share, than the body it lies on. This is
