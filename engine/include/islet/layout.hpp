@@ -111,7 +111,7 @@ constexpr std::size_t joint_run_capacity(const Capacity& c) {
 constexpr std::size_t joint_row_capacity(const Capacity& c) { return c.joints + joint_run_capacity(c) * (layout_lanes - 1); }
 
 /// Links of joint trees, at most.
-constexpr std::uint32_t tree_capacity(const Capacity& c) { return c.bodies < 2 * c.joints ? c.bodies : 2 * c.joints; }
+constexpr std::uint32_t tree_capacity(const Capacity& c) { return c.joints + (c.bodies < c.joints ? c.bodies : c.joints); }
 
 /// An array has one element for each of these.
 enum class Per : std::uint8_t { world, body, shape, geometry, bucket, tree_node, contact, pair, joint, hit };

@@ -138,7 +138,8 @@ enum class Schedule : std::uint8_t {
 /// swept, and so are hinges with a spring, a limit, a motor or friction.
 enum class JointTrees : std::uint8_t {
     off,        ///< none
-    automatic,  ///< those of trees in which a hinge carries much more than the mass of its bodies, and no hinge must be swept: loaded chains, long ropes
+    automatic,  ///< those of trees in which a hinge carries at least SolverDef::joint_tree_load times the mass of one of its bodies, and no hinge must be
+                ///< swept. A tree that static or kinematic bodies hold in several places is swept if one of its hinges can break.
     all,        ///< all that can be
 };
 
@@ -173,9 +174,9 @@ struct SolverDef {
     float omega = 1.0f;                              ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
     bool warm_start = true;                          ///< Start each step from the impulses of the last.
     JointTrees joint_trees = JointTrees::automatic;  ///< Which hinges are solved exactly instead of swept.
-    float joint_tree_load = 10.0f;  ///< >= 1. With JointTrees::automatic, a tree is solved exactly if one of its hinges bears at least so many times
-                                    ///< the mass of the lighter body that it joins. Lower values: more trees. (Not for masses above 1e18 kg, whose
-                                    ///< squares overflow.)
+    float joint_tree_load = 1.0f;  ///< >= 1. With JointTrees::automatic, a tree is solved exactly if one of its hinges bears at least so many times
+                                   ///< the mass of the lighter body that it joins. Lower values: more trees. (Not for masses above 1e18 kg, whose
+                                   ///< squares overflow.)
     SweepOrder sweep_order = SweepOrder::colored;  ///< With block_contacts, colored stands for as_found.
     bool block_contacts = false;                   ///< Solve the two normal impulses of a contact together, exactly.
     float shock = 0;  ///< 0 to max_shock. Shock propagation: the solver treats each body as lighter, by this share, than the body it lies on. Use it

@@ -20,7 +20,7 @@ void choose_trees(Core& core, Arena temporary) {
     if (s.trees_stale == 0) return;
     s.trees_stale = 0;
     s.exact_joints = 0;
-    for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i) core.joints[i].flags &= ~static_cast<std::uint32_t>(joint_exact);
+    for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i) core.joints[i].flags &= ~static_cast<std::uint32_t>(joint_exact | joint_anchor);
     const auto wanted = static_cast<JointTrees>(s.solver.joint_trees);
     if (!has_joint(JointType::revolute) || wanted == JointTrees::off) return;
 
@@ -30,6 +30,10 @@ void choose_trees(Core& core, Arena temporary) {
         Joint& j = core.joints[i];
         if ((j.generation & 1u) != 0 && j.joint_type() == JointType::revolute && forest.add(core, j)) j.flags |= joint_exact;
     }
+    for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i) {
+        Joint& j = core.joints[i];
+        if ((j.flags & joint_exact) != 0 && forest.is_anchor(core, j)) j.flags |= joint_anchor;
+    }
 
     // A hinge's load is the mass of all bodies that hang on it. It is compared with the lighter of the hinge's two bodies.
     float* load = temporary.take<float>(bodies);
@@ -38,7 +42,7 @@ void choose_trees(Core& core, Arena temporary) {
     const std::uint32_t count = order_links(core, false, order, temporary);
     for (std::uint32_t k = 0; k < count; ++k) {
         const PlannedLink b = order[k];
-        if (b.joint == null_index) continue;
+        if (b.joint == null_index || !Forest::moves(core, b.body)) continue;
         const std::uint32_t parent = other_end(core.joints[b.joint], b.body);
         const float own = core.bodies[b.body].mass;
         const float lighter = Forest::moves(core, parent) ? min(own, core.bodies[parent].mass) : own;
@@ -51,10 +55,10 @@ void choose_trees(Core& core, Arena temporary) {
         Joint& j = core.joints[i];
         if ((j.flags & joint_exact) == 0) continue;
         const Forest::Tree& of = forest.tree_of(core, j);
-        if (wanted == JointTrees::all || (of.loaded && !of.swept)) {
+        if (wanted == JointTrees::all || (of.loaded && !of.swept && !(of.taut && of.breaks))) {
             ++s.exact_joints;
         } else {
-            j.flags &= ~static_cast<std::uint32_t>(joint_exact);
+            j.flags &= ~static_cast<std::uint32_t>(joint_exact | joint_anchor);
         }
     }
 }
@@ -71,13 +75,18 @@ std::uint32_t order_links(const Core& core, bool awake, PlannedLink* out, Arena 
         for (std::uint32_t i = 0; i < core.state->joint_pool.high_water; ++i)
             if ((core.joints[i].flags & joint_exact) != 0 && (!awake || core.awake_joints.test(i))) visit(i, core.joints[i]);
     };
+    std::uint32_t count = 0;
     for_each_hinge([&](std::uint32_t i, const Joint& j) {
+        if ((j.flags & joint_anchor) != 0) {
+            out[count++] = {Forest::moves(core, j.body_a) ? j.body_b : j.body_a, i};
+            return;
+        }
         for (const std::uint32_t body : {j.body_a, j.body_b}) {
             ++ends[body].count;
             ends[body].joints ^= i;
         }
     });
-    std::uint32_t count = 0;
+    const std::uint32_t anchors = count;
     constexpr std::uint32_t queued = 1u << 31;
     const auto look_at = [&](std::uint32_t body) {
         if (ends[body].count != 1 || !Forest::moves(core, body)) return;  // a queued body's count is larger than any other
@@ -88,7 +97,7 @@ std::uint32_t order_links(const Core& core, bool awake, PlannedLink* out, Arena 
         look_at(j.body_a);
         look_at(j.body_b);
     });
-    for (std::uint32_t at = 0; at < count; ++at) {
+    for (std::uint32_t at = anchors; at < count; ++at) {
         const std::uint32_t body = out[at].body;
         out[at].joint = null_index;
         if (ends[body].count == queued) continue;  // a root: all its hinges lead to bodies before it
@@ -106,14 +115,17 @@ ISLET_APART void plan_links(const Core& core, Plan& plan, const Islands& islands
     std::uint32_t* place_of = temporary.take<std::uint32_t>(core.state->body_pool.high_water);  // of a body, among its batch's links
     std::uint32_t* next = temporary.take<std::uint32_t>(plan.batch_count);                      // link, by batch
     const std::uint32_t count = order_links(core, true, ordered, temporary);
-    for (std::uint32_t i = 0; i < count; ++i) ++plan.batches[islands.batch_of(ordered[i].body)].link_count;
+    const auto batch_of = [&](const PlannedLink& link) {
+        return islands.batch_of(Forest::moves(core, link.body) ? link.body : other_end(core.joints[link.joint], link.body));
+    };
+    for (std::uint32_t i = 0; i < count; ++i) ++plan.batches[batch_of(ordered[i])].link_count;
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         next[b] = plan.batches[b].first_link = plan.link_count;
         plan.link_count += plan.batches[b].link_count;
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t batch = islands.batch_of(ordered[i].body);
-        place_of[ordered[i].body] = next[batch] - plan.batches[batch].first_link;
+        const std::uint32_t batch = batch_of(ordered[i]);
+        if (Forest::moves(core, ordered[i].body)) place_of[ordered[i].body] = next[batch] - plan.batches[batch].first_link;
         plan.links[next[batch]++] = ordered[i];
     }
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -6,8 +6,8 @@
 //
 //   static --- link --- link --- ball        leaves first: ball, link, link
 //
-// Static and kinematic bodies can hold a tree but are no part of it, so a tree that is held twice is a loop. Hinges that close a loop are swept, and so are
-// hinges with a spring, a limit, a motor or friction.
+// Static and kinematic bodies can hold a tree in several places but are no part of it, so a bridge between two banks is a tree. Hinges that close a loop of
+// bodies that move are swept, and so are hinges with a spring, a limit, a motor or friction.
 //
 // The joints, the masses and the setting alone decide which hinges are marked. The marks are made anew when one of these has changed.
 #pragma once
@@ -22,7 +22,9 @@ namespace islet::detail {
 /// Joint trees as they grow.
 struct Forest {
     struct Tree {
-        bool held;    // by a static or kinematic body
+        bool held;    // by a static or kinematic body: filled in by is_anchor, and so is
+        bool taut;    // held in several places
+        bool breaks;  // one of its hinges can break
         bool swept;   // sweeps do better: one of its hinges closes a loop, or has a spring, a limit, a motor or friction
         bool loaded;  // a hinge has a load so heavy that sweeps would not carry it
     };
@@ -52,20 +54,30 @@ struct Forest {
         const bool moves_a = moves(core, j.body_a), moves_b = moves(core, j.body_b);
         if ((!moves_a && !moves_b) || is_joint_idle(core, j)) return false;
         const std::uint32_t a = sets.root_of(moves_a ? j.body_a : j.body_b), b = sets.root_of(moves_b ? j.body_b : j.body_a);
-        const bool holds = !moves_a || !moves_b;
-        const bool loops = holds ? trees[a].held : a == b || (trees[a].held && trees[b].held);
+        const bool loops = moves_a && moves_b && a == b;
         if (loops || !is_plain(core, j)) {
             trees[a].swept = trees[b].swept = true;
             return false;
         }
-        trees[sets.join(a, b)] = {trees[a].held || trees[b].held || holds, trees[a].swept || trees[b].swept, false};
+        const bool breaks = trees[a].breaks || trees[b].breaks || j.break_force > 0 || j.break_torque > 0;
+        trees[sets.join(a, b)] = {false, false, breaks, trees[a].swept || trees[b].swept, false};
         return true;
+    }
+
+    /// True if a hinge of a tree holds it at a static or kinematic body, and a hinge that was asked about before does so too (joint_anchor). To be called after
+    /// all hinges have been added.
+    bool is_anchor(const Core& core, const Joint& j) const {
+        if (moves(core, j.body_a) && moves(core, j.body_b)) return false;
+        Tree& tree = tree_of(core, j);
+        tree.taut = tree.held;
+        tree.held = true;
+        return tree.taut;
     }
 };
 
 /// A body of a joint tree and the hinge that ties it to its parent.
 struct PlannedLink {
-    std::uint32_t body;
+    std::uint32_t body;   // of an anchor the one that cannot be pushed
     std::uint32_t joint;  // null_index: the root of a tree that nothing holds
 };
 

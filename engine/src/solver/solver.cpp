@@ -101,7 +101,7 @@ SolveNumbers choose_numbers(const State& state, float dt) {
         // Joints are as stiff as Gauss-Seidel bears. At 240 substeps a second, the largest gap of joint_grid is 0.33 m at 60 Hz, 0.22 m at 75 Hz and 0.16 m
         // at 90 Hz. But from 65 Hz on, figures that stand on jointed legs no longer come to rest (3e-6 m/s at 60 Hz, 1e-3 m/s at 65 Hz, 0.1 m/s at 75 Hz),
         // and at 120 Hz nets and chains under load swing up by themselves. With a rigid bias they do so however weak it is.
-        s.biased_joints.tree_rate = 0.5f * n.inv_h;
+        s.biased_joints.tree_rate = n.inv_h;
         s.biased_joints.soft = make_soft(min(def.joint_hertz, 0.25f * n.inv_h), def.joint_damping_ratio, n.h);
     } else {
         s.biased_joints.soft.rate = s.biased_joints.tree_rate = def.baumgarte * n.inv_h;

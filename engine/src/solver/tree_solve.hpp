@@ -17,8 +17,13 @@
 // links with a ball of 1000 link masses that swings for 20 s from level: the hinges stay within 0.03 mm, and the first swing loses 1.4 % of its energy;
 // without the scaling the chain explodes.
 //
-// A sweep with bias starts from the velocities as they would be without the tree, and solves the tree anew. The relaxing sweep adds what contacts have undone
-// since, with the same factors. So nothing is warm started; the impulses are kept only for readers.
+// A sweep with bias starts from the velocities as they would be without the tree, and solves the tree anew, with the arms of the substep's beginning, for
+// hinges that hold at the substep's end: passes with the same factors come ever closer (within 1e-6 m, mostly after the second). The relaxing sweep gives the
+// hinges' points equal velocities with the arms as they are then. So a tree moves by RATTLE, which keeps momentum, and energy up to a bounded error. (Three
+// hinged rods that turn at 10 rad/s: after 586 s momentum is off by 0.01 %. With one pass of first order, and the arcs' curve bounded, energy was seven times
+// what it had been.) (Andersen, "Rattle", 1983.)
+//
+// The impulses of the last substep are only a start for the contacts, which are solved before the trees.
 #pragma once
 
 #include "../constraint/joint_rows.hpp"
@@ -53,7 +58,7 @@ struct TreeLink {
     Vec2 dv;                              // m/s, what the tree's hinges have added to the child's velocity in this substep
     float dw = 0;                         // rad/s
     // Factors of this sweep.
-    Vec2 arm_c, arm_p;  // m, rc and rp as they are now
+    Vec2 arm_c = {__builtin_nanf(""), 0}, arm_p;  // m, rc and rp as they were when these were filled in
     union {
         Sym3 mass = {};  // of the body and of all that hangs on it, until the way from the leaves has come to the body
         Sym3 inv_mass;   // from then on

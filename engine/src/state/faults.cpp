@@ -361,6 +361,11 @@ const char* fault_in_trees(const Core& c, Arena scratch) {
         ++marked;
         if (!forest.add(c, c.joints[i])) return "hinges that are no tree are solved as one";
     }
+    for (std::uint32_t i = 0; i < c.state->joint_pool.high_water; ++i) {
+        const Joint& j = c.joints[i];
+        if (live_joint(c, i) && ((j.flags & joint_anchor) != 0) != ((j.flags & joint_exact) != 0 && forest.is_anchor(c, j)))
+            return "a tree of hinges mistakes what holds it";
+    }
     return marked == c.state->exact_joints ? nullptr : "the hinges of trees are miscounted";
 }
 
