@@ -80,6 +80,9 @@ static void vectors(void) {
     CHECK(near(islet_rot_normalize(twice).s, 1));
     CHECK(near(islet_atan2(1, 0), ISLET_PI / 2));
 
+    CHECK(near(islet_rot_angle(islet_rot_lerp(islet_default_rot(), quarter, 0.5f)), ISLET_PI / 4));
+    CHECK(same(islet_transform_lerp(at(0, 2), at(4, 0), 0.5f).p, 2, 1));
+
     IsletTransform pose = at(3, 4);
     pose.q = quarter;
     CHECK(same(islet_transform_point(pose, vec(1, 0)), 3, 5) && same(islet_inv_transform_point(pose, vec(3, 5)), 1, 0));

@@ -632,41 +632,6 @@ TEST(Defaults, OfQueryFilter) {
     EXPECT_EQ(c.sensors, cpp.sensors);
 }
 
-TEST(Defaults, OfRecordingInfo) {
-    const IsletRecordingInfo c = islet_default_recording_info();
-    [[maybe_unused]] const islet::RecordingInfo cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.capacity, nullptr);
-    EXPECT_EQ(c.needed, nullptr);
-    EXPECT_EQ(c.bytes, cpp.bytes);
-    EXPECT_EQ(c.bodies, cpp.bodies);
-}
-
-TEST(Defaults, OfReplayResult) {
-    const IsletReplayResult c = islet_default_replay_result();
-    [[maybe_unused]] const islet::ReplayResult cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(int(c.end), int(cpp.end));
-    EXPECT_EQ(int(c.error), int(cpp.error));
-    EXPECT_EQ(c.steps, cpp.steps);
-    EXPECT_EQ(c.recorded_hash, cpp.recorded_hash);
-    EXPECT_EQ(c.hash, cpp.hash);
-    EXPECT_EQ(c.body.index1, cpp.body.index1);
-    EXPECT_EQ(c.body.generation, cpp.body.generation);
-}
-
-TEST(Defaults, OfSnapshotInfo) {
-    const IsletSnapshotInfo c = islet_default_snapshot_info();
-    [[maybe_unused]] const islet::SnapshotInfo cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.capacity, nullptr);
-    EXPECT_EQ(c.used, nullptr);
-    EXPECT_EQ(c.bytes, cpp.bytes);
-}
-
 TEST(Defaults, OfMoverDef) {
     const IsletMoverDef c = islet_default_mover_def();
     [[maybe_unused]] const islet::MoverDef cpp = {};
@@ -700,6 +665,41 @@ TEST(Defaults, OfMoverInput) {
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.walk, cpp.walk);
     EXPECT_EQ(c.jump, cpp.jump);
+}
+
+TEST(Defaults, OfRecordingInfo) {
+    const IsletRecordingInfo c = islet_default_recording_info();
+    [[maybe_unused]] const islet::RecordingInfo cpp = {};
+    EXPECT_EQ(c.struct_size, sizeof c);
+    EXPECT_EQ(c.reserved, 0u);
+    EXPECT_EQ(c.capacity, nullptr);
+    EXPECT_EQ(c.needed, nullptr);
+    EXPECT_EQ(c.bytes, cpp.bytes);
+    EXPECT_EQ(c.bodies, cpp.bodies);
+}
+
+TEST(Defaults, OfReplayResult) {
+    const IsletReplayResult c = islet_default_replay_result();
+    [[maybe_unused]] const islet::ReplayResult cpp = {};
+    EXPECT_EQ(c.struct_size, sizeof c);
+    EXPECT_EQ(c.reserved, 0u);
+    EXPECT_EQ(int(c.end), int(cpp.end));
+    EXPECT_EQ(int(c.error), int(cpp.error));
+    EXPECT_EQ(c.steps, cpp.steps);
+    EXPECT_EQ(c.recorded_hash, cpp.recorded_hash);
+    EXPECT_EQ(c.hash, cpp.hash);
+    EXPECT_EQ(c.body.index1, cpp.body.index1);
+    EXPECT_EQ(c.body.generation, cpp.body.generation);
+}
+
+TEST(Defaults, OfSnapshotInfo) {
+    const IsletSnapshotInfo c = islet_default_snapshot_info();
+    [[maybe_unused]] const islet::SnapshotInfo cpp = {};
+    EXPECT_EQ(c.struct_size, sizeof c);
+    EXPECT_EQ(c.reserved, 0u);
+    EXPECT_EQ(c.capacity, nullptr);
+    EXPECT_EQ(c.used, nullptr);
+    EXPECT_EQ(c.bytes, cpp.bytes);
 }
 
 }  // namespace

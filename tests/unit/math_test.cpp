@@ -147,8 +147,7 @@ TEST(Atan2, IsWithin13e8InTheRightHalfPlaneAnd19e8InTheLeft) {
 TEST(Atan2, HoldsForEveryMagnitudeFromDenormalsToTheLargestFloat) {
     std::mt19937 random(2);
     for (int i = 0; i < cases(1000000); ++i) {
-        const float y = std::bit_cast<float>(static_cast<std::uint32_t>(random())),
-                    x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+        const float y = std::bit_cast<float>(static_cast<std::uint32_t>(random())), x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
         if (!std::isfinite(x) || !std::isfinite(y)) continue;
         const long double exact = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
         const long double error = std::fabs(islet::atan2(y, x) - exact);
@@ -291,6 +290,30 @@ TEST(Normalize, AxesStayExactAndDegenerateVectorsBecomeZero) {
 TEST(Finite, TellsNumbersFromTheRest) {
     for (const float good : {0.0f, -0.0f, 1.0f, FLT_MAX, -FLT_MAX, FLT_TRUE_MIN}) EXPECT_TRUE(islet::is_finite(good));
     for (const float bad : {nan, inf, -inf}) EXPECT_FALSE(islet::is_finite(bad));
+}
+
+TEST(Lerp, OfRotationsGoesTheShortWayAndStaysOfUnitLength) {
+    for (float from : {-3.0f, -1.0f, 0.0f, 2.5f})
+        for (float turn : {-1.5f, -0.1f, 0.0f, 0.3f, 1.5f}) {
+            const Rot a = islet::make_rot(from), b = islet::make_rot(from + turn);
+            const auto turned = [&](float t) { return islet::angle_of(islet::inv_mul(a, islet::lerp(a, b, t))); };
+            EXPECT_NEAR(turned(0), 0, 1e-6f);
+            EXPECT_NEAR(turned(0.5f), turn / 2, 1e-6f);  // the middle is exact by symmetry
+            EXPECT_NEAR(turned(1), turn, 1e-6f);
+            for (float t : {0.1f, 0.25f, 0.75f}) {
+                // On the chord: tan(angle - turn / 2) = (2 t - 1) tan(turn / 2).
+                EXPECT_NEAR(turned(t), turn / 2 + std::atan((2 * t - 1) * std::tan(turn / 2)), 1e-6f);
+                const Rot q = islet::lerp(a, b, t);
+                EXPECT_NEAR(q.c * q.c + q.s * q.s, 1, 1e-6f);
+            }
+        }
+}
+
+TEST(Lerp, OfPosesIsThatOfPlaceAndRotation) {
+    const islet::Transform a = {{1, 2}, islet::make_rot(0.2f)}, b = {{3, -2}, islet::make_rot(1.0f)};
+    const islet::Transform m = islet::lerp(a, b, 0.5f);
+    EXPECT_EQ(m.p, (Vec2{2, 0}));
+    EXPECT_NEAR(islet::angle_of(m.q), 0.6f, 1e-6f);
 }
 
 }  // namespace

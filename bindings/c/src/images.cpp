@@ -23,31 +23,6 @@ size_t islet_describe_format(const IsletFormatInfo* info, char* out, size_t out_
     return islet::describe_format(*info_taken, span_of<char>(out, out_bytes));
 }
 
-size_t islet_max_snapshot_bytes(const IsletCapacity* capacity) {
-    Room<Capacity> capacity_room;
-    const Capacity* capacity_taken = take<Capacity>(nullptr, capacity, capacity_room);
-    if (capacity_taken == nullptr) return 0;
-    return islet::max_snapshot_bytes(*capacity_taken);
-}
-
-size_t islet_max_delta_bytes(size_t to_bytes) {
-    return islet::max_delta_bytes(to_bytes);
-}
-
-size_t islet_delta(const void* from, size_t from_bytes, const void* to, size_t to_bytes, void* out, size_t out_bytes, IsletError* error) {
-    if (from == nullptr && from_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
-    if (to == nullptr && to_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
-    if (out == nullptr && out_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
-    return islet::delta(span_of<const std::byte>(from, from_bytes), span_of<const std::byte>(to, to_bytes), span_of<std::byte>(out, out_bytes), cast<Error>(error));
-}
-
-size_t islet_apply(const void* from, size_t from_bytes, const void* delta, size_t delta_bytes, void* out, size_t out_bytes, IsletError* error) {
-    if (from == nullptr && from_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
-    if (delta == nullptr && delta_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
-    if (out == nullptr && out_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
-    return islet::apply(span_of<const std::byte>(from, from_bytes), span_of<const std::byte>(delta, delta_bytes), span_of<std::byte>(out, out_bytes), cast<Error>(error));
-}
-
 IsletError islet_world_counters(const IsletWorld* world, IsletWorldCounters* out) {
     if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
     if (!fits<WorldCounters>(world, out)) return why(out);
@@ -76,6 +51,31 @@ bool islet_world_load(IsletWorld* world, const void* image, size_t image_bytes) 
     if (world == nullptr) return false;
     if (image == nullptr && image_bytes != 0) return refuse(world, ISLET_ERROR_NULL_POINTER), false;
     return of(world).load(span_of<const std::byte>(image, image_bytes));
+}
+
+size_t islet_max_snapshot_bytes(const IsletCapacity* capacity) {
+    Room<Capacity> capacity_room;
+    const Capacity* capacity_taken = take<Capacity>(nullptr, capacity, capacity_room);
+    if (capacity_taken == nullptr) return 0;
+    return islet::max_snapshot_bytes(*capacity_taken);
+}
+
+size_t islet_max_delta_bytes(size_t to_bytes) {
+    return islet::max_delta_bytes(to_bytes);
+}
+
+size_t islet_delta(const void* from, size_t from_bytes, const void* to, size_t to_bytes, void* out, size_t out_bytes, IsletError* error) {
+    if (from == nullptr && from_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
+    if (to == nullptr && to_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
+    if (out == nullptr && out_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
+    return islet::delta(span_of<const std::byte>(from, from_bytes), span_of<const std::byte>(to, to_bytes), span_of<std::byte>(out, out_bytes), cast<Error>(error));
+}
+
+size_t islet_apply(const void* from, size_t from_bytes, const void* delta, size_t delta_bytes, void* out, size_t out_bytes, IsletError* error) {
+    if (from == nullptr && from_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
+    if (delta == nullptr && delta_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
+    if (out == nullptr && out_bytes != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), 0;
+    return islet::apply(span_of<const std::byte>(from, from_bytes), span_of<const std::byte>(delta, delta_bytes), span_of<std::byte>(out, out_bytes), cast<Error>(error));
 }
 
 }  // extern "C"

@@ -416,13 +416,6 @@ static_assert(offsetof(IsletSurface, shape) == offsetof(Surface, shape) && sizeo
 static_assert(offsetof(IsletSurface, point) == offsetof(Surface, point) && sizeof(IsletSurface::point) == sizeof(Surface::point));
 static_assert(offsetof(IsletSurface, normal) == offsetof(Surface, normal) && sizeof(IsletSurface::normal) == sizeof(Surface::normal));
 static_assert(offsetof(IsletSurface, separation) == offsetof(Surface, separation) && sizeof(IsletSurface::separation) == sizeof(Surface::separation));
-static_assert(sizeof(IsletReplayResult) == sizeof(ReplayResult) + start_of<ReplayResult> && start_of<ReplayResult> == offsetof(IsletReplayResult, end));
-static_assert(offsetof(IsletReplayResult, end) == offsetof(ReplayResult, end) + start_of<ReplayResult> && sizeof(IsletReplayResult::end) == sizeof(ReplayResult::end));
-static_assert(offsetof(IsletReplayResult, error) == offsetof(ReplayResult, error) + start_of<ReplayResult> && sizeof(IsletReplayResult::error) == sizeof(ReplayResult::error));
-static_assert(offsetof(IsletReplayResult, steps) == offsetof(ReplayResult, steps) + start_of<ReplayResult> && sizeof(IsletReplayResult::steps) == sizeof(ReplayResult::steps));
-static_assert(offsetof(IsletReplayResult, recorded_hash) == offsetof(ReplayResult, recorded_hash) + start_of<ReplayResult> && sizeof(IsletReplayResult::recorded_hash) == sizeof(ReplayResult::recorded_hash));
-static_assert(offsetof(IsletReplayResult, hash) == offsetof(ReplayResult, hash) + start_of<ReplayResult> && sizeof(IsletReplayResult::hash) == sizeof(ReplayResult::hash));
-static_assert(offsetof(IsletReplayResult, body) == offsetof(ReplayResult, body) + start_of<ReplayResult> && sizeof(IsletReplayResult::body) == sizeof(ReplayResult::body));
 static_assert(sizeof(IsletMoverDef) == sizeof(MoverDef) + start_of<MoverDef> && start_of<MoverDef> == offsetof(IsletMoverDef, capsule));
 static_assert(offsetof(IsletMoverDef, capsule) == offsetof(MoverDef, capsule) + start_of<MoverDef> && sizeof(IsletMoverDef::capsule) == sizeof(MoverDef::capsule));
 static_assert(offsetof(IsletMoverDef, up) == offsetof(MoverDef, up) + start_of<MoverDef> && sizeof(IsletMoverDef::up) == sizeof(MoverDef::up));
@@ -447,6 +440,13 @@ static_assert(offsetof(IsletMoverState, squeezed) == offsetof(MoverState, squeez
 static_assert(sizeof(IsletMoverInput) == sizeof(MoverInput) + start_of<MoverInput> && start_of<MoverInput> == offsetof(IsletMoverInput, walk));
 static_assert(offsetof(IsletMoverInput, walk) == offsetof(MoverInput, walk) + start_of<MoverInput> && sizeof(IsletMoverInput::walk) == sizeof(MoverInput::walk));
 static_assert(offsetof(IsletMoverInput, jump) == offsetof(MoverInput, jump) + start_of<MoverInput> && sizeof(IsletMoverInput::jump) == sizeof(MoverInput::jump));
+static_assert(sizeof(IsletReplayResult) == sizeof(ReplayResult) + start_of<ReplayResult> && start_of<ReplayResult> == offsetof(IsletReplayResult, end));
+static_assert(offsetof(IsletReplayResult, end) == offsetof(ReplayResult, end) + start_of<ReplayResult> && sizeof(IsletReplayResult::end) == sizeof(ReplayResult::end));
+static_assert(offsetof(IsletReplayResult, error) == offsetof(ReplayResult, error) + start_of<ReplayResult> && sizeof(IsletReplayResult::error) == sizeof(ReplayResult::error));
+static_assert(offsetof(IsletReplayResult, steps) == offsetof(ReplayResult, steps) + start_of<ReplayResult> && sizeof(IsletReplayResult::steps) == sizeof(ReplayResult::steps));
+static_assert(offsetof(IsletReplayResult, recorded_hash) == offsetof(ReplayResult, recorded_hash) + start_of<ReplayResult> && sizeof(IsletReplayResult::recorded_hash) == sizeof(ReplayResult::recorded_hash));
+static_assert(offsetof(IsletReplayResult, hash) == offsetof(ReplayResult, hash) + start_of<ReplayResult> && sizeof(IsletReplayResult::hash) == sizeof(ReplayResult::hash));
+static_assert(offsetof(IsletReplayResult, body) == offsetof(ReplayResult, body) + start_of<ReplayResult> && sizeof(IsletReplayResult::body) == sizeof(ReplayResult::body));
 static_assert(ISLET_PI == pi);
 static_assert(ISLET_MAX_POLYGON_VERTICES == max_polygon_vertices);
 static_assert(ISLET_DRAW_COLOR_STATIC_BODY == draw_color::static_body);
@@ -489,8 +489,8 @@ static_assert(ISLET_MAX_RATIO == max_ratio);
 static_assert(ISLET_WORLD_ALIGNMENT == world_alignment);
 static_assert(ISLET_MAX_CAPACITY == max_capacity);
 static_assert(ISLET_MAX_TRANSLATION == max_translation);
+static_assert(ISLET_MOVER_GAP == mover_gap);
 static_assert(ISLET_RECORDING_ALIGNMENT == recording_alignment);
 static_assert(ISLET_SNAPSHOT_ALIGNMENT == snapshot_alignment);
-static_assert(ISLET_MOVER_GAP == mover_gap);
 
 }  // namespace islet::c

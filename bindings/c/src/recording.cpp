@@ -8,14 +8,6 @@ using namespace islet::c;
 
 extern "C" {
 
-IsletError islet_replay(IsletWorld* world, const void* recording, size_t recording_bytes, uint64_t steps, IsletReplayResult* out) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    if (recording == nullptr && recording_bytes != 0) return refuse(world, ISLET_ERROR_NULL_POINTER);
-    if (!fits<ReplayResult>(world, out)) return why(out);
-    give<ReplayResult>(out, islet::replay(of(world), span_of<const std::byte>(recording, recording_bytes), steps));
-    return ISLET_ERROR_NONE;
-}
-
 bool islet_world_start_recording(IsletWorld* world, void* buffer, size_t buffer_bytes, bool bodies) {
     if (world == nullptr) return false;
     if (buffer == nullptr && buffer_bytes != 0) return refuse(world, ISLET_ERROR_NULL_POINTER), false;
@@ -41,6 +33,14 @@ bool islet_world_move_recording(IsletWorld* world, void* buffer, size_t buffer_b
 size_t islet_world_stop_recording(IsletWorld* world) {
     if (world == nullptr) return 0;
     return of(world).stop_recording();
+}
+
+IsletError islet_replay(IsletWorld* world, const void* recording, size_t recording_bytes, uint64_t steps, IsletReplayResult* out) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    if (recording == nullptr && recording_bytes != 0) return refuse(world, ISLET_ERROR_NULL_POINTER);
+    if (!fits<ReplayResult>(world, out)) return why(out);
+    give<ReplayResult>(out, islet::replay(of(world), span_of<const std::byte>(recording, recording_bytes), steps));
+    return ISLET_ERROR_NONE;
 }
 
 }  // extern "C"

@@ -85,6 +85,6 @@
     X(PulleyJointDef, 8) \
     X(GearJointDef, 8) \
     X(AngleJointDef, 8) \
-    X(ReplayResult, 8) \
     X(MoverDef, 8) \
-    X(MoverInput, 4)
+    X(MoverInput, 4) \
+    X(ReplayResult, 8)

@@ -148,6 +148,14 @@ IsletRot islet_rot_normalize(IsletRot q) {
     return out(islet::normalize(in<Rot>(q)));
 }
 
+IsletRot islet_rot_lerp(IsletRot q, IsletRot r, float t) {
+    return out(islet::lerp(in<Rot>(q), in<Rot>(r), t));
+}
+
+IsletTransform islet_transform_lerp(IsletTransform a, IsletTransform b, float t) {
+    return out(islet::lerp(in<Transform>(a), in<Transform>(b), t));
+}
+
 IsletRot islet_rot_integrate(IsletRot q, float delta_radians) {
     return out(islet::integrate(in<Rot>(q), delta_radians));
 }

@@ -117,6 +117,10 @@ float angle_of(Rot q);
 float atan2(float y, float x);
 /// q scaled back to unit length; the identity if q is degenerate.
 Rot normalize(Rot q);
+/// Between two rotations, the short way: q at t = 0, r at t = 1, with nearly steady speed. For turns of less than half a circle.
+[[gnu::always_inline]] inline Rot lerp(Rot q, Rot r, float t) { return normalize(Rot{q.c + t * (r.c - q.c), q.s + t * (r.s - q.s)}); }
+/// Between two poses, for drawing between two steps.
+[[gnu::always_inline]] inline Transform lerp(const Transform& a, const Transform& b, float t) { return {lerp(a.p, b.p, t), lerp(a.q, b.q, t)}; }
 /// q turned further by an angle d (radians) and normalised: the integration of an angular velocity over a step. Within 1e-7 rad for |d| <= 0.5 and
 /// 1e-3 rad for |d| <= pi/2; larger turns are cut to pi/2, and a NaN turns nothing.
 Rot integrate(Rot q, float delta_radians);

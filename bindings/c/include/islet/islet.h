@@ -97,12 +97,12 @@ extern "C" {
 #define ISLET_MAX_CAPACITY (sizeof(void*) >= 8 ? 1u << 22 : 1u << 18)
 /// The farthest that a ray or a cast may go along either axis, m.
 #define ISLET_MAX_TRANSLATION (2.0f * ISLET_MAX_POSITION)
+/// The distance that a mover keeps from surfaces, m.
+#define ISLET_MOVER_GAP 0.01f
 /// Alignment of the memory that holds a recording, bytes.
 #define ISLET_RECORDING_ALIGNMENT 8u
 /// Alignment that islet_world_load demands of an image, bytes. The other functions take any.
 #define ISLET_SNAPSHOT_ALIGNMENT 8u
-/// The distance that a mover keeps from surfaces, m.
-#define ISLET_MOVER_GAP 0.01f
 
 // -- enumerations, all one byte wide ---------------------------------------------------------------------------------------------------
 
@@ -1268,49 +1268,6 @@ typedef struct IsletSurface {
     float separation;
 } IsletSurface;
 
-/// What a recording says about itself.
-typedef struct IsletRecordingInfo {
-    uint32_t struct_size;  ///< sizeof(IsletRecordingInfo)
-    uint32_t reserved;     ///< 0
-    /// of the recorded world, as the recording claims; a forged one may claim any
-    IsletCapacity* capacity;
-    /// what a world needs for a replay with the same results: the capacity claimed, but no more than the recording's snapshots and calls could fill. (That is
-    /// at most one shape for each byte of the recording, and the square of the shapes in contacts.)
-    IsletCapacity* needed;
-    /// of the whole recording
-    uint64_t bytes;
-    /// whether each step has a hash of each awake body
-    bool bodies;
-} IsletRecordingInfo;
-
-typedef struct IsletReplayResult {
-    uint32_t struct_size;  ///< sizeof(IsletReplayResult)
-    uint32_t reserved;     ///< 0
-    IsletReplayEnd end;
-    /// refused: an error of read_recording or islet_world_load, or corrupt_recording
-    IsletError error;
-    /// steps replayed, including the one that differs
-    uint64_t steps;
-    /// differs: after that step
-    uint64_t recorded_hash;
-    /// differs: after that step
-    uint64_t hash;
-    /// differs: the first body, by slot, that came out differently, if the recording has hashes of bodies; null if so far only a contact or a joint differs
-    IsletBodyId body;
-} IsletReplayResult;
-
-/// What an image says about itself.
-typedef struct IsletSnapshotInfo {
-    uint32_t struct_size;  ///< sizeof(IsletSnapshotInfo)
-    uint32_t reserved;     ///< 0
-    /// of the whole image
-    uint64_t bytes;
-    /// of the saved world, as the image claims; a forged image may claim any that holds its records
-    IsletCapacity* capacity;
-    /// the least capacity that can hold the image: as many records as it has
-    IsletCapacity* used;
-} IsletSnapshotInfo;
-
 /// Returns whether a surface stands in the mover's way. It need not care for one-way shapes (IsletShapeDef.one_way): they hold movers and let them pass by
 /// themselves. It may read and query the world, but not change it (in_step).
 typedef bool (*IsletMoverFilter)(const IsletSurface* surface, void* context);
@@ -1369,6 +1326,49 @@ typedef struct IsletMoverInput {
     /// m/s, >= 0. If above 0, a mover that stands on ground leaves it with this speed upwards.
     float jump;
 } IsletMoverInput;
+
+/// What a recording says about itself.
+typedef struct IsletRecordingInfo {
+    uint32_t struct_size;  ///< sizeof(IsletRecordingInfo)
+    uint32_t reserved;     ///< 0
+    /// of the recorded world, as the recording claims; a forged one may claim any
+    IsletCapacity* capacity;
+    /// what a world needs for a replay with the same results: the capacity claimed, but no more than the recording's snapshots and calls could fill. (That is
+    /// at most one shape for each byte of the recording, and the square of the shapes in contacts.)
+    IsletCapacity* needed;
+    /// of the whole recording
+    uint64_t bytes;
+    /// whether each step has a hash of each awake body
+    bool bodies;
+} IsletRecordingInfo;
+
+typedef struct IsletReplayResult {
+    uint32_t struct_size;  ///< sizeof(IsletReplayResult)
+    uint32_t reserved;     ///< 0
+    IsletReplayEnd end;
+    /// refused: an error of read_recording or islet_world_load, or corrupt_recording
+    IsletError error;
+    /// steps replayed, including the one that differs
+    uint64_t steps;
+    /// differs: after that step
+    uint64_t recorded_hash;
+    /// differs: after that step
+    uint64_t hash;
+    /// differs: the first body, by slot, that came out differently, if the recording has hashes of bodies; null if so far only a contact or a joint differs
+    IsletBodyId body;
+} IsletReplayResult;
+
+/// What an image says about itself.
+typedef struct IsletSnapshotInfo {
+    uint32_t struct_size;  ///< sizeof(IsletSnapshotInfo)
+    uint32_t reserved;     ///< 0
+    /// of the whole image
+    uint64_t bytes;
+    /// of the saved world, as the image claims; a forged image may claim any that holds its records
+    IsletCapacity* capacity;
+    /// the least capacity that can hold the image: as many records as it has
+    IsletCapacity* used;
+} IsletSnapshotInfo;
 
 /// Called for each hit, from the first on the way to the last; hits of equal fractions come in the order of their slots. The result decides how the cast goes
 /// on. 0 stops it. A fraction above 0 ends the way there: only hits up to that fraction follow (1 ends nothing; hit.fraction leaves only hits as near as this
@@ -1674,24 +1674,6 @@ static inline IsletQueryFilter islet_default_query_filter(void) {
     return def;
 }
 
-static inline IsletRecordingInfo islet_default_recording_info(void) {
-    IsletRecordingInfo def = ISLET_ZERO;
-    def.struct_size = sizeof def;
-    return def;
-}
-
-static inline IsletReplayResult islet_default_replay_result(void) {
-    IsletReplayResult def = ISLET_ZERO;
-    def.struct_size = sizeof def;
-    return def;
-}
-
-static inline IsletSnapshotInfo islet_default_snapshot_info(void) {
-    IsletSnapshotInfo def = ISLET_ZERO;
-    def.struct_size = sizeof def;
-    return def;
-}
-
 static inline IsletMoverDef islet_default_mover_def(void) {
     IsletMoverDef def = ISLET_ZERO;
     def.struct_size = sizeof def;
@@ -1714,6 +1696,24 @@ static inline IsletMoverDef islet_default_mover_def(void) {
 
 static inline IsletMoverInput islet_default_mover_input(void) {
     IsletMoverInput def = ISLET_ZERO;
+    def.struct_size = sizeof def;
+    return def;
+}
+
+static inline IsletRecordingInfo islet_default_recording_info(void) {
+    IsletRecordingInfo def = ISLET_ZERO;
+    def.struct_size = sizeof def;
+    return def;
+}
+
+static inline IsletReplayResult islet_default_replay_result(void) {
+    IsletReplayResult def = ISLET_ZERO;
+    def.struct_size = sizeof def;
+    return def;
+}
+
+static inline IsletSnapshotInfo islet_default_snapshot_info(void) {
+    IsletSnapshotInfo def = ISLET_ZERO;
     def.struct_size = sizeof def;
     return def;
 }
@@ -1840,6 +1840,12 @@ ISLET_C_API float islet_atan2(float y, float x);
 /// q scaled back to unit length; the identity if q is degenerate.
 ISLET_C_API IsletRot islet_rot_normalize(IsletRot q);
 
+/// Between two rotations, the short way: q at t = 0, r at t = 1, with nearly steady speed. For turns of less than half a circle.
+ISLET_C_API IsletRot islet_rot_lerp(IsletRot q, IsletRot r, float t);
+
+/// Between two poses, for drawing between two steps.
+ISLET_C_API IsletTransform islet_transform_lerp(IsletTransform a, IsletTransform b, float t);
+
 /// q turned further by an angle d (radians) and normalised: the integration of an angular velocity over a step. Within 1e-7 rad for |d| <= 0.5 and 1e-3 rad
 /// for |d| <= pi/2; larger turns are cut to pi/2, and a NaN turns nothing.
 ISLET_C_API IsletRot islet_rot_integrate(IsletRot q, float delta_radians);
@@ -1943,27 +1949,6 @@ ISLET_C_API bool islet_proxy_overlaps(const IsletShapeProxy* a, const IsletShape
 
 /// True if the point is in the shape or on its surface; segments contain no point.
 ISLET_C_API bool islet_proxy_contains(const IsletShapeProxy* shape, IsletVec2 point);
-
-/// Puts the world into the recording's first state and makes its calls again, up to and including `steps` steps. The world's capacity should be
-/// IsletRecordingInfo.needed, or the recorded one. A recording may be hostile: nothing of it is used unchecked. After each step, a sum shows whether the
-/// calls before it were the recorded ones.
-ISLET_C_API IsletError islet_replay(IsletWorld* world, const void* recording, size_t recording_bytes, uint64_t steps, IsletReplayResult* out);
-
-/// The most bytes that a snapshot of a world of this capacity can need. islet_world_snapshot_bytes says how many it needs now.
-ISLET_C_API size_t islet_max_snapshot_bytes(const IsletCapacity* capacity);
-
-/// The most bytes that delta() can need to lead to an image of this size, whatever image it starts from.
-ISLET_C_API size_t islet_max_delta_bytes(size_t to_bytes);
-
-/// Packs what changed between two images, for sending or for long histories: apply(from, delta) gives `to` again. Returns the bytes written to `out`, or 0
-/// with *error set, if given: the errors of read_snapshot for either image; image_too_small if `out` is too small. `out` must not overlap the images.
-ISLET_C_API size_t islet_delta(const void* from, size_t from_bytes, const void* to, size_t to_bytes, void* out, size_t out_bytes, IsletError* error);
-
-/// Writes to `out` the image to which `delta` leads from the image `from`. Returns the bytes written, or 0 with *error set, if given: the errors of
-/// read_snapshot, for the image and in the same sense for the delta; corrupt_image also if the delta is hostile; wrong_delta if it starts from another image
-/// than `from`; image_too_small if `out` is too small. After an error `out` holds nothing of use. The result can be trusted no more than the delta: use
-/// islet_world_load for it, unless this program made both. `out` must not overlap `from` or `delta`.
-ISLET_C_API size_t islet_apply(const void* from, size_t from_bytes, const void* delta, size_t delta_bytes, void* out, size_t out_bytes, IsletError* error);
 
 /// Advances time by dt seconds, min_time_step <= dt <= 1. 1/60 is usual; see SolverDef for what a step consists of. Errors, on which nothing changes:
 /// bad_time_step; in_step; inexact_build (of a StaticWorld).
@@ -2448,6 +2433,27 @@ ISLET_C_API void islet_world_draw_shape(const IsletWorld* world, const IsletDebu
 /// bad_time_step; not_finite; out_of_range (a number outside the ranges above; `up` not unit; a position, or an end of the capsule there, beyond
 /// max_position; a speed beyond max_speed_limit).
 ISLET_C_API bool islet_step_mover(IsletWorld* world, const IsletMoverDef* def, IsletMoverState* state, const IsletMoverInput* input, float dt);
+
+/// Puts the world into the recording's first state and makes its calls again, up to and including `steps` steps. The world's capacity should be
+/// IsletRecordingInfo.needed, or the recorded one. A recording may be hostile: nothing of it is used unchecked. After each step, a sum shows whether the
+/// calls before it were the recorded ones.
+ISLET_C_API IsletError islet_replay(IsletWorld* world, const void* recording, size_t recording_bytes, uint64_t steps, IsletReplayResult* out);
+
+/// The most bytes that a snapshot of a world of this capacity can need. islet_world_snapshot_bytes says how many it needs now.
+ISLET_C_API size_t islet_max_snapshot_bytes(const IsletCapacity* capacity);
+
+/// The most bytes that delta() can need to lead to an image of this size, whatever image it starts from.
+ISLET_C_API size_t islet_max_delta_bytes(size_t to_bytes);
+
+/// Packs what changed between two images, for sending or for long histories: apply(from, delta) gives `to` again. Returns the bytes written to `out`, or 0
+/// with *error set, if given: the errors of read_snapshot for either image; image_too_small if `out` is too small. `out` must not overlap the images.
+ISLET_C_API size_t islet_delta(const void* from, size_t from_bytes, const void* to, size_t to_bytes, void* out, size_t out_bytes, IsletError* error);
+
+/// Writes to `out` the image to which `delta` leads from the image `from`. Returns the bytes written, or 0 with *error set, if given: the errors of
+/// read_snapshot, for the image and in the same sense for the delta; corrupt_image also if the delta is hostile; wrong_delta if it starts from another image
+/// than `from`; image_too_small if `out` is too small. After an error `out` holds nothing of use. The result can be trusted no more than the delta: use
+/// islet_world_load for it, unless this program made both. `out` must not overlap `from` or `delta`.
+ISLET_C_API size_t islet_apply(const void* from, size_t from_bytes, const void* delta, size_t delta_bytes, void* out, size_t out_bytes, IsletError* error);
 
 #ifdef __cplusplus
 }
