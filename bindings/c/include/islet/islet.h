@@ -68,11 +68,11 @@ extern "C" {
 #define ISLET_DRAW_COLOR_Y_AXIS 0x2e8b3du
 #define ISLET_DRAW_COLOR_NAME 0x2c3440u
 #define ISLET_DRAW_COLOR_OVERFLOW 0x111111u
-/// The formats that this version writes, and the only ones it reads. Each goes up when what is written changes its meaning.
+/// The formats that this version writes, and the only ones it reads. A format number goes up when the meaning of the bytes changes.
 #define ISLET_SNAPSHOT_FORMAT 4u
 #define ISLET_DELTA_FORMAT 4u
 #define ISLET_RECORDING_FORMAT 2u
-/// No task system may claim more workers.
+/// The most workers that a task system may have.
 #define ISLET_MAX_WORKERS 64u
 /// No position may exceed this on either axis, m: beyond it, neighbouring floats are a metre apart. Bodies that fly farther stop there.
 #define ISLET_MAX_POSITION 1.0e7f
@@ -89,7 +89,7 @@ extern "C" {
 /// IsletRowEnd.body of an end that cannot be pushed: a static or kinematic body, or the world itself.
 #define ISLET_NO_BODY 4294967295u
 #define ISLET_JOINT_TYPE_COUNT 10u
-/// Ratios of pulleys and gears go up to this.
+/// The largest ratio of a pulley or a gear.
 #define ISLET_MAX_RATIO 1.0e6f
 /// Alignment that islet_create_world demands of its block.
 #define ISLET_WORLD_ALIGNMENT 64u
@@ -163,7 +163,7 @@ enum {
     ISLET_FORMAT_KIND_RECORDING = 3,
 };
 
-/// What went wrong in the last call that failed. describe(e) says in a sentence what was wrong and how to mend it.
+/// What went wrong in a call. describe(e) returns a sentence that says what was wrong and how to fix it.
 typedef uint8_t IsletError;
 enum {
     ISLET_ERROR_NONE = 0,
@@ -231,7 +231,7 @@ enum {
     ISLET_ERROR_NOT_A_SENSOR = 31,
     /// raise IsletCapacity.hits
     ISLET_ERROR_HITS_FULL = 32,
-    /// the memory given for a recording is too small, or was used up: it ends before this call
+    /// the memory given for a recording is too small, or is used up: the recording ends before this call
     ISLET_ERROR_RECORDING_FULL = 33,
     /// the bytes are no recording, or the world is not being recorded
     ISLET_ERROR_NOT_A_RECORDING = 34,
@@ -239,9 +239,9 @@ enum {
     ISLET_ERROR_CORRUPT_RECORDING = 35,
     /// called from a function that the world itself calls, such as a hook or a drawing function, and not allowed there
     ISLET_ERROR_IN_STEP = 36,
-    /// the engine was compiled with flags that change the results of IEEE floats, and so the bits: create makes no world, and a StaticWorld takes no step
+    /// the engine was compiled with flags that change the results of floats: islet_create_world returns null, and a StaticWorld does not step
     ISLET_ERROR_INEXACT_BUILD = 37,
-    /// a dynamic body has no shape without end
+    /// a dynamic body cannot have a half-space
     ISLET_ERROR_ENDLESS_SHAPE = 38,
     /// A pointer that must not be null is null.
     ISLET_ERROR_NULL_POINTER = 254,
@@ -264,7 +264,8 @@ typedef uint8_t IsletJointTrees;
 enum {
     /// none
     ISLET_JOINT_TREES_OFF = 0,
-    /// those of trees in which a hinge bears much more than the bodies it joins weigh and no hinge is swept: chains with a load, long ropes
+    /// those of trees in which a hinge carries at least IsletSolverDef.joint_tree_load times the mass of one of its bodies, and no hinge must be swept. A
+    /// tree that static or kinematic bodies hold in several places is swept if one of its hinges can break.
     ISLET_JOINT_TREES_AUTOMATIC = 1,
     /// all that can be
     ISLET_JOINT_TREES_ALL = 2,
@@ -405,16 +406,16 @@ typedef struct IsletSegment {
     IsletVec2 point2;
 } IsletSegment;
 
-/// One link of a chain: collides only on the right of point1 -> point2 (a floor runs from right to left, solid ground below; that is, the outward normal is
-/// right_perp(point2 - point1)). The ghost points are the neighbours' far ends; they let the narrow phase know which corners are inner ones, so that nothing
-/// catches on them. A ghost point may lie beyond max_position, up to 4e7 m from the origin: a chain that ends there goes on straight.
+/// One segment of a chain. It collides only on the right of point1 -> point2: its outward normal is right_perp(point2 - point1). So a floor runs from right
+/// to left. The ghost points are the far ends of the neighbouring segments. They tell the engine which corners are inner corners, so that bodies do not catch
+/// on them. A ghost point may lie beyond max_position, up to 4e7 m from the origin, so that the last segment of a chain can continue straight on.
 typedef struct IsletChainSegment {
     IsletVec2 ghost1;
     IsletSegment segment;
     IsletVec2 ghost2;
 } IsletChainSegment;
 
-/// Everything on the inner side of a line, without end: the ground of a small world. Only static and kinematic bodies can have one, and it has no mass. It
+/// Everything on the inner side of an infinite line: the ground of a small world. Only static and kinematic bodies can have one, and it has no mass. It
 /// collides with circles, capsules and polygons. Its bounding box ends at 8e7 m.
 typedef struct IsletHalfSpace {
     /// unit, outward
@@ -430,7 +431,7 @@ typedef struct IsletHull {
 } IsletHull;
 
 /// A solid convex polygon, counter-clockwise, with outward unit normals (normal i belongs to the edge from vertex i to i + 1), rounded by `radius` (metres,
-/// >= 0) around its corners. Make one with make_polygon or make_box: hand-made ones are checked when used.
+/// >= 0) around its corners. Make one with make_polygon or make_box. If you fill one in by hand, it is checked when you use it.
 typedef struct IsletPolygon {
     IsletVec2 vertices[8];
     IsletVec2 normals[8];
@@ -512,7 +513,7 @@ typedef struct IsletFormatInfo {
     uint32_t format;
     /// the format of this kind that this version reads; 0 if unknown
     uint32_t readable;
-    /// the snapshot that a recording begins with: the recording's own format is the readable one, the snapshot's is not
+    /// true: the snapshot at the start of a recording. The format of the recording is readable, that of the snapshot is not
     bool in_recording;
     /// written by a machine of the other byte order
     bool other_byte_order;
@@ -533,13 +534,13 @@ typedef struct IsletTaskSystem {
     uint32_t workers;
 } IsletTaskSystem;
 
-/// Handle of a body; null by default. Ids are safe to keep: once its body is destroyed, an id is stale, and never means another body.
+/// The id of a body; null by default. Ids are safe to keep: when its body is destroyed, an id becomes stale, and it never refers to another body.
 typedef struct IsletBodyId {
     uint32_t index1;
     uint32_t generation;
 } IsletBodyId;
 
-/// Handle of a shape. The same rules hold as for BodyId.
+/// The id of a shape. The same rules hold as for BodyId.
 typedef struct IsletShapeId {
     uint32_t index1;
     uint32_t generation;
@@ -559,20 +560,21 @@ typedef struct IsletCapacity {
     uint32_t hits;
 } IsletCapacity;
 
-/// Functions of yours that decide what a step must know at once. Each may be null and gets `context`. Hooks are not part of the state: hashes and snapshots
-/// do not contain them. Worlds that are to have equal futures need hooks that give equal answers. The world calls filter and pre_solve on the thread that
-/// steps, one after another, in an order that does not depend on the number of workers. They may read the world's bodies and shapes, but not change the world
-/// (in_step). The world calls mix_friction and mix_restitution on any worker, as often as it likes, so their answers must depend on their arguments alone.
+/// Functions of yours that a step calls, to let you decide something. Each may be null and gets `context`. Hooks are not part of the state: hashes and
+/// snapshots do not contain them. Worlds that are to have equal futures need hooks that give equal answers. The world calls filter and pre_solve on the
+/// thread that steps, one after another, in an order that does not depend on the number of workers. They may read the world's bodies and shapes, but not
+/// change the world (in_step). The world calls mix_friction and mix_restitution on any worker, as often as it likes, so their answers must depend on their
+/// arguments alone.
 typedef struct IsletHooks {
     uint32_t struct_size;  ///< sizeof(IsletHooks)
     uint32_t reserved;     ///< 0
     /// Returns whether two shapes may meet, or a sensor may see a shape. shape_a is the one in the lower slot. The world asks about pairs that their filters
-    /// allow, when their fat boxes begin to overlap. After a no it asks whenever it finds the pair again; after a yes not before the fat boxes have parted.
+    /// allow, when their fat boxes begin to overlap. After a no it asks again when it finds the pair again. After a yes it asks again only after the fat
+    /// boxes have parted.
     bool (*filter)(IsletShapeId shape_a, IsletShapeId shape_b, void* context);
     /// Sees a contact before it is solved, and may change it for this step (PreSolve). Each step calls the hook for every awake contact that has points and a
-    /// shape with IsletShapeDef.pre_solve, in the order of their slots. A fast body gets contacts with the shapes that it may hit later in the step;
-    /// continuous collision does what the hook decides about them. If a one-way shape (IsletShapeDef.one_way) lets the other shape pass, the hook is not
-    /// called.
+    /// shape with IsletShapeDef.pre_solve, in the order of their slots. A fast body has a contact with each shape that it may hit during the step, and
+    /// continuous collision obeys the hook's decision. If a one-way shape (IsletShapeDef.one_way) lets the other shape pass, the hook is not called.
     void (*pre_solve)(IsletPreSolve* contact, void* context);
     /// Returns the friction coefficient of two shapes, in place of the geometric mean; `material` is IsletSurfaceMaterial.id. The result is limited to 0 to
     /// max_coefficient. Called when the fat boxes of two shapes begin to overlap, and when a material changes.
@@ -619,8 +621,8 @@ typedef struct IsletSolverDef {
     IsletSweepOrder sweep_order;
     /// Solve the two normal impulses of a contact together, exactly.
     bool block_contacts;
-    /// 0 to max_shock. Shock propagation: the solver takes each body for lighter, by this share, than the body it lies on. This is for stacks that stand:
-    /// blows and reported forces are those of the lighter bodies. Do not use 0.5 with joints in the pile.
+    /// 0 to max_shock. Shock propagation: the solver treats each body as lighter, by this share, than the body it lies on. Use it for stacks at rest: impacts
+    /// and reported forces are those of the lighter bodies. Do not use 0.5 with joints in the pile.
     float shock;
     /// Measure after each step how far the impulses are from a solution: islet_body_residual.
     bool measure_residual;
@@ -733,7 +735,7 @@ typedef struct IsletShapeDef {
     /// sensor_events is true. But a static sensor does not see static bodies, no sensor sees another one, and a shape that passes all of it within one step
     /// is not seen. A sensor has mass, by its density.
     bool sensor;
-    /// false: sensors do not see this shape. (In Box2D from version 3.1 on, shapes have to ask to be seen.)
+    /// false: sensors do not see this shape. (In Box2D from version 3.1 on, the default is false.)
     bool sensor_events;
     /// true: report hits of this shape (islet_world_hit_events).
     bool hit_events;
@@ -752,8 +754,8 @@ typedef struct IsletShapeDef {
 } IsletShapeDef;
 
 /// Two shapes began or ceased to touch in the last step, or ceased because one was destroyed since. An id in an end event may be stale. Here and wherever two
-/// shapes of a contact are named, shape_a has the later type in the order circle, capsule, polygon, segment, chain segment; of equal types, shape_a is the
-/// one in the lower slot.
+/// shapes of a contact are named, shape_a has the later type in the order circle, capsule, polygon, segment, chain segment, half-space. If both types are
+/// equal, shape_a is the shape in the lower slot.
 typedef struct IsletTouchEvent {
     IsletShapeId shape_a;
     IsletShapeId shape_b;
@@ -817,7 +819,7 @@ typedef struct IsletStepReport {
     uint32_t shapes;
     /// pairs with overlapping fat boxes, touching or not, asleep or not
     uint32_t contacts;
-    /// of the awake ones
+    /// awake contacts that touch
     uint32_t touching_contacts;
     /// awake contacts whose manifold was kept
     uint32_t recycled_contacts;
@@ -833,7 +835,7 @@ typedef struct IsletStepReport {
     uint32_t islands;
     /// constraint colours in use
     uint32_t colors;
-    /// contacts solved one by one: those without a colour, or, in any SweepOrder but colored, all
+    /// contacts solved one by one: those without a colour, or all if the SweepOrder is not colored
     uint32_t overflow_contacts;
     uint32_t batches;
     /// all
@@ -842,7 +844,7 @@ typedef struct IsletStepReport {
     uint32_t awake_joints;
     /// joints solved one by one: gears, and those without a colour
     uint32_t overflow_joints;
-    /// sweeps made; fewer than SolverDef asks for if a tolerance ended them. Of the batch with the most
+    /// of the batch with the most sweeps; fewer than SolverDef asks for if the tolerance ended them
     uint32_t sweeps;
     /// m/s, the largest of all islands (islet_body_residual); 0 if not measured
     float residual;
@@ -921,12 +923,12 @@ struct IsletPreSolve {
     bool enabled;
     /// Coulomb coefficient, 0 to max_coefficient
     float friction;
-    /// m/s, as in ShapeDef, of both together
+    /// m/s, the sum of both shapes' IsletShapeDef.tangent_speed
     float tangent_speed;
 };
 
-/// The entries of a row's Jacobian for one body. The row's velocity has the part dot(linear, v) + angular w of it; x pushes it by x linear and turns it by x
-/// angular.
+/// The entries of a row's Jacobian for one body. The body adds dot(linear, v) + angular w to the row's velocity. The row's x gives the body the impulse x
+/// linear and the angular impulse x angular.
 typedef struct IsletRowEnd {
     /// index into IslandProblem::bodies, or no_body
     uint32_t body;
@@ -965,7 +967,7 @@ typedef struct IsletIslandBody {
     float w_free;
 } IsletIslandBody;
 
-/// Handle of a joint; as BodyId.
+/// The id of a joint. The same rules hold as for BodyId.
 typedef struct IsletJointId {
     uint32_t index1;
     uint32_t generation;
@@ -987,7 +989,7 @@ typedef struct IsletJointSpring {
     float hertz;
     /// >= 0; 1 is critical
     float damping_ratio;
-    /// rad or m; of distance joints the rest length is the target and this is not read
+    /// rad or m; not used by distance joints, whose target is their length
     float target;
 } IsletJointSpring;
 
@@ -1046,7 +1048,7 @@ typedef struct IsletPrismaticJointDef {
     float friction;
 } IsletPrismaticJointDef;
 
-/// A rod. With a limit a rope (lower 0) or a telescope, with a spring a spring. A motor drives its length.
+/// A rod. With a limit it is a rope (lower 0) or a telescope, and with a spring it is a spring. A motor drives its length.
 typedef struct IsletDistanceJointDef {
     uint32_t struct_size;  ///< sizeof(IsletDistanceJointDef)
     uint32_t reserved;     ///< 0
@@ -1059,7 +1061,7 @@ typedef struct IsletDistanceJointDef {
     IsletJointMotor motor;
 } IsletDistanceJointDef;
 
-/// Glue. Soft where a frequency is given.
+/// Holds two bodies together rigidly, or softly where a frequency is given.
 typedef struct IsletWeldJointDef {
     uint32_t struct_size;  ///< sizeof(IsletWeldJointDef)
     uint32_t reserved;     ///< 0
@@ -1109,7 +1111,7 @@ typedef struct IsletMotorJointDef {
     float angular_damping_ratio;
 } IsletMotorJointDef;
 
-/// Pulls the point of `body` that is at `target` when the joint is made to wherever the target is moved.
+/// Pulls a point of `body` to the target, which you can move: the point that is at `target` when the joint is made.
 typedef struct IsletMouseJointDef {
     uint32_t struct_size;  ///< sizeof(IsletMouseJointDef)
     uint32_t reserved;     ///< 0
@@ -1124,7 +1126,7 @@ typedef struct IsletMouseJointDef {
     uint64_t user_data;
 } IsletMouseJointDef;
 
-/// A rope from A's point over two fixed points to B's point: length A + ratio * length B stays what it is when the joint is made.
+/// A rope from A's point over two fixed points to B's point: length A + ratio * length B stays constant.
 typedef struct IsletPulleyJointDef {
     uint32_t struct_size;  ///< sizeof(IsletPulleyJointDef)
     uint32_t reserved;     ///< 0
@@ -1136,8 +1138,8 @@ typedef struct IsletPulleyJointDef {
     float ratio;
 } IsletPulleyJointDef;
 
-/// Couples the coordinates of two revolute or prismatic joints: c1 + ratio * c2 stays what it is when the gear is made. Two hinges whose bodies turn against
-/// each other have the ratio radius 2 / radius 1; a prismatic and a revolute joint make a rack and pinion. The gear is destroyed with either joint.
+/// Couples the coordinates of two revolute or prismatic joints: c1 + ratio * c2 stays constant. Two hinges whose bodies turn against each other have the
+/// ratio radius 2 / radius 1; a prismatic and a revolute joint make a rack and pinion. The gear is destroyed with either joint.
 typedef struct IsletGearJointDef {
     uint32_t struct_size;  ///< sizeof(IsletGearJointDef)
     uint32_t reserved;     ///< 0
@@ -1152,9 +1154,9 @@ typedef struct IsletGearJointDef {
 
 /// Lets an angle turn one way only. Teeth stand at phase + i step; the angle cannot go back past the last tooth that it has passed.
 typedef struct IsletJointRatchet {
-    /// rad from tooth to tooth: 0.001 to 100, or the same below 0 for turning backward only; 0: no ratchet
+    /// rad from tooth to tooth, 0.001 to 100; negative: it turns backward only; 0: no ratchet
     float step;
-    /// rad, of any of the teeth; -10 000 to 10 000
+    /// rad, the angle of any tooth; -10 000 to 10 000
     float phase;
 } IsletJointRatchet;
 
@@ -1171,7 +1173,7 @@ typedef struct IsletAngleJointDef {
     IsletJointRatchet ratchet;
 } IsletAngleJointDef;
 
-/// How far a joint is from what it locks.
+/// How far a joint has come apart.
 typedef struct IsletJointError {
     /// m, >= 0; of a gear between prismatic joints too
     float linear;
@@ -1208,7 +1210,7 @@ typedef struct IsletCastHit {
     float fraction;
     /// m, on the surface that is met
     IsletVec2 point;
-    /// unit, of the surface that is met, towards what moves
+    /// unit, of the surface that is met, towards the moving point or shape
     IsletVec2 normal;
     /// m, 0; if they overlapped at the start, minus the depth
     float separation;
@@ -1268,8 +1270,8 @@ typedef struct IsletSurface {
     float separation;
 } IsletSurface;
 
-/// Returns whether a surface stands in the mover's way. It need not care for one-way shapes (IsletShapeDef.one_way): they hold movers and let them pass by
-/// themselves. It may read and query the world, but not change it (in_step).
+/// Returns whether a surface stands in the mover's way. It need not handle one-way shapes (IsletShapeDef.one_way), because the mover does that itself. It may
+/// read and query the world, but not change it (in_step).
 typedef bool (*IsletMoverFilter)(const IsletSurface* surface, void* context);
 
 /// The properties of a mover.
@@ -1288,7 +1290,7 @@ typedef struct IsletMoverDef {
     float step_height;
     /// m, >= 0. On a walk, the feet keep to ground that falls away by no more than this in a step.
     float snap_distance;
-    /// m/s^2, >= 0. With which it reaches its walking speed, and halts.
+    /// m/s^2, >= 0. How fast it reaches its walking speed, and stops.
     float ground_acceleration;
     /// m/s^2, >= 0. The same sideways in the air.
     float air_acceleration;
@@ -1318,7 +1320,7 @@ typedef struct IsletMoverState {
     uint32_t squeezed;
 } IsletMoverState;
 
-/// What a mover shall do in a step.
+/// What a mover should do in a step.
 typedef struct IsletMoverInput {
     uint32_t struct_size;  ///< sizeof(IsletMoverInput)
     /// m/s, along the ground, in the air sideways; to the right if `up` points up
@@ -1331,7 +1333,7 @@ typedef struct IsletMoverInput {
 typedef struct IsletRecordingInfo {
     uint32_t struct_size;  ///< sizeof(IsletRecordingInfo)
     uint32_t reserved;     ///< 0
-    /// of the recorded world, as the recording claims; a forged one may claim any
+    /// of the recorded world, as the recording claims; a forged recording may claim any capacity
     IsletCapacity* capacity;
     /// what a world needs for a replay with the same results: the capacity claimed, but no more than the recording's snapshots and calls could fill. (That is
     /// at most one shape for each byte of the recording, and the square of the shapes in contacts.)
@@ -1498,7 +1500,7 @@ static inline IsletSolverDef islet_default_solver_def(void) {
     def.omega = 1.0f;
     def.warm_start = true;
     def.joint_trees = ISLET_JOINT_TREES_AUTOMATIC;
-    def.joint_tree_load = 10.0f;
+    def.joint_tree_load = 1.0f;
     return def;
 }
 
@@ -1850,9 +1852,9 @@ ISLET_C_API IsletTransform islet_transform_lerp(IsletTransform a, IsletTransform
 /// for |d| <= pi/2; larger turns are cut to pi/2, and a NaN turns nothing.
 ISLET_C_API IsletRot islet_rot_integrate(IsletRot q, float delta_radians);
 
-/// Convex hull of up to max_polygon_vertices points in any order, from the leftmost (then lowest) one. Duplicates (closer than 0.005 m) and collinear points
-/// (standing out by less than 0.0005 m) are dropped. The result depends on the set of points, not on their order. Returns count 0 if fewer than 3 points
-/// remain, if there are more than 8 points given, or if a coordinate is not finite or above 1e7 m.
+/// The convex hull of up to max_polygon_vertices points in any order. It begins with the leftmost point (if there are several, the lowest). Duplicates
+/// (closer than 0.005 m) and collinear points (standing out by less than 0.0005 m) are dropped. The result depends on the set of points, not on their order.
+/// Returns count 0 if fewer than 3 points remain, if there are more than 8 points given, or if a coordinate is not finite or above 1e7 m.
 ISLET_C_API IsletHull islet_compute_hull(const IsletVec2* points, size_t points_count);
 
 /// Polygon from a hull; count 0 if the hull has fewer than 3 points or is not convex, or if radius is negative or not finite.
@@ -1884,7 +1886,7 @@ ISLET_C_API IsletMassData islet_circle_compute_mass(const IsletCircle* c, float 
 ISLET_C_API IsletMassData islet_capsule_compute_mass(const IsletCapsule* c, float density);
 ISLET_C_API IsletMassData islet_polygon_compute_mass(const IsletPolygon* p, float density);
 
-/// Tight boxes in the frame that t leads to.
+/// The tight bounding box of a shape that is moved by t.
 ISLET_C_API IsletAabb islet_circle_compute_aabb(const IsletCircle* c, IsletTransform t);
 ISLET_C_API IsletAabb islet_capsule_compute_aabb(const IsletCapsule* c, IsletTransform t);
 ISLET_C_API IsletAabb islet_segment_compute_aabb(const IsletSegment* s, IsletTransform t);
@@ -1934,14 +1936,15 @@ ISLET_C_API IsletShapeProxy islet_transform_proxy(IsletTransform t, const IsletS
 /// 1 to 8 points within 4e7 m, 3 and more of them strictly convex and counter-clockwise; a radius of 0 to 1e7 m.
 ISLET_C_API bool islet_proxy_is_valid(const IsletShapeProxy* p);
 
-/// The first point of `target` on the way from `origin` to `origin + translation`. Starting inside is a hit at fraction 0 whatever the direction: normal is
-/// then the shortest way out, point where it ends, and separation, below 0, minus its length. Starting on the surface is a hit only if the way leads inwards.
-/// A ray along a segment or an edge passes it by; at a corner that two segments share it meets at least one of them. A translation shorter than 1e-10 m finds
-/// only what it starts in. No hit if an argument is not valid: target, origin within 4e7 m, translation within max_translation.
+/// The first point of `target` on the way from `origin` to `origin + translation`. A ray that starts inside hits at fraction 0, in any direction. Its normal
+/// points along the shortest way out, `point` is the end of that way, and separation is minus its length. A ray that starts on the surface hits only if it
+/// leads inwards. A ray that runs along a segment or an edge does not hit it. At a corner that two segments share, a ray hits at least one of them. A
+/// translation shorter than 1e-10 m hits only the shape in which it starts. No hit if an argument is not valid: target, origin within 4e7 m, translation
+/// within max_translation.
 ISLET_C_API IsletCastHit islet_cast_ray(const IsletShapeProxy* target, IsletVec2 origin, IsletVec2 translation);
 
-/// The same for a moving shape: `moving` starts where it stands. Shapes that overlap at the start hit at fraction 0; shapes that only touch do if the way
-/// leads inwards. A shape meets a one-sided target only if it moves against the target's normal and the mean of its corners starts in front of the target.
+/// The same for a moving shape. Shapes that overlap at the start hit at fraction 0; shapes that only touch do if the way leads inwards. A shape meets a
+/// one-sided target only if it moves against the target's normal and the mean of its corners starts in front of the target.
 ISLET_C_API IsletCastHit islet_cast_shape(const IsletShapeProxy* moving, IsletVec2 translation, const IsletShapeProxy* target);
 
 /// True if they share a point.
@@ -1950,8 +1953,8 @@ ISLET_C_API bool islet_proxy_overlaps(const IsletShapeProxy* a, const IsletShape
 /// True if the point is in the shape or on its surface; segments contain no point.
 ISLET_C_API bool islet_proxy_contains(const IsletShapeProxy* shape, IsletVec2 point);
 
-/// Advances time by dt seconds, min_time_step <= dt <= 1. 1/60 is usual; see SolverDef for what a step consists of. Errors, on which nothing changes:
-/// bad_time_step; in_step; inexact_build (of a StaticWorld).
+/// Advances time by dt seconds, min_time_step <= dt <= 1. 1/60 is usual; see SolverDef for what a step consists of. Errors (nothing changes): bad_time_step;
+/// in_step; inexact_build (of a StaticWorld).
 ISLET_C_API IsletError islet_world_step(IsletWorld* world, float dt);
 ISLET_C_API IsletVec2 islet_world_gravity(const IsletWorld* world);
 ISLET_C_API IsletError islet_world_set_gravity(IsletWorld* world, IsletVec2 gravity);
@@ -1960,9 +1963,9 @@ ISLET_C_API IsletError islet_world_solver(const IsletWorld* world, IsletSolverDe
 /// Changes the solver's settings. A value out of range is refused (out_of_range), and nothing changes.
 ISLET_C_API IsletError islet_world_set_solver(IsletWorld* world, const IsletSolverDef* solver);
 
-/// m/s: how far the impulses of the body's island were from a solution when the last step ended. This is the most by which solving any one contact or joint
-/// alone would still change the velocity of a body; a turn counts by its speed at the radius of gyration. It is 0 only at a solution, for bodies at rest, and
-/// where nothing was measured (IsletSolverDef.measure_residual). Hinges that are solved exactly, in joint trees, are not measured.
+/// m/s: how far the impulses of the body's island were from a solution when the last step ended. It is the largest change of a body's velocity that solving
+/// any single contact or joint once more would cause. (A change of the angular velocity counts as the speed at the radius of gyration.) It is 0 at a
+/// solution, for bodies at rest, and without IsletSolverDef.measure_residual. Hinges that are solved exactly, in joint trees, are not measured.
 ISLET_C_API float islet_body_residual(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_world_tasks(const IsletWorld* world, IsletTaskSystem* out);
 
@@ -2016,12 +2019,12 @@ ISLET_C_API size_t islet_world_snapshot_bytes(const IsletWorld* world);
 /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
 ISLET_C_API size_t islet_world_save(const IsletWorld* world, void* out, size_t out_bytes);
 
-/// Takes the world back to an image that this program made. What the image uses must fit this world's capacity; the saved world may have had another one.
-/// Only the image's header is checked; the rest is copied as fast as memory allows. The world keeps what belongs to the host: lanes, hooks, the clock and the
-/// task system. There are no events until the next step, and the report holds only the numbers of objects. Touches that had ended since the last step,
-/// because a shape was destroyed, are part of the image: the next step reports them. Returns false and changes nothing on an error: those of read_snapshot;
-/// image_too_large; feature_cut if this build or program lacks a part that the image needs. (A program that neither makes joints nor calls load does not link
-/// joints, so it cannot restore an image with joints.)
+/// Takes the world back to an image that this program made. The objects in the image must fit this world's capacity. The capacity of the saved world may have
+/// been another. Only the image's header is checked; the rest is copied as fast as memory allows. The world keeps what belongs to the host: lanes, hooks, the
+/// clock and the task system. There are no events until the next step, and the report holds only the numbers of objects. Touches that had ended since the
+/// last step, because a shape was destroyed, are part of the image: the next step reports them. Returns false and changes nothing on an error: those of
+/// read_snapshot; image_too_large; feature_cut if this build or program lacks a part that the image needs. (A program that neither makes joints nor calls
+/// load does not link joints, so it cannot restore an image with joints.)
 ISLET_C_API bool islet_world_restore(IsletWorld* world, const void* image, size_t image_bytes);
 
 /// Like restore, for an image from outside, which may be truncated, corrupt or hostile. Nothing of it is used before all of it is found sound. Further
@@ -2031,7 +2034,7 @@ ISLET_C_API bool islet_world_load(IsletWorld* world, const void* image, size_t i
 /// Writes a snapshot to `buffer`, and after it every call that changes the world. The buffer must be aligned to recording_alignment; it belongs to the world
 /// until the recording stops. With `bodies`, each step also writes a hash of each awake body, four bytes long. Returns false, and records nothing, if there
 /// is no room for the snapshot (recording_full) or the buffer is misaligned (image_misaligned). If there is no more room later, the recording stops by itself
-/// (recording_full) and holds all calls before. A recording that is under way is dropped.
+/// (recording_full) and holds all calls before. A recording that is already running is discarded.
 ISLET_C_API bool islet_world_start_recording(IsletWorld* world, void* buffer, size_t buffer_bytes, bool bodies);
 ISLET_C_API bool islet_world_is_recording(const IsletWorld* world);
 
@@ -2046,8 +2049,8 @@ ISLET_C_API bool islet_world_move_recording(IsletWorld* world, void* buffer, siz
 ISLET_C_API size_t islet_world_stop_recording(IsletWorld* world);
 ISLET_C_API IsletTouchEventSpan islet_world_begin_touch_events(const IsletWorld* world);
 
-/// Contacts that ended in the last step, and in calls made since. There is room for as many as the world can have contacts, overlaps of sensors included. If
-/// calls need more room, the events of the last step give way, so read them before you make calls.
+/// Contacts that ended in the last step, and in calls made since. This list and sensor_end_events() have room for IsletCapacity.contacts events together. If
+/// calls need that room, they remove the events of the last step, so read these events before you make calls.
 ISLET_C_API IsletTouchEventSpan islet_world_end_touch_events(const IsletWorld* world);
 
 /// Overlaps of sensors that began, and that ended, in the same order as touches. A step reports the overlaps at the poses with which it begins. An overlap
@@ -2103,8 +2106,8 @@ ISLET_C_API IsletError islet_body_set_linear_velocity(IsletWorld* world, IsletBo
 /// The same; no effect on bodies of fixed rotation either.
 ISLET_C_API IsletError islet_body_set_angular_velocity(IsletWorld* world, IsletBodyId body, float velocity);
 
-/// Gives a kinematic body the velocities that take it to a pose in a step of dt seconds, but for rounding: at most max_speed, and at most a quarter turn. The
-/// body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
+/// Gives a kinematic body the velocities that take it to a pose in a step of dt seconds, except for rounding: at most max_speed, and at most a quarter turn.
+/// The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
 ISLET_C_API IsletError islet_body_set_target(IsletWorld* world, IsletBodyId body, IsletTransform target, float dt);
 
 /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s) act at once.
@@ -2189,14 +2192,14 @@ ISLET_C_API IsletShapeId islet_create_half_space(IsletWorld* world, IsletBodyId 
 ISLET_C_API uint32_t islet_create_chain(IsletWorld* world, IsletBodyId body, const IsletVec2* points, size_t points_count, bool loop,
     const IsletShapeDef* def, IsletShapeId* out, size_t out_count);
 
-/// Destroys the shape and its contacts; the body's mass follows.
+/// Destroys the shape and its contacts, and computes the body's mass again.
 ISLET_C_API IsletError islet_destroy_shape(IsletWorld* world, IsletShapeId shape);
 ISLET_C_API bool islet_shape_is_valid(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API uint32_t islet_world_shape_count(const IsletWorld* world);
 ISLET_C_API IsletBodyId islet_shape_body(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API IsletShapeType islet_shape_type(const IsletWorld* world, IsletShapeId shape);
 
-/// The geometry, or null if the shape is of another type or invalid (which alone is an error).
+/// The geometry; null if the shape is of another type (which is no error), or if the id is invalid (which is one).
 ISLET_C_API const IsletCircle* islet_shape_circle(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API const IsletCapsule* islet_shape_capsule(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API const IsletSegment* islet_shape_segment(const IsletWorld* world, IsletShapeId shape);
@@ -2204,15 +2207,15 @@ ISLET_C_API const IsletPolygon* islet_shape_polygon(const IsletWorld* world, Isl
 ISLET_C_API const IsletChainSegment* islet_shape_chain_segment(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API const IsletHalfSpace* islet_shape_half_space(const IsletWorld* world, IsletShapeId shape);
 
-/// Gives the shape another geometry, of any type. Its contacts and overlaps end; the next step finds those of the new geometry. The body's mass follows.
-/// Wakes the body and the bodies that touched the shape. Errors: bad_geometry; geometries_full; endless_shape.
+/// Gives the shape another geometry, of any type. Its contacts and overlaps end; the next step finds those of the new geometry. The body's mass is computed
+/// again. Wakes the body and the bodies that touched the shape. Errors: bad_geometry; geometries_full; endless_shape.
 ISLET_C_API IsletError islet_shape_set_circle(IsletWorld* world, IsletShapeId shape, const IsletCircle* circle);
 ISLET_C_API IsletError islet_shape_set_capsule(IsletWorld* world, IsletShapeId shape, const IsletCapsule* capsule);
 ISLET_C_API IsletError islet_shape_set_segment(IsletWorld* world, IsletShapeId shape, const IsletSegment* segment);
 ISLET_C_API IsletError islet_shape_set_polygon(IsletWorld* world, IsletShapeId shape, const IsletPolygon* polygon);
 ISLET_C_API IsletError islet_shape_set_half_space(IsletWorld* world, IsletShapeId shape, const IsletHalfSpace* half_space);
 
-/// kg/m^2, >= 0; the body's mass follows.
+/// kg/m^2, >= 0. Setting it computes the body's mass again.
 ISLET_C_API float islet_shape_density(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API IsletError islet_shape_set_density(IsletWorld* world, IsletShapeId shape, float density);
 
@@ -2234,7 +2237,7 @@ ISLET_C_API IsletSurfaceMaterial islet_shape_material(const IsletWorld* world, I
 ISLET_C_API IsletError islet_shape_set_material(IsletWorld* world, IsletShapeId shape, const IsletSurfaceMaterial* material);
 ISLET_C_API bool islet_shape_is_sensor(const IsletWorld* world, IsletShapeId shape);
 
-/// Writes the shapes that overlap the sensor, as far as they fit, the one that came near last first; returns how many there are. Error: not_a_sensor.
+/// Writes the shapes that overlap the sensor, as far as they fit; the shape that came near last comes first. Returns how many there are. Error: not_a_sensor.
 ISLET_C_API uint32_t islet_shape_sensor_overlaps(const IsletWorld* world, IsletShapeId sensor, IsletShapeId* out, size_t out_count);
 
 /// IsletShapeDef.sensor_events, hit_events and pre_solve.
@@ -2332,7 +2335,7 @@ ISLET_C_API IsletError islet_joint_set_friction(IsletWorld* world, IsletJointId 
 /// Force (N) or torque (N m) of the motor over the last substep.
 ISLET_C_API float islet_joint_motor_force(const IsletWorld* world, IsletJointId joint);
 
-/// Of an angle joint. Setting it lets go of the tooth that held; the last one that the angle is past holds it next.
+/// Of an angle joint. Setting it forgets the tooth that held. The next one to hold is the last tooth that the angle has passed.
 ISLET_C_API IsletJointRatchet islet_joint_ratchet(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletError islet_joint_set_ratchet(IsletWorld* world, IsletJointId joint, const IsletJointRatchet* ratchet);
 
@@ -2413,8 +2416,9 @@ ISLET_C_API void islet_world_overlap_point_each(const IsletWorld* world, IsletVe
 ISLET_C_API IsletClosestHit islet_world_closest(const IsletWorld* world, IsletVec2 point, float max_distance, const IsletQueryFilter* filter);
 
 /// Writes the surfaces no farther than `within` (m, 0 to max_translation) from a shape in the world, as far as they fit, and returns how many there are. The
-/// closest come first, beginning with the deepest overlap; equally close ones come in the order of their slots. Chain segments push to their outer side only:
-/// those that the shape is behind, by the mean of its corners or by its side that is closest to an end, are left out. filter may be null.
+/// closest come first, beginning with the deepest overlap; equally close ones come in the order of their slots. A chain segment has a surface only on its
+/// outer side. It is left out if the shape is on its inner side, by the mean of the shape's corners or by the direction to the shape's closest point. filter
+/// may be null.
 ISLET_C_API uint32_t islet_world_surfaces_near(const IsletWorld* world, const IsletShapeProxy* shape, float within, IsletSurface* out, size_t out_count,
     const IsletQueryFilter* filter);
 
