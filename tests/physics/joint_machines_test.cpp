@@ -45,8 +45,7 @@ TEST(Gear, TurnsItsWheelsInTheRatioOfTheirRadii) {
     TestWorld world(room_for_joints, weightless());
     const BodyId frame = world->create_body({});
     const BodyId big = world.add_circle({0, 0}, 1), small = world.add_circle({1.5f, 0}, 0.5f);
-    const JointId hinge1 = world->create_joint(
-        RevoluteJointDef{.base = between(frame, big), .motor = {.enable = true, .speed = 2, .max_force = 1000}});
+    const JointId hinge1 = world->create_joint(RevoluteJointDef{.base = between(frame, big), .motor = {.enable = true, .speed = 2, .max_force = 1000}});
     JointBase second = between(frame, small);
     second.frame_a.position = {1.5f, 0};
     const JointId hinge2 = world->create_joint(RevoluteJointDef{.base = second});
@@ -85,8 +84,7 @@ TEST(Gear, RackAndPinionTurnsWayIntoAngle) {
     TestWorld world(room_for_joints, weightless());
     const BodyId frame = world->create_body({});
     const BodyId rack = world.add_box({0, 0}, 2, 0.1f), pinion = world.add_circle({0, 5}, 0.25f);
-    const JointId slide = world->create_joint(
-        PrismaticJointDef{.base = between(frame, rack), .motor = {.enable = true, .speed = 0.5f, .max_force = 1e4f}});
+    const JointId slide = world->create_joint(PrismaticJointDef{.base = between(frame, rack), .motor = {.enable = true, .speed = 0.5f, .max_force = 1e4f}});
     JointBase base = between(frame, pinion);
     base.frame_a.position = {0, 5};
     const JointId hinge = world->create_joint(RevoluteJointDef{.base = base});
@@ -106,8 +104,8 @@ TEST(Motor, HoldsALoadWithTheTorqueOfItsWeightAndNoMore) {
         const double needed = double(world->mass(rod)) * g * 1.0;
         JointBase base = between(wall, rod);
         base.frame_b.position = {-1, 0};
-        const JointId j = world->create_joint(
-            RevoluteJointDef{.base = base, .motor = {.enable = true, .speed = 0, .max_force = static_cast<float>(share * needed)}});
+        const JointId j =
+            world->create_joint(RevoluteJointDef{.base = base, .motor = {.enable = true, .speed = 0, .max_force = static_cast<float>(share * needed)}});
         world.step(120);
         if (share > 1) {
             EXPECT_NEAR(double(world->joint_position(j)), 0, 2e-3);  // it falls for a substep before the motor first pushes
@@ -163,8 +161,8 @@ TEST(Slider, OnASlopeSlidesWithTheSlopesShareOfGravity) {
         const double m = double(world->mass(box)), along = g * std::sin(0.5), friction = rough ? 0.3 * m * g : 0;
         JointBase base = between(wall, box);
         base.frame_a.angle = slope;
-        const JointId j = world->create_joint(PrismaticJointDef{
-            .base = base, .limit = {.enable = true, .lower = -1, .upper = 3}, .friction = static_cast<float>(friction)});
+        const JointId j =
+            world->create_joint(PrismaticJointDef{.base = base, .limit = {.enable = true, .lower = -1, .upper = 3}, .friction = static_cast<float>(friction)});
         world.step(48);  // 0.8 s
         const double a = along - friction / m;
         EXPECT_NEAR(double(world->joint_speed(j)) / (0.8 * a), 1, 2e-3);
@@ -181,8 +179,7 @@ TEST(Angle, CountsOnPastFullTurns) {
     TestWorld world(room_for_joints, weightless());
     const BodyId wall = world->create_body({});
     const BodyId wheel = world.add_circle({0, 0}, 1);
-    const JointId j =
-        world->create_joint(RevoluteJointDef{.base = between(wall, wheel), .motor = {.enable = true, .speed = 30, .max_force = 1e6f}});
+    const JointId j = world->create_joint(RevoluteJointDef{.base = between(wall, wheel), .motor = {.enable = true, .speed = 30, .max_force = 1e6f}});
     world.step(60);
     EXPECT_NEAR(double(world->joint_position(j)), 30, 0.2);
     world.step(540);
@@ -196,9 +193,8 @@ TEST(Angle, LimitsHoldBeyondAFullTurn) {
     TestWorld world(room_for_joints, weightless());
     const BodyId wall = world->create_body({});
     const BodyId wheel = world.add_circle({0, 0}, 1);
-    const JointId j = world->create_joint(RevoluteJointDef{.base = between(wall, wheel),
-                                                           .limit = {.enable = true, .lower = -1, .upper = 15},
-                                                           .motor = {.enable = true, .speed = 10, .max_force = 10}});
+    const JointId j = world->create_joint(RevoluteJointDef{
+        .base = between(wall, wheel), .limit = {.enable = true, .lower = -1, .upper = 15}, .motor = {.enable = true, .speed = 10, .max_force = 10}});
     world.step(300);
     EXPECT_NEAR(double(world->joint_position(j)), 15, 0.01);
 }

@@ -123,8 +123,7 @@ TEST(Stacking, ALeaningColumnTipsWhenItsCentreIsOutsideItsFoot) {
         TestWorld world(roomy, sleepless());
         world.add_ground(0, 100, rough(1));
         const Rot q = make_rot(static_cast<float>(-share * critical));
-        const BodyId box =
-            world.add(make_box(0.25f, 1), dynamic_at(rotate(q, {-0.25f, 1}), static_cast<float>(-share * critical)), rough(1));
+        const BodyId box = world.add(make_box(0.25f, 1), dynamic_at(rotate(q, {-0.25f, 1}), static_cast<float>(-share * critical)), rough(1));
         world.step(300);
         EXPECT_NEAR(std::abs(double(world->angle(box))), share < 1 ? 0 : double(pi) / 2, 0.02) << "share " << share;
     }
@@ -187,8 +186,7 @@ struct Column {
         double farthest = 0;
         for (float t = 0; t < time && farthest < fallen; t += step_time) {
             world.step();
-            for (std::size_t i = 0; i < boxes.size(); ++i)
-                farthest = std::fmax(farthest, std::fabs(double(world->position(boxes[i]).x - places[i].x)));
+            for (std::size_t i = 0; i < boxes.size(); ++i) farthest = std::fmax(farthest, std::fabs(double(world->position(boxes[i]).x - places[i].x)));
         }
         return farthest;
     }
