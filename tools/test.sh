@@ -215,8 +215,8 @@ if $all || ! $coverage; then
 fi
 if $all; then
     # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
-    targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,features,samples,tools_islet,tools_lab}_tests)
-    targets+=(islet_runner islet-lab islet_hashes islet_fuzz_api islet_lockstep islet_lcp_search islet_random_rooms islet_scene_mutants)
+    targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,features,c,samples,tools_islet,tools_lab}_tests)
+    targets+=(islet_runner islet-lab islet_hashes islet_fuzz_api islet_lockstep islet_lcp_search islet_random_rooms islet_scene_mutants islet_c_{calls,refusals})
     build_tests asan-ubsan
     start_fuzzer
     check_scripts

@@ -165,10 +165,9 @@ struct SolverDef {
     float contact_damping_ratio = 10.0f;             ///< >= 0. Soft contacts are overdamped so that they do not bounce.
     float contact_push_speed = 3.0f;                 ///< m/s, >= 0. The fastest that overlapping shapes are pushed apart.
     float joint_hertz = 60.0f;                       ///< Hz, > 0. Stiffness with which joints correct their errors; capped at a quarter of the substep rate.
-                                                     ///< A rigid joint gives way by F / (m (2 pi joint_hertz)^2) under a steady force F, where m is the mass
-                                                     ///< that it moves. A limit does not give way to the joint's own motor. To any other steady load it
-                                                     ///< first gives way as much as a rigid joint does; 128 steps later, about a third of that error is
-                                                     ///< left.
+                                                     ///< A rigid joint that is swept gives way by F / (m (2 pi joint_hertz)^2) under a steady force F, where m is the
+                                                     ///< mass that it moves. A limit does not give way to the joint's own motor. To any other steady load it first gives
+                                                     ///< way as much as a rigid joint does; 128 steps later, about a third of that error is left.
     float joint_damping_ratio = 2.0f;                ///< >= 0
     float baumgarte = 0.2f;                          ///< 0 to 1. Share of overlaps and joint errors corrected per step (classic schedule).
     float omega = 1.0f;                              ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
