@@ -158,20 +158,20 @@ inline constexpr float max_shock = 0.5f;
 /// How the solver works. Change it at any time with World::set_solver.
 struct SolverDef {
     Schedule schedule = Schedule::soft;
-    std::uint32_t substeps = 4;                      ///< 1 to 64. More: stiffer stacks and joints, cost in proportion.
-    std::uint32_t iterations = 1;                    ///< 1 to 256 biased sweeps per substep.
-    std::uint32_t relax_iterations = 1;              ///< 0 to 256 unbiased sweeps per substep (soft schedule).
-    float contact_hertz = 30.0f;                     ///< Hz, > 0. Stiffness of soft contacts; capped at an eighth of the substep rate.
-    float contact_damping_ratio = 10.0f;             ///< >= 0. Soft contacts are overdamped so that they do not bounce.
-    float contact_push_speed = 3.0f;                 ///< m/s, >= 0. The fastest that overlapping shapes are pushed apart.
-    float joint_hertz = 60.0f;                       ///< Hz, > 0. Stiffness with which joints correct their errors; capped at a quarter of the substep rate.
-                                                     ///< A rigid joint that is swept gives way by F / (m (2 pi joint_hertz)^2) under a steady force F, where m is the
-                                                     ///< mass that it moves. A limit does not give way to the joint's own motor. To any other steady load it first gives
-                                                     ///< way as much as a rigid joint does; 128 steps later, about a third of that error is left.
-    float joint_damping_ratio = 2.0f;                ///< >= 0
-    float baumgarte = 0.2f;                          ///< 0 to 1. Share of overlaps and joint errors corrected per step (classic schedule).
-    float omega = 1.0f;                              ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
-    bool warm_start = true;                          ///< Start each step from the impulses of the last.
+    std::uint32_t substeps = 4;           ///< 1 to 64. More: stiffer stacks and joints, cost in proportion.
+    std::uint32_t iterations = 1;         ///< 1 to 256 biased sweeps per substep.
+    std::uint32_t relax_iterations = 1;   ///< 0 to 256 unbiased sweeps per substep (soft schedule).
+    float contact_hertz = 30.0f;          ///< Hz, > 0. Stiffness of soft contacts; capped at an eighth of the substep rate.
+    float contact_damping_ratio = 10.0f;  ///< >= 0. Soft contacts are overdamped so that they do not bounce.
+    float contact_push_speed = 3.0f;      ///< m/s, >= 0. The fastest that overlapping shapes are pushed apart.
+    float joint_hertz = 60.0f;            ///< Hz, > 0. Stiffness with which joints correct their errors; capped at a quarter of the substep rate.
+                                          ///< A rigid joint that is swept gives way by F / (m (2 pi joint_hertz)^2) under a steady force F, where m is the
+                                          ///< mass that it moves. A limit does not give way to the joint's own motor. To any other steady load it first gives
+                                          ///< way as much as a rigid joint does; 128 steps later, about a third of that error is left.
+    float joint_damping_ratio = 2.0f;     ///< >= 0
+    float baumgarte = 0.2f;               ///< 0 to 1. Share of overlaps and joint errors corrected per step (classic schedule).
+    float omega = 1.0f;                   ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.
+    bool warm_start = true;               ///< Start each step from the impulses of the last.
     JointTrees joint_trees = JointTrees::automatic;  ///< Which hinges are solved exactly instead of swept.
     float joint_tree_load = 1.0f;  ///< >= 1. With JointTrees::automatic, a tree is solved exactly if one of its hinges bears at least so many times
                                    ///< the mass of the lighter body that it joins. Lower values: more trees. (Not for masses above 1e18 kg, whose
