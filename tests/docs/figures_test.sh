@@ -45,7 +45,7 @@ same character.md "\`max_push_force\` \| 70 kg, $n N" $headers/mover.hpp "float 
 same solver.md "\`soft\` .default. \| has $n substeps" $headers/types.hpp "substeps = $n;"
 same solver.md "\`contact_hertz\` \($n Hz" $headers/types.hpp "float contact_hertz = ${n}f"
 same solver.md "\`contact_push_speed\` \($n m" $headers/types.hpp "float contact_push_speed = ${n}f"
-same solver.md "at least $n times \(\`joint_tree_load\`\)" $headers/types.hpp "float joint_tree_load = ${n}f"
+same solver.md "raise \`joint_tree_load\` \($n by default" $headers/types.hpp "float joint_tree_load = ${n}f"
 same solver.md "The largest value is ([0-9.]*[0-9])\. " $headers/types.hpp "max_shock = ${n}f"
 same snapshots.md "goes back by up to $n frames" samples/rollback/peer.hpp "int window = $n;"
 same recording.md "needs more than $n GB" tools/islet/replay_file.hpp "usual_memory_limit = ([0-9']+)" 1e9
