@@ -28,14 +28,20 @@ bool check_def(const Core& core, const BodyDef& d) {
            check_there(core, has_sleep || d.awake) && check_there(core, !d.bullet || has_bullets) && check_there(core, d.enabled || has_disabling);
 }
 
-/// Has `act`, which is pull or kick, act on a body and wakes it; no effect on a body that cannot be pushed. What turns it is `turn`, or, if a point is
-/// given, `push` at this point.
-void act_on(Core& core, BodyId id, Vec2 push, float turn, const Vec2* point, void (&act)(Core&, std::uint32_t, Vec2, float)) {
+enum class Push : std::uint8_t { force, impulse };
+
+/// Pushes a body and wakes it; no effect on a body that cannot be pushed. What turns it is `turn`, or, if a point is given, `push` at this point.
+void act_on(Core& core, BodyId id, Vec2 push, float turn, const Vec2* point, Push kind) {
     if (!check_finite(core, push) || !check_finite(core, turn) || (point != nullptr && !check_finite(core, *point))) return;
     const std::uint32_t i = find_slot(core, id);
     if (i == null_index || !is_pushable(core, i)) return;
     wake_island(core, i, core.arena());
-    act(core, i, push, point != nullptr ? cross(*point - core.poses[i].center, push) : turn);
+    if (point != nullptr) turn = cross(*point - core.poses[i].center, push);
+    if (kind == Push::force) {
+        pull(core, i, push, turn);
+    } else {
+        kick(core, i, push, turn);
+    }
 }
 
 }  // namespace
@@ -169,27 +175,27 @@ void World::set_angular_velocity(BodyId id, float velocity) {
 
 void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
     note_call<Call::apply_force>(core(), id, force, point);
-    act_on(core(), id, force, 0, &point, pull);
+    act_on(core(), id, force, 0, &point, Push::force);
 }
 void World::apply_force_to_center(BodyId id, Vec2 force) {
     note_call<Call::apply_force_to_center>(core(), id, force);
-    act_on(core(), id, force, 0, nullptr, pull);
+    act_on(core(), id, force, 0, nullptr, Push::force);
 }
 void World::apply_torque(BodyId id, float torque) {
     note_call<Call::apply_torque>(core(), id, torque);
-    act_on(core(), id, {0, 0}, torque, nullptr, pull);
+    act_on(core(), id, {0, 0}, torque, nullptr, Push::force);
 }
 void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {
     note_call<Call::apply_linear_impulse>(core(), id, impulse, point);
-    act_on(core(), id, impulse, 0, &point, kick);
+    act_on(core(), id, impulse, 0, &point, Push::impulse);
 }
 void World::apply_linear_impulse_to_center(BodyId id, Vec2 impulse) {
     note_call<Call::apply_linear_impulse_to_center>(core(), id, impulse);
-    act_on(core(), id, impulse, 0, nullptr, kick);
+    act_on(core(), id, impulse, 0, nullptr, Push::impulse);
 }
 void World::apply_angular_impulse(BodyId id, float impulse) {
     note_call<Call::apply_angular_impulse>(core(), id, impulse);
-    act_on(core(), id, {0, 0}, impulse, nullptr, kick);
+    act_on(core(), id, {0, 0}, impulse, nullptr, Push::impulse);
 }
 
 void World::set_type(BodyId id, BodyType type) {
