@@ -26,7 +26,7 @@ mkdir -p "$work"
 . "$root/tests/determinism/build.sh"
 
 # under_wine PROGRAM ARGUMENT...: a program for Windows, with a folder of Wine's own. (The linker has added ".exe" to the name. Wine's stderr is about itself.)
-under_wine() { WINEPREFIX=$work/wine WINEDEBUG=-all wine "$1.exe" "${@:2}" 2>/dev/null; }
+under_wine() { WINEPREFIX=$work/wine WINEDEBUG=-all wine "$1.exe" "${@:2}" 2>/dev/null | tr -d '\r'; }
 
 # Running is work for one core, compiling for many: a core each for as many targets at once keeps all of them busy.
 at_once=$jobs

@@ -210,7 +210,8 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
                 const float normal_impulses = solve_rows<L>(s, r, sweep, AllLanes{});
                 if (more == 0 || !has_changed<L>(s, normal_impulses)) break;
                 if (more != r.extra_passes[0]) continue;
-                // Bodies are read anew, as land() does for several lanes: an impulse that overflows leaves NaN in the speed of a static body, which is not kept.
+                // Bodies are read anew, as land() does for several lanes: if an impulse overflows, the speed of a static body becomes NaN, which is not
+                // kept.
                 s.scatter(bodies, r.body_a, r.body_b);
                 s.gather(bodies, r.body_a, r.body_b);
             }
