@@ -4,11 +4,12 @@
 //     window --list               prints the scenes' names
 //     window SCENE --frames N --picture FILE.bmp     shows N frames, writes the last one, and ends
 //
-// Every frame is one step, so pulling a body about and rewinding are as repeatable as all else.
+// Every frame is one step.
 #include <SDL.h>
 
+#include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <charconv>
 #include <cstring>
 #include <iostream>
 #include <memory>
@@ -221,6 +222,13 @@ private:
     bool paused_ = false, single_step_ = false, shows_contacts_ = false, ended_ = false;
 };
 
+int frames_of(const std::string& text) {
+    int frames = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), frames);
+    if (error != std::errc() || end != text.data() + text.size() || frames < 1) throw std::invalid_argument("--frames takes a number from 1 on, not " + text);
+    return frames;
+}
+
 /// Throws std::invalid_argument with a sentence if the arguments are wrong.
 Options options_of(int count, char** arguments) {
     Options options;
@@ -228,7 +236,7 @@ Options options_of(int count, char** arguments) {
         const std::string argument = arguments[i];
         const bool has_value = i + 1 < count;
         if (argument == "--frames" && has_value)
-            options.frames = std::atoi(arguments[++i]);
+            options.frames = frames_of(arguments[++i]);
         else if (argument == "--picture" && has_value)
             options.picture = arguments[++i];
         else if (find_scene(argument) != nullptr)

@@ -10,45 +10,125 @@
 
 namespace {
 
-TEST(Defaults, OfRot) {
-    const IsletRot c = islet_default_rot();
-    [[maybe_unused]] const islet::Rot cpp = {};
+void expect_same(const IsletVec2& c, const islet::Vec2& cpp) {
+    EXPECT_EQ(c.x, cpp.x);
+    EXPECT_EQ(c.y, cpp.y);
+}
+
+void expect_same(const IsletRot& c, const islet::Rot& cpp) {
     EXPECT_EQ(c.c, cpp.c);
     EXPECT_EQ(c.s, cpp.s);
 }
 
+void expect_same(const IsletAabb& c, const islet::Aabb& cpp) {
+    expect_same(c.lower, cpp.lower);
+    expect_same(c.upper, cpp.upper);
+}
+
+void expect_same(const IsletFilter& c, const islet::Filter& cpp) {
+    EXPECT_EQ(c.category, cpp.category);
+    EXPECT_EQ(c.mask, cpp.mask);
+    EXPECT_EQ(c.group, cpp.group);
+}
+
+void expect_same(const IsletShapeId& c, const islet::ShapeId& cpp) {
+    EXPECT_EQ(c.index1, cpp.index1);
+    EXPECT_EQ(c.generation, cpp.generation);
+}
+
+void expect_same(const IsletContactInfo& c, const islet::ContactInfo& cpp) {
+    expect_same(c.shape_a, cpp.shape_a);
+    expect_same(c.shape_b, cpp.shape_b);
+    expect_same(c.normal, cpp.normal);
+    EXPECT_EQ(c.point_count, cpp.point_count);
+    EXPECT_EQ(c.friction, cpp.friction);
+    EXPECT_EQ(c.restitution, cpp.restitution);
+}
+
+void expect_same(const IsletBodyId& c, const islet::BodyId& cpp) {
+    EXPECT_EQ(c.index1, cpp.index1);
+    EXPECT_EQ(c.generation, cpp.generation);
+}
+
+void expect_same(const IsletJointFrame& c, const islet::JointFrame& cpp) {
+    expect_same(c.position, cpp.position);
+    EXPECT_EQ(c.angle, cpp.angle);
+}
+
+void expect_same(const IsletJointBase& c, const islet::JointBase& cpp) {
+    expect_same(c.body_a, cpp.body_a);
+    expect_same(c.body_b, cpp.body_b);
+    expect_same(c.frame_a, cpp.frame_a);
+    expect_same(c.frame_b, cpp.frame_b);
+    EXPECT_EQ(c.collide_connected, cpp.collide_connected);
+    EXPECT_EQ(c.break_force, cpp.break_force);
+    EXPECT_EQ(c.break_torque, cpp.break_torque);
+    EXPECT_EQ(c.user_data, cpp.user_data);
+}
+
+void expect_same(const IsletJointSpring& c, const islet::JointSpring& cpp) {
+    EXPECT_EQ(c.enable, cpp.enable);
+    EXPECT_EQ(c.hertz, cpp.hertz);
+    EXPECT_EQ(c.damping_ratio, cpp.damping_ratio);
+    EXPECT_EQ(c.target, cpp.target);
+}
+
+void expect_same(const IsletJointLimit& c, const islet::JointLimit& cpp) {
+    EXPECT_EQ(c.enable, cpp.enable);
+    EXPECT_EQ(c.lower, cpp.lower);
+    EXPECT_EQ(c.upper, cpp.upper);
+}
+
+void expect_same(const IsletJointMotor& c, const islet::JointMotor& cpp) {
+    EXPECT_EQ(c.enable, cpp.enable);
+    EXPECT_EQ(c.speed, cpp.speed);
+    EXPECT_EQ(c.max_force, cpp.max_force);
+}
+
+void expect_same(const IsletJointId& c, const islet::JointId& cpp) {
+    EXPECT_EQ(c.index1, cpp.index1);
+    EXPECT_EQ(c.generation, cpp.generation);
+}
+
+void expect_same(const IsletJointRatchet& c, const islet::JointRatchet& cpp) {
+    EXPECT_EQ(c.step, cpp.step);
+    EXPECT_EQ(c.phase, cpp.phase);
+}
+
+void expect_same(const IsletCapsule& c, const islet::Capsule& cpp) {
+    expect_same(c.point1, cpp.point1);
+    expect_same(c.point2, cpp.point2);
+    EXPECT_EQ(c.radius, cpp.radius);
+}
+
+void expect_same(const IsletQueryFilter& c, const islet::QueryFilter& cpp) {
+    EXPECT_EQ(c.category, cpp.category);
+    EXPECT_EQ(c.mask, cpp.mask);
+    EXPECT_EQ(c.sensors, cpp.sensors);
+}
+
+TEST(Defaults, OfRot) { expect_same(islet_default_rot(), {}); }
+
 TEST(Defaults, OfTransform) {
     const IsletTransform c = islet_default_transform();
     [[maybe_unused]] const islet::Transform cpp = {};
-    EXPECT_EQ(c.p.x, cpp.p.x);
-    EXPECT_EQ(c.p.y, cpp.p.y);
-    EXPECT_EQ(c.q.c, cpp.q.c);
-    EXPECT_EQ(c.q.s, cpp.q.s);
+    expect_same(c.p, cpp.p);
+    expect_same(c.q, cpp.q);
 }
 
 TEST(Defaults, OfCircle) {
     const IsletCircle c = islet_default_circle();
     [[maybe_unused]] const islet::Circle cpp = {};
-    EXPECT_EQ(c.center.x, cpp.center.x);
-    EXPECT_EQ(c.center.y, cpp.center.y);
+    expect_same(c.center, cpp.center);
     EXPECT_EQ(c.radius, cpp.radius);
 }
 
-TEST(Defaults, OfCapsule) {
-    const IsletCapsule c = islet_default_capsule();
-    [[maybe_unused]] const islet::Capsule cpp = {};
-    EXPECT_EQ(c.point1.x, cpp.point1.x);
-    EXPECT_EQ(c.point1.y, cpp.point1.y);
-    EXPECT_EQ(c.point2.x, cpp.point2.x);
-    EXPECT_EQ(c.point2.y, cpp.point2.y);
-    EXPECT_EQ(c.radius, cpp.radius);
-}
+TEST(Defaults, OfCapsule) { expect_same(islet_default_capsule(), {}); }
 
 TEST(Defaults, OfHalfSpace) {
     const IsletHalfSpace c = islet_default_half_space();
     [[maybe_unused]] const islet::HalfSpace cpp = {};
-    EXPECT_EQ(c.normal.x, cpp.normal.x);
-    EXPECT_EQ(c.normal.y, cpp.normal.y);
+    expect_same(c.normal, cpp.normal);
     EXPECT_EQ(c.offset, cpp.offset);
 }
 
@@ -73,10 +153,7 @@ TEST(Defaults, OfDebugDraw) {
     EXPECT_TRUE(c.point == nullptr && cpp.point == nullptr);
     EXPECT_TRUE(c.text == nullptr && cpp.text == nullptr);
     EXPECT_EQ(c.context, cpp.context);
-    EXPECT_EQ(c.view.lower.x, cpp.view.lower.x);
-    EXPECT_EQ(c.view.lower.y, cpp.view.lower.y);
-    EXPECT_EQ(c.view.upper.x, cpp.view.upper.x);
-    EXPECT_EQ(c.view.upper.y, cpp.view.upper.y);
+    expect_same(c.view, cpp.view);
     EXPECT_EQ(c.size, cpp.size);
     EXPECT_EQ(c.impulse_scale, cpp.impulse_scale);
     EXPECT_EQ(c.shapes, cpp.shapes);
@@ -168,11 +245,8 @@ TEST(Defaults, OfWorldDef) {
     [[maybe_unused]] const islet::WorldDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
+    expect_same(c.gravity, cpp.gravity);
     EXPECT_EQ(c.solver, nullptr);
-    EXPECT_EQ(c.hooks, nullptr);
-    EXPECT_EQ(c.tasks, nullptr);
-    EXPECT_EQ(c.gravity.x, cpp.gravity.x);
-    EXPECT_EQ(c.gravity.y, cpp.gravity.y);
     EXPECT_EQ(c.enable_sleep, cpp.enable_sleep);
     EXPECT_EQ(c.restitution_threshold, cpp.restitution_threshold);
     EXPECT_EQ(c.max_speed, cpp.max_speed);
@@ -181,6 +255,8 @@ TEST(Defaults, OfWorldDef) {
     EXPECT_EQ(c.lanes, cpp.lanes);
     EXPECT_TRUE(c.error_hook == nullptr && cpp.error_hook == nullptr);
     EXPECT_EQ(c.error_context, cpp.error_context);
+    EXPECT_EQ(c.hooks, nullptr);
+    EXPECT_EQ(c.tasks, nullptr);
     EXPECT_TRUE(c.clock == nullptr && cpp.clock == nullptr);
     EXPECT_EQ(c.clock_context, cpp.clock_context);
 }
@@ -191,11 +267,9 @@ TEST(Defaults, OfBodyDef) {
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
     EXPECT_EQ(int(c.type), int(cpp.type));
-    EXPECT_EQ(c.position.x, cpp.position.x);
-    EXPECT_EQ(c.position.y, cpp.position.y);
+    expect_same(c.position, cpp.position);
     EXPECT_EQ(c.angle, cpp.angle);
-    EXPECT_EQ(c.linear_velocity.x, cpp.linear_velocity.x);
-    EXPECT_EQ(c.linear_velocity.y, cpp.linear_velocity.y);
+    expect_same(c.linear_velocity, cpp.linear_velocity);
     EXPECT_EQ(c.angular_velocity, cpp.angular_velocity);
     EXPECT_EQ(c.linear_damping, cpp.linear_damping);
     EXPECT_EQ(c.angular_damping, cpp.angular_damping);
@@ -211,13 +285,7 @@ TEST(Defaults, OfBodyDef) {
     EXPECT_EQ(c.user_data, cpp.user_data);
 }
 
-TEST(Defaults, OfFilter) {
-    const IsletFilter c = islet_default_filter();
-    [[maybe_unused]] const islet::Filter cpp = {};
-    EXPECT_EQ(c.category, cpp.category);
-    EXPECT_EQ(c.mask, cpp.mask);
-    EXPECT_EQ(c.group, cpp.group);
-}
+TEST(Defaults, OfFilter) { expect_same(islet_default_filter(), {}); }
 
 TEST(Defaults, OfSurfaceMaterial) {
     const IsletSurfaceMaterial c = islet_default_surface_material();
@@ -239,15 +307,12 @@ TEST(Defaults, OfShapeDef) {
     EXPECT_EQ(c.rolling_resistance, cpp.rolling_resistance);
     EXPECT_EQ(c.tangent_speed, cpp.tangent_speed);
     EXPECT_EQ(c.density, cpp.density);
-    EXPECT_EQ(c.filter.category, cpp.filter.category);
-    EXPECT_EQ(c.filter.mask, cpp.filter.mask);
-    EXPECT_EQ(c.filter.group, cpp.filter.group);
+    expect_same(c.filter, cpp.filter);
     EXPECT_EQ(c.sensor, cpp.sensor);
     EXPECT_EQ(c.sensor_events, cpp.sensor_events);
     EXPECT_EQ(c.hit_events, cpp.hit_events);
     EXPECT_EQ(c.pre_solve, cpp.pre_solve);
-    EXPECT_EQ(c.one_way.x, cpp.one_way.x);
-    EXPECT_EQ(c.one_way.y, cpp.one_way.y);
+    expect_same(c.one_way, cpp.one_way);
     EXPECT_EQ(c.material, cpp.material);
     EXPECT_EQ(c.user_data, cpp.user_data);
 }
@@ -256,8 +321,7 @@ TEST(Defaults, OfExplosionDef) {
     const IsletExplosionDef c = islet_default_explosion_def();
     [[maybe_unused]] const islet::ExplosionDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.position.x, cpp.position.x);
-    EXPECT_EQ(c.position.y, cpp.position.y);
+    expect_same(c.position, cpp.position);
     EXPECT_EQ(c.radius, cpp.radius);
     EXPECT_EQ(c.falloff, cpp.falloff);
     EXPECT_EQ(c.impulse_per_length, cpp.impulse_per_length);
@@ -268,8 +332,7 @@ TEST(Defaults, OfWindDef) {
     const IsletWindDef c = islet_default_wind_def();
     [[maybe_unused]] const islet::WindDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.velocity.x, cpp.velocity.x);
-    EXPECT_EQ(c.velocity.y, cpp.velocity.y);
+    expect_same(c.velocity, cpp.velocity);
     EXPECT_EQ(c.drag, cpp.drag);
     EXPECT_EQ(c.lift, cpp.lift);
     EXPECT_EQ(c.density, cpp.density);
@@ -329,15 +392,7 @@ TEST(Defaults, OfWorldCounters) {
 TEST(Defaults, OfPreSolve) {
     const IsletPreSolve c = islet_default_pre_solve();
     [[maybe_unused]] const islet::PreSolve cpp = {};
-    EXPECT_EQ(c.contact.shape_a.index1, cpp.contact.shape_a.index1);
-    EXPECT_EQ(c.contact.shape_a.generation, cpp.contact.shape_a.generation);
-    EXPECT_EQ(c.contact.shape_b.index1, cpp.contact.shape_b.index1);
-    EXPECT_EQ(c.contact.shape_b.generation, cpp.contact.shape_b.generation);
-    EXPECT_EQ(c.contact.normal.x, cpp.contact.normal.x);
-    EXPECT_EQ(c.contact.normal.y, cpp.contact.normal.y);
-    EXPECT_EQ(c.contact.point_count, cpp.contact.point_count);
-    EXPECT_EQ(c.contact.friction, cpp.contact.friction);
-    EXPECT_EQ(c.contact.restitution, cpp.contact.restitution);
+    expect_same(c.contact, cpp.contact);
     EXPECT_EQ(c.enabled, cpp.enabled);
     EXPECT_EQ(c.friction, cpp.friction);
     EXPECT_EQ(c.tangent_speed, cpp.tangent_speed);
@@ -347,8 +402,7 @@ TEST(Defaults, OfRowEnd) {
     const IsletRowEnd c = islet_default_row_end();
     [[maybe_unused]] const islet::RowEnd cpp = {};
     EXPECT_EQ(c.body, cpp.body);
-    EXPECT_EQ(c.linear.x, cpp.linear.x);
-    EXPECT_EQ(c.linear.y, cpp.linear.y);
+    expect_same(c.linear, cpp.linear);
     EXPECT_EQ(c.angular, cpp.angular);
 }
 
@@ -357,30 +411,10 @@ TEST(Defaults, OfRevoluteJointDef) {
     [[maybe_unused]] const islet::RevoluteJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.base.body_a.index1, cpp.base.body_a.index1);
-    EXPECT_EQ(c.base.body_a.generation, cpp.base.body_a.generation);
-    EXPECT_EQ(c.base.body_b.index1, cpp.base.body_b.index1);
-    EXPECT_EQ(c.base.body_b.generation, cpp.base.body_b.generation);
-    EXPECT_EQ(c.base.frame_a.position.x, cpp.base.frame_a.position.x);
-    EXPECT_EQ(c.base.frame_a.position.y, cpp.base.frame_a.position.y);
-    EXPECT_EQ(c.base.frame_a.angle, cpp.base.frame_a.angle);
-    EXPECT_EQ(c.base.frame_b.position.x, cpp.base.frame_b.position.x);
-    EXPECT_EQ(c.base.frame_b.position.y, cpp.base.frame_b.position.y);
-    EXPECT_EQ(c.base.frame_b.angle, cpp.base.frame_b.angle);
-    EXPECT_EQ(c.base.collide_connected, cpp.base.collide_connected);
-    EXPECT_EQ(c.base.break_force, cpp.base.break_force);
-    EXPECT_EQ(c.base.break_torque, cpp.base.break_torque);
-    EXPECT_EQ(c.base.user_data, cpp.base.user_data);
-    EXPECT_EQ(c.spring.enable, cpp.spring.enable);
-    EXPECT_EQ(c.spring.hertz, cpp.spring.hertz);
-    EXPECT_EQ(c.spring.damping_ratio, cpp.spring.damping_ratio);
-    EXPECT_EQ(c.spring.target, cpp.spring.target);
-    EXPECT_EQ(c.limit.enable, cpp.limit.enable);
-    EXPECT_EQ(c.limit.lower, cpp.limit.lower);
-    EXPECT_EQ(c.limit.upper, cpp.limit.upper);
-    EXPECT_EQ(c.motor.enable, cpp.motor.enable);
-    EXPECT_EQ(c.motor.speed, cpp.motor.speed);
-    EXPECT_EQ(c.motor.max_force, cpp.motor.max_force);
+    expect_same(c.base, cpp.base);
+    expect_same(c.spring, cpp.spring);
+    expect_same(c.limit, cpp.limit);
+    expect_same(c.motor, cpp.motor);
     EXPECT_EQ(c.friction, cpp.friction);
 }
 
@@ -389,30 +423,10 @@ TEST(Defaults, OfPrismaticJointDef) {
     [[maybe_unused]] const islet::PrismaticJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.base.body_a.index1, cpp.base.body_a.index1);
-    EXPECT_EQ(c.base.body_a.generation, cpp.base.body_a.generation);
-    EXPECT_EQ(c.base.body_b.index1, cpp.base.body_b.index1);
-    EXPECT_EQ(c.base.body_b.generation, cpp.base.body_b.generation);
-    EXPECT_EQ(c.base.frame_a.position.x, cpp.base.frame_a.position.x);
-    EXPECT_EQ(c.base.frame_a.position.y, cpp.base.frame_a.position.y);
-    EXPECT_EQ(c.base.frame_a.angle, cpp.base.frame_a.angle);
-    EXPECT_EQ(c.base.frame_b.position.x, cpp.base.frame_b.position.x);
-    EXPECT_EQ(c.base.frame_b.position.y, cpp.base.frame_b.position.y);
-    EXPECT_EQ(c.base.frame_b.angle, cpp.base.frame_b.angle);
-    EXPECT_EQ(c.base.collide_connected, cpp.base.collide_connected);
-    EXPECT_EQ(c.base.break_force, cpp.base.break_force);
-    EXPECT_EQ(c.base.break_torque, cpp.base.break_torque);
-    EXPECT_EQ(c.base.user_data, cpp.base.user_data);
-    EXPECT_EQ(c.spring.enable, cpp.spring.enable);
-    EXPECT_EQ(c.spring.hertz, cpp.spring.hertz);
-    EXPECT_EQ(c.spring.damping_ratio, cpp.spring.damping_ratio);
-    EXPECT_EQ(c.spring.target, cpp.spring.target);
-    EXPECT_EQ(c.limit.enable, cpp.limit.enable);
-    EXPECT_EQ(c.limit.lower, cpp.limit.lower);
-    EXPECT_EQ(c.limit.upper, cpp.limit.upper);
-    EXPECT_EQ(c.motor.enable, cpp.motor.enable);
-    EXPECT_EQ(c.motor.speed, cpp.motor.speed);
-    EXPECT_EQ(c.motor.max_force, cpp.motor.max_force);
+    expect_same(c.base, cpp.base);
+    expect_same(c.spring, cpp.spring);
+    expect_same(c.limit, cpp.limit);
+    expect_same(c.motor, cpp.motor);
     EXPECT_EQ(c.friction, cpp.friction);
 }
 
@@ -421,31 +435,11 @@ TEST(Defaults, OfDistanceJointDef) {
     [[maybe_unused]] const islet::DistanceJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.base.body_a.index1, cpp.base.body_a.index1);
-    EXPECT_EQ(c.base.body_a.generation, cpp.base.body_a.generation);
-    EXPECT_EQ(c.base.body_b.index1, cpp.base.body_b.index1);
-    EXPECT_EQ(c.base.body_b.generation, cpp.base.body_b.generation);
-    EXPECT_EQ(c.base.frame_a.position.x, cpp.base.frame_a.position.x);
-    EXPECT_EQ(c.base.frame_a.position.y, cpp.base.frame_a.position.y);
-    EXPECT_EQ(c.base.frame_a.angle, cpp.base.frame_a.angle);
-    EXPECT_EQ(c.base.frame_b.position.x, cpp.base.frame_b.position.x);
-    EXPECT_EQ(c.base.frame_b.position.y, cpp.base.frame_b.position.y);
-    EXPECT_EQ(c.base.frame_b.angle, cpp.base.frame_b.angle);
-    EXPECT_EQ(c.base.collide_connected, cpp.base.collide_connected);
-    EXPECT_EQ(c.base.break_force, cpp.base.break_force);
-    EXPECT_EQ(c.base.break_torque, cpp.base.break_torque);
-    EXPECT_EQ(c.base.user_data, cpp.base.user_data);
+    expect_same(c.base, cpp.base);
     EXPECT_EQ(c.length, cpp.length);
-    EXPECT_EQ(c.spring.enable, cpp.spring.enable);
-    EXPECT_EQ(c.spring.hertz, cpp.spring.hertz);
-    EXPECT_EQ(c.spring.damping_ratio, cpp.spring.damping_ratio);
-    EXPECT_EQ(c.spring.target, cpp.spring.target);
-    EXPECT_EQ(c.limit.enable, cpp.limit.enable);
-    EXPECT_EQ(c.limit.lower, cpp.limit.lower);
-    EXPECT_EQ(c.limit.upper, cpp.limit.upper);
-    EXPECT_EQ(c.motor.enable, cpp.motor.enable);
-    EXPECT_EQ(c.motor.speed, cpp.motor.speed);
-    EXPECT_EQ(c.motor.max_force, cpp.motor.max_force);
+    expect_same(c.spring, cpp.spring);
+    expect_same(c.limit, cpp.limit);
+    expect_same(c.motor, cpp.motor);
 }
 
 TEST(Defaults, OfWeldJointDef) {
@@ -453,20 +447,7 @@ TEST(Defaults, OfWeldJointDef) {
     [[maybe_unused]] const islet::WeldJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.base.body_a.index1, cpp.base.body_a.index1);
-    EXPECT_EQ(c.base.body_a.generation, cpp.base.body_a.generation);
-    EXPECT_EQ(c.base.body_b.index1, cpp.base.body_b.index1);
-    EXPECT_EQ(c.base.body_b.generation, cpp.base.body_b.generation);
-    EXPECT_EQ(c.base.frame_a.position.x, cpp.base.frame_a.position.x);
-    EXPECT_EQ(c.base.frame_a.position.y, cpp.base.frame_a.position.y);
-    EXPECT_EQ(c.base.frame_a.angle, cpp.base.frame_a.angle);
-    EXPECT_EQ(c.base.frame_b.position.x, cpp.base.frame_b.position.x);
-    EXPECT_EQ(c.base.frame_b.position.y, cpp.base.frame_b.position.y);
-    EXPECT_EQ(c.base.frame_b.angle, cpp.base.frame_b.angle);
-    EXPECT_EQ(c.base.collide_connected, cpp.base.collide_connected);
-    EXPECT_EQ(c.base.break_force, cpp.base.break_force);
-    EXPECT_EQ(c.base.break_torque, cpp.base.break_torque);
-    EXPECT_EQ(c.base.user_data, cpp.base.user_data);
+    expect_same(c.base, cpp.base);
     EXPECT_EQ(c.linear_hertz, cpp.linear_hertz);
     EXPECT_EQ(c.linear_damping_ratio, cpp.linear_damping_ratio);
     EXPECT_EQ(c.angular_hertz, cpp.angular_hertz);
@@ -478,30 +459,10 @@ TEST(Defaults, OfWheelJointDef) {
     [[maybe_unused]] const islet::WheelJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.base.body_a.index1, cpp.base.body_a.index1);
-    EXPECT_EQ(c.base.body_a.generation, cpp.base.body_a.generation);
-    EXPECT_EQ(c.base.body_b.index1, cpp.base.body_b.index1);
-    EXPECT_EQ(c.base.body_b.generation, cpp.base.body_b.generation);
-    EXPECT_EQ(c.base.frame_a.position.x, cpp.base.frame_a.position.x);
-    EXPECT_EQ(c.base.frame_a.position.y, cpp.base.frame_a.position.y);
-    EXPECT_EQ(c.base.frame_a.angle, cpp.base.frame_a.angle);
-    EXPECT_EQ(c.base.frame_b.position.x, cpp.base.frame_b.position.x);
-    EXPECT_EQ(c.base.frame_b.position.y, cpp.base.frame_b.position.y);
-    EXPECT_EQ(c.base.frame_b.angle, cpp.base.frame_b.angle);
-    EXPECT_EQ(c.base.collide_connected, cpp.base.collide_connected);
-    EXPECT_EQ(c.base.break_force, cpp.base.break_force);
-    EXPECT_EQ(c.base.break_torque, cpp.base.break_torque);
-    EXPECT_EQ(c.base.user_data, cpp.base.user_data);
-    EXPECT_EQ(c.spring.enable, cpp.spring.enable);
-    EXPECT_EQ(c.spring.hertz, cpp.spring.hertz);
-    EXPECT_EQ(c.spring.damping_ratio, cpp.spring.damping_ratio);
-    EXPECT_EQ(c.spring.target, cpp.spring.target);
-    EXPECT_EQ(c.limit.enable, cpp.limit.enable);
-    EXPECT_EQ(c.limit.lower, cpp.limit.lower);
-    EXPECT_EQ(c.limit.upper, cpp.limit.upper);
-    EXPECT_EQ(c.motor.enable, cpp.motor.enable);
-    EXPECT_EQ(c.motor.speed, cpp.motor.speed);
-    EXPECT_EQ(c.motor.max_force, cpp.motor.max_force);
+    expect_same(c.base, cpp.base);
+    expect_same(c.spring, cpp.spring);
+    expect_same(c.limit, cpp.limit);
+    expect_same(c.motor, cpp.motor);
     EXPECT_EQ(c.friction, cpp.friction);
 }
 
@@ -510,22 +471,8 @@ TEST(Defaults, OfMotorJointDef) {
     [[maybe_unused]] const islet::MotorJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.base.body_a.index1, cpp.base.body_a.index1);
-    EXPECT_EQ(c.base.body_a.generation, cpp.base.body_a.generation);
-    EXPECT_EQ(c.base.body_b.index1, cpp.base.body_b.index1);
-    EXPECT_EQ(c.base.body_b.generation, cpp.base.body_b.generation);
-    EXPECT_EQ(c.base.frame_a.position.x, cpp.base.frame_a.position.x);
-    EXPECT_EQ(c.base.frame_a.position.y, cpp.base.frame_a.position.y);
-    EXPECT_EQ(c.base.frame_a.angle, cpp.base.frame_a.angle);
-    EXPECT_EQ(c.base.frame_b.position.x, cpp.base.frame_b.position.x);
-    EXPECT_EQ(c.base.frame_b.position.y, cpp.base.frame_b.position.y);
-    EXPECT_EQ(c.base.frame_b.angle, cpp.base.frame_b.angle);
-    EXPECT_EQ(c.base.collide_connected, cpp.base.collide_connected);
-    EXPECT_EQ(c.base.break_force, cpp.base.break_force);
-    EXPECT_EQ(c.base.break_torque, cpp.base.break_torque);
-    EXPECT_EQ(c.base.user_data, cpp.base.user_data);
-    EXPECT_EQ(c.linear_velocity.x, cpp.linear_velocity.x);
-    EXPECT_EQ(c.linear_velocity.y, cpp.linear_velocity.y);
+    expect_same(c.base, cpp.base);
+    expect_same(c.linear_velocity, cpp.linear_velocity);
     EXPECT_EQ(c.angular_velocity, cpp.angular_velocity);
     EXPECT_EQ(c.max_force, cpp.max_force);
     EXPECT_EQ(c.max_torque, cpp.max_torque);
@@ -540,10 +487,8 @@ TEST(Defaults, OfMouseJointDef) {
     [[maybe_unused]] const islet::MouseJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.body.index1, cpp.body.index1);
-    EXPECT_EQ(c.body.generation, cpp.body.generation);
-    EXPECT_EQ(c.target.x, cpp.target.x);
-    EXPECT_EQ(c.target.y, cpp.target.y);
+    expect_same(c.body, cpp.body);
+    expect_same(c.target, cpp.target);
     EXPECT_EQ(c.hertz, cpp.hertz);
     EXPECT_EQ(c.damping_ratio, cpp.damping_ratio);
     EXPECT_EQ(c.max_force, cpp.max_force);
@@ -555,24 +500,9 @@ TEST(Defaults, OfPulleyJointDef) {
     [[maybe_unused]] const islet::PulleyJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.base.body_a.index1, cpp.base.body_a.index1);
-    EXPECT_EQ(c.base.body_a.generation, cpp.base.body_a.generation);
-    EXPECT_EQ(c.base.body_b.index1, cpp.base.body_b.index1);
-    EXPECT_EQ(c.base.body_b.generation, cpp.base.body_b.generation);
-    EXPECT_EQ(c.base.frame_a.position.x, cpp.base.frame_a.position.x);
-    EXPECT_EQ(c.base.frame_a.position.y, cpp.base.frame_a.position.y);
-    EXPECT_EQ(c.base.frame_a.angle, cpp.base.frame_a.angle);
-    EXPECT_EQ(c.base.frame_b.position.x, cpp.base.frame_b.position.x);
-    EXPECT_EQ(c.base.frame_b.position.y, cpp.base.frame_b.position.y);
-    EXPECT_EQ(c.base.frame_b.angle, cpp.base.frame_b.angle);
-    EXPECT_EQ(c.base.collide_connected, cpp.base.collide_connected);
-    EXPECT_EQ(c.base.break_force, cpp.base.break_force);
-    EXPECT_EQ(c.base.break_torque, cpp.base.break_torque);
-    EXPECT_EQ(c.base.user_data, cpp.base.user_data);
-    EXPECT_EQ(c.ground_a.x, cpp.ground_a.x);
-    EXPECT_EQ(c.ground_a.y, cpp.ground_a.y);
-    EXPECT_EQ(c.ground_b.x, cpp.ground_b.x);
-    EXPECT_EQ(c.ground_b.y, cpp.ground_b.y);
+    expect_same(c.base, cpp.base);
+    expect_same(c.ground_a, cpp.ground_a);
+    expect_same(c.ground_b, cpp.ground_b);
     EXPECT_EQ(c.ratio, cpp.ratio);
 }
 
@@ -581,10 +511,8 @@ TEST(Defaults, OfGearJointDef) {
     [[maybe_unused]] const islet::GearJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.joint1.index1, cpp.joint1.index1);
-    EXPECT_EQ(c.joint1.generation, cpp.joint1.generation);
-    EXPECT_EQ(c.joint2.index1, cpp.joint2.index1);
-    EXPECT_EQ(c.joint2.generation, cpp.joint2.generation);
+    expect_same(c.joint1, cpp.joint1);
+    expect_same(c.joint2, cpp.joint2);
     EXPECT_EQ(c.ratio, cpp.ratio);
     EXPECT_EQ(c.break_torque, cpp.break_torque);
     EXPECT_EQ(c.user_data, cpp.user_data);
@@ -595,55 +523,23 @@ TEST(Defaults, OfAngleJointDef) {
     [[maybe_unused]] const islet::AngleJointDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.base.body_a.index1, cpp.base.body_a.index1);
-    EXPECT_EQ(c.base.body_a.generation, cpp.base.body_a.generation);
-    EXPECT_EQ(c.base.body_b.index1, cpp.base.body_b.index1);
-    EXPECT_EQ(c.base.body_b.generation, cpp.base.body_b.generation);
-    EXPECT_EQ(c.base.frame_a.position.x, cpp.base.frame_a.position.x);
-    EXPECT_EQ(c.base.frame_a.position.y, cpp.base.frame_a.position.y);
-    EXPECT_EQ(c.base.frame_a.angle, cpp.base.frame_a.angle);
-    EXPECT_EQ(c.base.frame_b.position.x, cpp.base.frame_b.position.x);
-    EXPECT_EQ(c.base.frame_b.position.y, cpp.base.frame_b.position.y);
-    EXPECT_EQ(c.base.frame_b.angle, cpp.base.frame_b.angle);
-    EXPECT_EQ(c.base.collide_connected, cpp.base.collide_connected);
-    EXPECT_EQ(c.base.break_force, cpp.base.break_force);
-    EXPECT_EQ(c.base.break_torque, cpp.base.break_torque);
-    EXPECT_EQ(c.base.user_data, cpp.base.user_data);
-    EXPECT_EQ(c.spring.enable, cpp.spring.enable);
-    EXPECT_EQ(c.spring.hertz, cpp.spring.hertz);
-    EXPECT_EQ(c.spring.damping_ratio, cpp.spring.damping_ratio);
-    EXPECT_EQ(c.spring.target, cpp.spring.target);
-    EXPECT_EQ(c.limit.enable, cpp.limit.enable);
-    EXPECT_EQ(c.limit.lower, cpp.limit.lower);
-    EXPECT_EQ(c.limit.upper, cpp.limit.upper);
-    EXPECT_EQ(c.motor.enable, cpp.motor.enable);
-    EXPECT_EQ(c.motor.speed, cpp.motor.speed);
-    EXPECT_EQ(c.motor.max_force, cpp.motor.max_force);
+    expect_same(c.base, cpp.base);
+    expect_same(c.spring, cpp.spring);
+    expect_same(c.limit, cpp.limit);
+    expect_same(c.motor, cpp.motor);
     EXPECT_EQ(c.friction, cpp.friction);
-    EXPECT_EQ(c.ratchet.step, cpp.ratchet.step);
-    EXPECT_EQ(c.ratchet.phase, cpp.ratchet.phase);
+    expect_same(c.ratchet, cpp.ratchet);
 }
 
-TEST(Defaults, OfQueryFilter) {
-    const IsletQueryFilter c = islet_default_query_filter();
-    [[maybe_unused]] const islet::QueryFilter cpp = {};
-    EXPECT_EQ(c.category, cpp.category);
-    EXPECT_EQ(c.mask, cpp.mask);
-    EXPECT_EQ(c.sensors, cpp.sensors);
-}
+TEST(Defaults, OfQueryFilter) { expect_same(islet_default_query_filter(), {}); }
 
 TEST(Defaults, OfMoverDef) {
     const IsletMoverDef c = islet_default_mover_def();
     [[maybe_unused]] const islet::MoverDef cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
-    EXPECT_EQ(c.capsule.point1.x, cpp.capsule.point1.x);
-    EXPECT_EQ(c.capsule.point1.y, cpp.capsule.point1.y);
-    EXPECT_EQ(c.capsule.point2.x, cpp.capsule.point2.x);
-    EXPECT_EQ(c.capsule.point2.y, cpp.capsule.point2.y);
-    EXPECT_EQ(c.capsule.radius, cpp.capsule.radius);
-    EXPECT_EQ(c.up.x, cpp.up.x);
-    EXPECT_EQ(c.up.y, cpp.up.y);
+    expect_same(c.capsule, cpp.capsule);
+    expect_same(c.up, cpp.up);
     EXPECT_EQ(c.gravity_scale, cpp.gravity_scale);
     EXPECT_EQ(c.max_slope, cpp.max_slope);
     EXPECT_EQ(c.step_height, cpp.step_height);
@@ -652,9 +548,7 @@ TEST(Defaults, OfMoverDef) {
     EXPECT_EQ(c.air_acceleration, cpp.air_acceleration);
     EXPECT_EQ(c.mass, cpp.mass);
     EXPECT_EQ(c.max_push_force, cpp.max_push_force);
-    EXPECT_EQ(c.filter.category, cpp.filter.category);
-    EXPECT_EQ(c.filter.mask, cpp.filter.mask);
-    EXPECT_EQ(c.filter.sensors, cpp.filter.sensors);
+    expect_same(c.filter, cpp.filter);
     EXPECT_TRUE(c.collides == nullptr && cpp.collides == nullptr);
     EXPECT_EQ(c.context, cpp.context);
 }
@@ -688,8 +582,7 @@ TEST(Defaults, OfReplayResult) {
     EXPECT_EQ(c.steps, cpp.steps);
     EXPECT_EQ(c.recorded_hash, cpp.recorded_hash);
     EXPECT_EQ(c.hash, cpp.hash);
-    EXPECT_EQ(c.body.index1, cpp.body.index1);
-    EXPECT_EQ(c.body.generation, cpp.body.generation);
+    expect_same(c.body, cpp.body);
 }
 
 TEST(Defaults, OfSnapshotInfo) {
@@ -697,9 +590,9 @@ TEST(Defaults, OfSnapshotInfo) {
     [[maybe_unused]] const islet::SnapshotInfo cpp = {};
     EXPECT_EQ(c.struct_size, sizeof c);
     EXPECT_EQ(c.reserved, 0u);
+    EXPECT_EQ(c.bytes, cpp.bytes);
     EXPECT_EQ(c.capacity, nullptr);
     EXPECT_EQ(c.used, nullptr);
-    EXPECT_EQ(c.bytes, cpp.bytes);
 }
 
 }  // namespace

@@ -31,16 +31,8 @@ struct Linkage {
         def.base = {.body_a = a, .body_b = b, .frame_a = {inv_rotate(pose_a.q, at - pose_a.p)}, .frame_b = {inv_rotate(pose_b.q, at - pose_b.p)}};
         hinges.push_back(world->create_joint(def));
     }
-    double energy() const {
-        double sum = 0;
-        for (const BodyId id : rods) sum += kinetic_energy(*world, id) + double(world->mass(id)) * g * double(world->center_of_mass(id).y);
-        return sum;
-    }
-    double gap() const {
-        double most = 0;
-        for (const JointId id : hinges) most = std::max(most, double(world->joint_error(id).linear));
-        return most;
-    }
+    double energy() const { return energy_of(*world, rods); }
+    double gap() const { return widest_gap(*world, hinges); }
 };
 
 // The energy that a pendulum of rods may swing with is what it has above hanging down. Positions and velocities are half a substep apart: up to 0.7 % of it.

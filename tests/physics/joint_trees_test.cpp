@@ -41,16 +41,8 @@ struct ChainBall {
         hang(ball, end);
     }
 
-    double energy() const {
-        double sum = 0;
-        for (const BodyId id : links) sum += kinetic_energy(*world, id) + double(world->mass(id)) * g * double(world->center_of_mass(id).y);
-        return sum;
-    }
-    double gap() const {
-        double most = 0;
-        for (const JointId id : joints) most = std::max(most, double(world->joint_error(id).linear));
-        return most;
-    }
+    double energy() const { return energy_of(*world, links); }
+    double gap() const { return widest_gap(*world, joints); }
     /// What the ball may swing with, J.
     double scale() const { return double(world->mass(ball)) * g * (double(joints.size()) - 1 + double(radius)); }
 };

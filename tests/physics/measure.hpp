@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 
 #include "support/effort.hpp"
 #include "support/test_world.hpp"
@@ -24,6 +25,20 @@ inline double kinetic_energy(const World& w, BodyId id) {
     return 0.5 * (double(w.mass(id)) * (vx * vx + vy * vy) + double(w.rotational_inertia(id)) * turn * turn);
 }
 
+/// J: kinetic, and potential above y = 0 at the default gravity.
+inline double energy_of(const World& w, std::span<const BodyId> bodies) {
+    double sum = 0;
+    for (const BodyId id : bodies) sum += kinetic_energy(w, id) + double(w.mass(id)) * g * double(w.center_of_mass(id).y);
+    return sum;
+}
+
+/// m, by which joints come apart: the largest.
+inline double widest_gap(const World& w, std::span<const JointId> joints) {
+    double most = 0;
+    for (const JointId id : joints) most = std::fmax(most, double(w.joint_error(id).linear));
+    return most;
+}
+
 inline Invariants invariants_of(const TestWorld& world) {
     Invariants sum;
     for (const BodyId id : world.bodies()) {
@@ -31,8 +46,7 @@ inline Invariants invariants_of(const TestWorld& world) {
         const Vec2 c = world->center_of_mass(id), v = world->linear_velocity(id);
         sum.px += m * double(v.x);
         sum.py += m * double(v.y);
-        sum.spin += m * (double(c.x) * double(v.y) - double(c.y) * double(v.x)) +
-                    double(world->rotational_inertia(id)) * double(world->angular_velocity(id));
+        sum.spin += m * (double(c.x) * double(v.y) - double(c.y) * double(v.x)) + double(world->rotational_inertia(id)) * double(world->angular_velocity(id));
         sum.energy += kinetic_energy(*world, id);
     }
     return sum;

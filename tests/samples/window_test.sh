@@ -37,6 +37,8 @@ done
 
 "$window" nowhere >"$scratch/out.txt" 2>&1 && complain "a scene that does not exist is accepted"
 grep -q 'is no scene' "$scratch/out.txt" || complain "no word of a scene that does not exist"
+"$window" pyramid --frames none >"$scratch/out.txt" 2>&1 && complain "no number of frames is accepted"
+grep -q 'takes a number' "$scratch/out.txt" || complain "no word of a number of frames that is none"
 
 # -- keys and mouse ------------------------------------------------------------------------------------------------------------------------------
 

@@ -134,8 +134,8 @@ enum class Schedule : std::uint8_t {
     classic,  ///< per substep: integrate, `iterations` sweeps with Baumgarte bias, integrate positions. Use with substeps = 1.
 };
 
-/// Which hinges (revolute joints) are solved exactly, all of a joint tree together, instead of one by one in sweeps. Hinges that close a loop are always
-/// swept, and so are hinges with a spring, a limit, a motor or friction.
+/// Which hinges (revolute joints) are solved exactly, all of a joint tree together, instead of one by one in sweeps. Hinges that close a loop of moving
+/// bodies are always swept, and so are hinges with a spring, a limit, a motor or friction.
 enum class JointTrees : std::uint8_t {
     off,        ///< none
     automatic,  ///< those of trees in which a hinge carries at least SolverDef::joint_tree_load times the mass of one of its bodies, and no hinge must be

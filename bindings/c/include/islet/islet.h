@@ -258,8 +258,8 @@ enum {
     ISLET_SCHEDULE_CLASSIC = 1,
 };
 
-/// Which hinges (revolute joints) are solved exactly, all of a joint tree together, instead of one by one in sweeps. Hinges that close a loop are always
-/// swept, and so are hinges with a spring, a limit, a motor or friction.
+/// Which hinges (revolute joints) are solved exactly, all of a joint tree together, instead of one by one in sweeps. Hinges that close a loop of moving
+/// bodies are always swept, and so are hinges with a spring, a limit, a motor or friction.
 typedef uint8_t IsletJointTrees;
 enum {
     /// none
