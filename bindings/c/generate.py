@@ -37,6 +37,7 @@ HANDMADE = {
     "World::clear_error()": ("islet_world_clear_error", "its result is not the error before"),
     "World::last_error()": ("islet_world_last_error", "of no world it is null_pointer"),
     "World::export_island(BodyId, float, span<byte>, IslandProblem &)": ("islet_body_export_island", "its spans are of another library's types"),
+    "copy_world(const World &, span<byte>, const Capacity &, span<byte>, Error *)": ("islet_copy_world", "it returns a world"),
     "read_snapshot(span<const byte>, SnapshotInfo &)": ("islet_read_snapshot", "the capacities are pointed to"),
     "read_recording(span<const byte>, RecordingInfo &)": ("islet_read_recording", "the capacities are pointed to"),
     "FormatInfo::is_readable()": ("islet_format_is_readable", "member of a plain struct"),
@@ -55,6 +56,11 @@ LEFT_OUT = {
     "abs(float)": "C has fabsf",
     "clamp(float, float, float)": "C has fminf and fmaxf",
     "is_finite(float)": "C has isfinite",
+    "StaticWorld::get()": "islet_create_world returns the world",
+    "bodies(const World &)": "a range; islet_world_body_at and islet_world_capacity make the same loop",
+    "shapes(const World &)": "islet_world_shape_at",
+    "joints(const World &)": "islet_world_joint_at",
+    "contacts(const World &)": "islet_world_contact_at",
     "StaticWorld::create(const WorldDef &)": "a template; islet_create_world takes a static array",
     "lcp::*": "the matrix solvers are a library of their own, which has no C interface yet",
 }
@@ -86,6 +92,9 @@ NAMES = {
     "World::draw_shape(const DebugDraw &, ShapeId, const Transform &, const DrawStyle &)": "world_draw_shape",
     "describe_format(const FormatInfo &, span<char>)": "describe_format",
     "World::contact_at(uint32_t, ContactInfo &)": "world_contact_at",
+    "World::set_transform(BodyId, const Transform &)": "body_set_pose",
+    "World::joint1(JointId)": "gear_joint1",
+    "World::joint2(JointId)": "gear_joint2",
 }
 
 SCALARS = {"float": "float", "bool": "bool", "uint8_t": "uint8_t", "uint32_t": "uint32_t", "int32_t": "int32_t", "uint64_t": "uint64_t", "size_t": "size_t",
@@ -104,6 +113,7 @@ class Api:
         self.enums = [e for e in self.all["enums"] if e.get("namespace") != "lcp"]
         self.structs = {s["name"]: s for s in self.all["structs"] if s.get("namespace") != "lcp" and s["name"] not in ("World", "StaticWorld", "IslandProblem")}
         self.callbacks = {c["name"]: c for c in self.all["callbacks"]}
+        self.pointers = {f"const {name} *": name for name in self.structs}  # fields that point to one or several
         self.enum_types = {e["name"]: e["type"] for e in self.enums}
         self.plain = set(SCALARS) | {"DrawColor"}
         self.c_names = {}  # C++ name in comments: that in C
@@ -148,6 +158,8 @@ class Api:
             return f"{self.c_type(array.group(1))} {f['name']}[{array.group(2)}]"
         if f["type"] in GROWS:
             return f"{'' if struct in RESULTS else 'const '}{self.c_type(f['type'])}* {f['name']}"
+        if f["type"] in self.pointers:
+            return f"const {self.c_type(self.pointers[f['type']])}* {f['name']}"
         return f"{self.c_type(f['type'])} {f['name']}"
 
     def points_to_others(self, struct):
@@ -157,7 +169,7 @@ class Api:
         """Whether a field may need an alignment of 8."""
         for f in self.structs[struct]["fields"]:
             inner = re.sub(r"\[.*", "", f["type"])
-            if inner in ("uint64_t", "size_t", "void *", "const char *", "function") or inner in self.callbacks or inner in GROWS:
+            if inner in ("uint64_t", "size_t", "void *", "const char *", "function") or inner in self.pointers or inner in self.callbacks or inner in GROWS:
                 return True
             if inner in self.structs and self.has_wide_fields(inner):
                 return True
@@ -734,7 +746,7 @@ def refusals(api):
         return ["0"] if cpp in SCALARS or cpp in api.enum_types or cpp == "DrawColor" else [f"some_{cpp}"]
 
     for f, name, _ in api.functions():
-        if name in ("islet_create_world", "islet_describe", "islet_separation", "islet_format_is_readable", "islet_body_export_island"):
+        if name in ("islet_create_world", "islet_copy_world", "islet_describe", "islet_separation", "islet_format_is_readable", "islet_body_export_island"):
             continue  # in calls.c
         has_world, changes, parameters = world_of(f)
         result, extra, kind = returns_of(api, f, changes)

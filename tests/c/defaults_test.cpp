@@ -168,6 +168,7 @@ TEST(Defaults, OfDebugDraw) {
     EXPECT_EQ(c.names, cpp.names);
     EXPECT_EQ(int(c.body_colors), int(cpp.body_colors));
     EXPECT_EQ(c.constraint_colors, cpp.constraint_colors);
+    EXPECT_EQ(c.poses, cpp.poses);
 }
 
 TEST(Defaults, OfFormatInfo) {
@@ -398,12 +399,13 @@ TEST(Defaults, OfPreSolve) {
     EXPECT_EQ(c.tangent_speed, cpp.tangent_speed);
 }
 
-TEST(Defaults, OfRowEnd) {
-    const IsletRowEnd c = islet_default_row_end();
-    [[maybe_unused]] const islet::RowEnd cpp = {};
-    EXPECT_EQ(c.body, cpp.body);
-    expect_same(c.linear, cpp.linear);
-    EXPECT_EQ(c.angular, cpp.angular);
+TEST(Defaults, OfJointSoftness) {
+    const IsletJointSoftness c = islet_default_joint_softness();
+    [[maybe_unused]] const islet::JointSoftness cpp = {};
+    EXPECT_EQ(c.linear_hertz, cpp.linear_hertz);
+    EXPECT_EQ(c.linear_damping_ratio, cpp.linear_damping_ratio);
+    EXPECT_EQ(c.angular_hertz, cpp.angular_hertz);
+    EXPECT_EQ(c.angular_damping_ratio, cpp.angular_damping_ratio);
 }
 
 TEST(Defaults, OfRevoluteJointDef) {
@@ -529,6 +531,14 @@ TEST(Defaults, OfAngleJointDef) {
     expect_same(c.motor, cpp.motor);
     EXPECT_EQ(c.friction, cpp.friction);
     expect_same(c.ratchet, cpp.ratchet);
+}
+
+TEST(Defaults, OfRowEnd) {
+    const IsletRowEnd c = islet_default_row_end();
+    [[maybe_unused]] const islet::RowEnd cpp = {};
+    EXPECT_EQ(c.body, cpp.body);
+    expect_same(c.linear, cpp.linear);
+    EXPECT_EQ(c.angular, cpp.angular);
 }
 
 TEST(Defaults, OfQueryFilter) { expect_same(islet_default_query_filter(), {}); }

@@ -14,6 +14,8 @@ constexpr std::uint32_t any = (1u << joint_type_count) - 1;
 constexpr std::uint32_t sprung =
     bit(JointType::revolute) | bit(JointType::prismatic) | bit(JointType::distance) | bit(JointType::wheel) | bit(JointType::angle);
 constexpr std::uint32_t rubbing = sprung & ~bit(JointType::distance);
+constexpr std::uint32_t driven = bit(JointType::motor) | bit(JointType::mouse);
+constexpr std::uint32_t geared = bit(JointType::pulley) | bit(JointType::gear);
 constexpr std::uint32_t framed = sprung | bit(JointType::weld) | bit(JointType::motor);
 
 bool is_zero(const JointSpring& s) { return !s.enable && s.hertz == 0 && s.damping_ratio == 0 && s.target == 0; }
@@ -61,7 +63,23 @@ const JointCall joint_calls[] = {
      [](World& w, JointId j) {
          return w.set_joint_velocity(j, {1, 2}, 3), true;
      }},
-    {"set_joint_strength", bit(JointType::motor), [](World& w, JointId j) { return w.set_joint_strength(j, 1, 2), true; }},
+    {"joint_linear_velocity", bit(JointType::motor), [](World& w, JointId j) { return w.joint_linear_velocity(j) == Vec2{}; }},
+    {"joint_angular_velocity", bit(JointType::motor), [](World& w, JointId j) { return w.joint_angular_velocity(j) == 0; }},
+    {"joint_max_force", driven, [](World& w, JointId j) { return w.joint_max_force(j) == 0; }},
+    {"joint_max_torque", driven, [](World& w, JointId j) { return w.joint_max_torque(j) == 0; }},
+    {"set_joint_strength", driven, [](World& w, JointId j) { return w.set_joint_strength(j, 1, 2), true; }},
+    {"softness", driven | bit(JointType::weld), [](World& w, JointId j) { return w.softness(j).linear_hertz == 0; }},
+    {"set_softness", driven | bit(JointType::weld), [](World& w, JointId j) { return w.set_softness(j, {.linear_hertz = 3}), true; }},
+    {"joint_ratio", geared, [](World& w, JointId j) { return w.joint_ratio(j) == 0; }},
+    {"set_joint_ratio", geared, [](World& w, JointId j) { return w.set_joint_ratio(j, 2), true; }},
+    {"joint1", bit(JointType::gear), [](World& w, JointId j) { return !w.joint1(j); }},
+    {"joint2", bit(JointType::gear), [](World& w, JointId j) { return !w.joint2(j); }},
+    {"break_force", any, [](World& w, JointId j) { return w.break_force(j) == 0; }},
+    {"break_torque", any, [](World& w, JointId j) { return w.break_torque(j) == 0; }},
+    {"set_grounds", bit(JointType::pulley),
+     [](World& w, JointId j) {
+         return w.set_grounds(j, {38, 30}, {42, 30}), true;
+     }},
     {"target", bit(JointType::mouse), [](World& w, JointId j) { return w.target(j) == Vec2{}; }},
     {"set_target", bit(JointType::mouse),
      [](World& w, JointId j) {

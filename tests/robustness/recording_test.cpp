@@ -25,7 +25,7 @@ void make_every_call(World& w) {
     const BodyId ground = w.create_body({});
     const Vec2 hills[] = {{40, 1}, {20, 0}, {0, 0}, {-20, 0}, {-40, 3}};
     w.create_chain(ground, hills, false, {.friction = 0.5f});
-    w.create_shape(ground, ChainSegment{{60, 0}, {{50, 0}, {40, 1}}, {30, 2}});
+    const ShapeId edge = w.create_shape(ground, ChainSegment{{60, 0}, {{50, 0}, {40, 1}}, {30, 2}});
     BodyId bodies[8];
     for (std::uint32_t i = 0; i < 8; ++i)
         bodies[i] = w.create_body({.type = BodyType::dynamic, .position = {-8 + 2.5f * static_cast<float>(i), 1.5f}, .user_data = 77});
@@ -44,10 +44,13 @@ void make_every_call(World& w) {
     w.set_solver(solver);
     w.enable_continuous(false);
     w.set_hit_threshold(0.5f);
+    w.set_restitution_threshold(0.8f);
+    w.set_max_speed(300);
     w.explode({.position = {0, 0.5f}, .radius = 2, .falloff = 2, .impulse_per_length = 3});
     w.step(1.0f / 60);
     w.enable_sleep(false);
     w.set_transform(bodies[0], {-9, 3}, 0.3f);
+    w.set_transform(bodies[0], Transform{{-9, 3.1f}, make_rot(0.2f)});
     w.set_linear_velocity(bodies[0], {1, 2});
     w.set_angular_velocity(bodies[0], 3);
     w.set_target(platform, Transform{{0.1f, 8.1f}, make_rot(0.1f)}, 1.0f / 60);
@@ -86,6 +89,8 @@ void make_every_call(World& w) {
     w.set_tangent_speed(pill, 0.5f);
     w.set_material(line, {.friction = 0.1f, .restitution = 0.4f, .id = 9});
     w.enable_sensor_events(pill, false);
+    w.set_sensor(crate, true);
+    w.set_chain_segment(edge, ChainSegment{{62, 0}, {{52, 0}, {40, 1}}, {30, 2}});
     w.enable_hit_events(pill, true);
     w.enable_pre_solve(crate, true);
     w.apply_wind(crate, {.velocity = {30, 0}});
@@ -113,8 +118,14 @@ void make_every_call(World& w) {
         w.set_joint_velocity(joints[i], {0.1f, 0.2f}, 0.3f);
         w.set_joint_strength(joints[i], 5, 6);
         w.set_target(joints[i], Vec2{101, 11});
+        w.set_softness(joints[i], {.linear_hertz = 4, .linear_damping_ratio = 0.6f});
+        w.set_grounds(joints[i], {99, 13}, {102, 14});
+        w.set_joint_ratio(joints[i], 1.5f);
     }
     for (int i = 0; i < 5; ++i) w.step(1.0f / 60);
+    w.enable_sleep(true);
+    w.sleep(bodies[4]);
+    w.step(1.0f / 60);
     w.destroy_joint(joints[0]);
     w.destroy_shape(pill);
     w.destroy_body(bodies[7]);

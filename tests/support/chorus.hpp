@@ -117,6 +117,8 @@ public:
     ISLET_ALL(enable_sleep)
     ISLET_ALL(enable_continuous)
     ISLET_ALL(set_hit_threshold)
+    ISLET_ALL(set_restitution_threshold)
+    ISLET_ALL(set_max_speed)
     ISLET_ALL(explode)
     ISLET_ALL(create_body)
     ISLET_ALL(destroy_body)
@@ -143,6 +145,7 @@ public:
     ISLET_ALL(set_bullet)
     ISLET_ALL(set_sleep_threshold)
     ISLET_ALL(wake)
+    ISLET_ALL(sleep)
     ISLET_ALL(set_user_data)
     ISLET_ALL(create_shape)
     ISLET_ALL(destroy_shape)
@@ -151,6 +154,8 @@ public:
     ISLET_ALL(set_segment)
     ISLET_ALL(set_polygon)
     ISLET_ALL(set_half_space)
+    ISLET_ALL(set_chain_segment)
+    ISLET_ALL(set_sensor)
     ISLET_ALL(set_density)
     ISLET_ALL(set_friction)
     ISLET_ALL(set_restitution)
@@ -176,6 +181,9 @@ public:
     ISLET_ALL(set_joint_length)
     ISLET_ALL(set_joint_velocity)
     ISLET_ALL(set_joint_strength)
+    ISLET_ALL(set_softness)
+    ISLET_ALL(set_grounds)
+    ISLET_ALL(set_joint_ratio)
 #undef ISLET_ALL
     std::uint32_t create_chain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {}, std::span<ShapeId> out = {});
     /// Those of hook_menu.hpp.

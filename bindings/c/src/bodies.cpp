@@ -80,6 +80,13 @@ IsletError islet_body_set_transform(IsletWorld* world, IsletBodyId body, IsletVe
     return end(world, before);
 }
 
+IsletError islet_body_set_pose(IsletWorld* world, IsletBodyId body, IsletTransform pose) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    const Error before = begin(world);
+    of(world).set_transform(in<BodyId>(body), in<Transform>(pose));
+    return end(world, before);
+}
+
 IsletError islet_body_set_linear_velocity(IsletWorld* world, IsletBodyId body, IsletVec2 velocity) {
     if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
     const Error before = begin(world);
@@ -276,6 +283,11 @@ IsletError islet_body_set_bullet(IsletWorld* world, IsletBodyId body, bool bulle
     return end(world, before);
 }
 
+bool islet_body_sleep_enabled(const IsletWorld* world, IsletBodyId body) {
+    if (world == nullptr) return false;
+    return of(world).sleep_enabled(in<BodyId>(body));
+}
+
 IsletError islet_body_enable_sleep(IsletWorld* world, IsletBodyId body, bool enable) {
     if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
     const Error before = begin(world);
@@ -304,6 +316,13 @@ IsletError islet_body_wake(IsletWorld* world, IsletBodyId body) {
     if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
     const Error before = begin(world);
     of(world).wake(in<BodyId>(body));
+    return end(world, before);
+}
+
+IsletError islet_body_sleep(IsletWorld* world, IsletBodyId body) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    const Error before = begin(world);
+    of(world).sleep(in<BodyId>(body));
     return end(world, before);
 }
 

@@ -15,6 +15,12 @@ ISLET_C_API IsletSeparation islet_separation(const IsletShapeProxy* a, const Isl
 /// Reads the header of an image, and nothing else. Errors: not_an_image; other_byte_order; other_version; truncated_image; corrupt_image if the header
 /// contradicts itself. Then `out` stays as it was.
 ISLET_C_API IsletError islet_read_snapshot(const void* image, size_t image_bytes, IsletSnapshotInfo* out);
+/// Copies a world into another block, for example into a larger one when it has grown full. The new world has the same state, ids, settings, hooks, tasks and
+/// clock, but no recording; the old one stays as it is. `image` is memory that is used during the call only, at least islet_world_snapshot_bytes(from) bytes.
+/// Returns null with *error set, if given: the errors of islet_create_world for the block and the capacity; image_too_small; image_too_large if the capacity
+/// cannot hold what the world holds; in_step.
+ISLET_C_API IsletWorld* islet_copy_world(const IsletWorld* from, void* block, size_t block_bytes, const IsletCapacity* capacity, void* image, size_t image_bytes,
+                                         IsletError* error);
 /// Reads the header of a recording, and goes through its calls without making them. On an error `out` stays as it was: image_misaligned; not_a_recording;
 /// other_version; truncated_image; corrupt_recording if the header contradicts itself; and the errors of islet_read_snapshot for the recording's first snapshot.
 ISLET_C_API IsletError islet_read_recording(const void* recording, size_t recording_bytes, IsletRecordingInfo* out);

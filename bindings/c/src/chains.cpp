@@ -43,4 +43,12 @@ const IsletChainSegment* islet_shape_chain_segment(const IsletWorld* world, Isle
     return cast<const IsletChainSegment>(of(world).chain_segment(in<ShapeId>(shape)));
 }
 
+IsletError islet_shape_set_chain_segment(IsletWorld* world, IsletShapeId shape, const IsletChainSegment* segment) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    if (segment == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER);
+    const Error before = begin(world);
+    of(world).set_chain_segment(in<ShapeId>(shape), *cast<const ChainSegment>(segment));
+    return end(world, before);
+}
+
 }  // extern "C"

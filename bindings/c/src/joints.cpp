@@ -178,6 +178,16 @@ IsletError islet_joint_set_collide_connected(IsletWorld* world, IsletJointId joi
     return end(world, before);
 }
 
+float islet_joint_break_force(const IsletWorld* world, IsletJointId joint) {
+    if (world == nullptr) return 0;
+    return of(world).break_force(in<JointId>(joint));
+}
+
+float islet_joint_break_torque(const IsletWorld* world, IsletJointId joint) {
+    if (world == nullptr) return 0;
+    return of(world).break_torque(in<JointId>(joint));
+}
+
 IsletError islet_joint_set_break(IsletWorld* world, IsletJointId joint, float force, float torque) {
     if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
     const Error before = begin(world);
@@ -288,11 +298,44 @@ IsletError islet_joint_set_length(IsletWorld* world, IsletJointId joint, float l
     return end(world, before);
 }
 
+IsletJointSoftness islet_joint_softness(const IsletWorld* world, IsletJointId joint) {
+    if (world == nullptr) return out(JointSoftness{});
+    return out(of(world).softness(in<JointId>(joint)));
+}
+
+IsletError islet_joint_set_softness(IsletWorld* world, IsletJointId joint, const IsletJointSoftness* softness) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    if (softness == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER);
+    const Error before = begin(world);
+    of(world).set_softness(in<JointId>(joint), *cast<const JointSoftness>(softness));
+    return end(world, before);
+}
+
+IsletVec2 islet_joint_linear_velocity(const IsletWorld* world, IsletJointId joint) {
+    if (world == nullptr) return out(Vec2{});
+    return out(of(world).joint_linear_velocity(in<JointId>(joint)));
+}
+
+float islet_joint_angular_velocity(const IsletWorld* world, IsletJointId joint) {
+    if (world == nullptr) return 0;
+    return of(world).joint_angular_velocity(in<JointId>(joint));
+}
+
 IsletError islet_joint_set_velocity(IsletWorld* world, IsletJointId joint, IsletVec2 linear, float angular) {
     if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
     const Error before = begin(world);
     of(world).set_joint_velocity(in<JointId>(joint), in<Vec2>(linear), angular);
     return end(world, before);
+}
+
+float islet_joint_max_force(const IsletWorld* world, IsletJointId joint) {
+    if (world == nullptr) return 0;
+    return of(world).joint_max_force(in<JointId>(joint));
+}
+
+float islet_joint_max_torque(const IsletWorld* world, IsletJointId joint) {
+    if (world == nullptr) return 0;
+    return of(world).joint_max_torque(in<JointId>(joint));
 }
 
 IsletError islet_joint_set_strength(IsletWorld* world, IsletJointId joint, float max_force, float max_torque) {
@@ -322,6 +365,35 @@ IsletVec2 islet_joint_ground_a(const IsletWorld* world, IsletJointId joint) {
 IsletVec2 islet_joint_ground_b(const IsletWorld* world, IsletJointId joint) {
     if (world == nullptr) return out(Vec2{});
     return out(of(world).ground_b(in<JointId>(joint)));
+}
+
+IsletError islet_joint_set_grounds(IsletWorld* world, IsletJointId joint, IsletVec2 ground_a, IsletVec2 ground_b) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    const Error before = begin(world);
+    of(world).set_grounds(in<JointId>(joint), in<Vec2>(ground_a), in<Vec2>(ground_b));
+    return end(world, before);
+}
+
+float islet_joint_ratio(const IsletWorld* world, IsletJointId joint) {
+    if (world == nullptr) return 0;
+    return of(world).joint_ratio(in<JointId>(joint));
+}
+
+IsletError islet_joint_set_ratio(IsletWorld* world, IsletJointId joint, float ratio) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    const Error before = begin(world);
+    of(world).set_joint_ratio(in<JointId>(joint), ratio);
+    return end(world, before);
+}
+
+IsletJointId islet_gear_joint1(const IsletWorld* world, IsletJointId gear) {
+    if (world == nullptr) return out(JointId{});
+    return out(of(world).joint1(in<JointId>(gear)));
+}
+
+IsletJointId islet_gear_joint2(const IsletWorld* world, IsletJointId gear) {
+    if (world == nullptr) return out(JointId{});
+    return out(of(world).joint2(in<JointId>(gear)));
 }
 
 IsletVec2 islet_joint_force(const IsletWorld* world, IsletJointId joint) {

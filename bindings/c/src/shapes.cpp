@@ -65,6 +65,12 @@ bool islet_shape_is_valid(const IsletWorld* world, IsletShapeId shape) {
     return of(world).is_valid(in<ShapeId>(shape));
 }
 
+uint32_t islet_shape_contacts(const IsletWorld* world, IsletShapeId shape, IsletContactInfo* out, size_t out_count) {
+    if (world == nullptr) return 0;
+    if (out == nullptr && out_count != 0) return refuse(world, ISLET_ERROR_NULL_POINTER), 0;
+    return of(world).contacts(in<ShapeId>(shape), span_of<ContactInfo>(out, out_count));
+}
+
 IsletBodyId islet_shape_body(const IsletWorld* world, IsletShapeId shape) {
     if (world == nullptr) return out(BodyId{});
     return out(of(world).body(in<ShapeId>(shape)));
@@ -221,6 +227,13 @@ IsletError islet_shape_set_material(IsletWorld* world, IsletShapeId shape, const
 bool islet_shape_is_sensor(const IsletWorld* world, IsletShapeId shape) {
     if (world == nullptr) return false;
     return of(world).is_sensor(in<ShapeId>(shape));
+}
+
+IsletError islet_shape_set_sensor(IsletWorld* world, IsletShapeId shape, bool sensor) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    const Error before = begin(world);
+    of(world).set_sensor(in<ShapeId>(shape), sensor);
+    return end(world, before);
 }
 
 uint32_t islet_shape_sensor_overlaps(const IsletWorld* world, IsletShapeId sensor, IsletShapeId* out, size_t out_count) {

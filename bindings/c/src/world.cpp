@@ -68,11 +68,45 @@ IsletError islet_world_set_tasks(IsletWorld* world, const IsletTaskSystem* tasks
     return end(world, before);
 }
 
+bool islet_world_sleep_enabled(const IsletWorld* world) {
+    if (world == nullptr) return false;
+    return of(world).sleep_enabled();
+}
+
 IsletError islet_world_enable_sleep(IsletWorld* world, bool enable) {
     if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
     const Error before = begin(world);
     of(world).enable_sleep(enable);
     return end(world, before);
+}
+
+float islet_world_restitution_threshold(const IsletWorld* world) {
+    if (world == nullptr) return 0;
+    return of(world).restitution_threshold();
+}
+
+IsletError islet_world_set_restitution_threshold(IsletWorld* world, float speed) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    const Error before = begin(world);
+    of(world).set_restitution_threshold(speed);
+    return end(world, before);
+}
+
+float islet_world_max_speed(const IsletWorld* world) {
+    if (world == nullptr) return 0;
+    return of(world).max_speed();
+}
+
+IsletError islet_world_set_max_speed(IsletWorld* world, float speed) {
+    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
+    const Error before = begin(world);
+    of(world).set_max_speed(speed);
+    return end(world, before);
+}
+
+uint32_t islet_world_lanes(const IsletWorld* world) {
+    if (world == nullptr) return 0;
+    return of(world).lanes();
 }
 
 bool islet_world_continuous(const IsletWorld* world) {
@@ -200,6 +234,11 @@ IsletBodyId islet_world_body_at(const IsletWorld* world, uint32_t slot) {
 uint32_t islet_world_shape_count(const IsletWorld* world) {
     if (world == nullptr) return 0;
     return of(world).shape_count();
+}
+
+IsletShapeId islet_world_shape_at(const IsletWorld* world, uint32_t slot) {
+    if (world == nullptr) return out(ShapeId{});
+    return out(of(world).shape_at(slot));
 }
 
 uint32_t islet_world_contact_count(const IsletWorld* world) {

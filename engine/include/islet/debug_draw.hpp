@@ -120,6 +120,9 @@ struct DebugDraw {
     bool names = false;      ///< the slot of each body that is not static at its centre, the type of each joint at its place
     BodyColors body_colors = BodyColors::state;
     bool constraint_colors = false;  ///< joints, contact points and normals in distinct_color of the constraint colour (0 to 31) they are solved with
+    /// Null, or where to draw the shapes instead of where they are: a pose for each slot of a body, capacity().bodies of them. For pictures between two steps:
+    /// keep each body's transform before the step, and lerp to the one after it.
+    const Transform* poses = nullptr;
 };
 
 /// Draws a geometry as World::draw draws a shape whose body is at `pose`. The options and the view have no effect.

@@ -1,4 +1,4 @@
-// Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all public headers except lcp.hpp and island.hpp.
+// Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all public headers except lcp.hpp, island.hpp and hash.hpp.
 #pragma once
 
 #include "islet/debug_draw.hpp"
@@ -9,6 +9,7 @@
 #include "islet/math.hpp"
 #include "islet/mover.hpp"
 #include "islet/query.hpp"
+#include "islet/ranges.hpp"
 #include "islet/recording.hpp"
 #include "islet/snapshot.hpp"
 #include "islet/tasks.hpp"

@@ -32,6 +32,7 @@ struct JointId {
     std::uint32_t index1 = 0;
     std::uint32_t generation = 0;
     friend bool operator==(const JointId&, const JointId&) = default;
+    friend constexpr bool operator<(JointId a, JointId b) { return a.index1 != b.index1 ? a.index1 < b.index1 : a.generation < b.generation; }
     explicit constexpr operator bool() const { return index1 != 0; }
 };
 
@@ -61,6 +62,14 @@ struct JointSpring {
     float hertz = 0;          ///< Hz, >= 0; 0 is no spring
     float damping_ratio = 0;  ///< >= 0; 1 is critical
     float target = 0;         ///< rad or m; not used by distance joints, whose target is their length
+};
+
+/// The springs of a weld or motor joint, and the linear one of a mouse joint.
+struct JointSoftness {
+    float linear_hertz = 0;           ///< Hz, >= 0; of a mouse joint > 0. 0: rigid, or, of a motor joint, it drives the velocity.
+    float linear_damping_ratio = 1;   ///< >= 0
+    float angular_hertz = 0;          ///< Hz, >= 0; the same for the angle. Of a mouse joint 0.
+    float angular_damping_ratio = 1;  ///< >= 0; of a mouse joint without effect
 };
 
 /// Bounds of the joint's coordinate, rad or m: lower <= upper.

@@ -52,5 +52,13 @@ std::size_t delta(std::span<const std::byte> from, std::span<const std::byte> to
 /// World::load for it, unless this program made both. `out` must not overlap `from` or `delta`.
 std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> delta, std::span<std::byte> out, Error* error = nullptr);
 
+class World;
+
+/// Copies a world into another block, for example into a larger one when it has grown full. The new world has the same state, ids, settings, hooks, tasks and
+/// clock, but no recording; the old one stays as it is. `image` is memory that is used during the call only, at least from.snapshot_bytes() bytes. Returns null
+/// with *error set, if given: the errors of World::create for the block and the capacity; image_too_small; image_too_large if the capacity cannot hold what
+/// the world holds; in_step.
+World* copy_world(const World& from, std::span<std::byte> block, const Capacity& capacity, std::span<std::byte> image, Error* error = nullptr);
+
 }  // namespace islet
 ISLET_API_END

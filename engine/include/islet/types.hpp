@@ -22,10 +22,12 @@ inline constexpr float max_speed_limit = 1.0e6f;
 inline constexpr float min_time_step = 1.0e-6f;
 
 /// The id of a body; null by default. Ids are safe to keep: when its body is destroyed, an id becomes stale, and it never refers to another body.
+/// Ids compare by slot, then by generation; hash.hpp makes them keys of unordered containers.
 struct BodyId {
     std::uint32_t index1 = 0;      // slot + 1; 0 is null
     std::uint32_t generation = 0;  // of the slot when the id was handed out
     friend bool operator==(const BodyId&, const BodyId&) = default;
+    friend constexpr bool operator<(BodyId a, BodyId b) { return a.index1 != b.index1 ? a.index1 < b.index1 : a.generation < b.generation; }
     explicit constexpr operator bool() const { return index1 != 0; }
 };
 
@@ -34,6 +36,7 @@ struct ShapeId {
     std::uint32_t index1 = 0;
     std::uint32_t generation = 0;
     friend bool operator==(const ShapeId&, const ShapeId&) = default;
+    friend constexpr bool operator<(ShapeId a, ShapeId b) { return a.index1 != b.index1 ? a.index1 < b.index1 : a.generation < b.generation; }
     explicit constexpr operator bool() const { return index1 != 0; }
 };
 
@@ -60,7 +63,7 @@ enum class Error : std::uint8_t {
     bad_chain,          ///< fewer than 2 points (3 for a loop), or neighbours closer than 0.005 m
     bodies_full,        ///< raise Capacity::bodies
     shapes_full,        ///< raise Capacity::shapes
-    contacts_full,      ///< raise Capacity::contacts (the contact is retried every step)
+    contacts_full,      ///< raise Capacity::contacts, to 3 to 7 for each moving shape (the contact is retried every step)
     geometries_full,    ///< raise Capacity::geometries
     block_too_small,    ///< the memory given is smaller than world_bytes(capacity)
     block_misaligned,   ///< the memory given is not aligned to world_alignment

@@ -74,8 +74,17 @@ public:
     /// Sets the clock that measures stages; null for none. The clock is not part of the state: hashes and snapshots do not contain it.
     void set_clock(Clock clock, void* context = nullptr);
     WorldCounters counters() const;
-    /// Turning sleep off wakes everything.
+    /// WorldDef::enable_sleep. Turning sleep off wakes everything.
+    bool sleep_enabled() const;
     void enable_sleep(bool enable);
+    /// WorldDef::restitution_threshold, m/s, >= 0.
+    float restitution_threshold() const;
+    void set_restitution_threshold(float speed);
+    /// WorldDef::max_speed, m/s, above 0 and at most max_speed_limit. A lower one slows faster bodies down in the next step.
+    float max_speed() const;
+    void set_max_speed(float speed);
+    /// How many constraints this world solves at once: 1, 4 or 8 (WorldDef::lanes).
+    std::uint32_t lanes() const;
     /// WorldDef::continuous.
     bool continuous() const;
     void enable_continuous(bool enable);
@@ -182,6 +191,8 @@ public:
     Vec2 velocity_at(BodyId body, Vec2 point) const;
     /// Teleports the body. Its contacts are found anew; it keeps its velocity. Wakes the body, and the bodies that touched it or are joined to it.
     void set_transform(BodyId body, Vec2 position, float angle);
+    /// The same. pose.q must be of unit length (out_of_range).
+    void set_transform(BodyId body, const Transform& pose);
     /// No effect on static bodies. Wakes the body if the velocity is not zero.
     void set_linear_velocity(BodyId body, Vec2 velocity);
     /// The same; no effect on bodies of fixed rotation either.
@@ -191,7 +202,7 @@ public:
     void set_target(BodyId body, const Transform& target, float dt);
 
     /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s)
-    /// act at once.
+    /// act at once. To leave sleeping bodies alone, ask is_awake first.
     void apply_force(BodyId body, Vec2 force, Vec2 point);
     void apply_force_to_center(BodyId body, Vec2 force);
     void apply_torque(BodyId body, float torque);
@@ -231,6 +242,8 @@ public:
     /// BodyDef::bullet. No effect unless the body is dynamic.
     bool is_bullet(BodyId body) const;
     void set_bullet(BodyId body, bool bullet);
+    /// BodyDef::enable_sleep.
+    bool sleep_enabled(BodyId body) const;
     void enable_sleep(BodyId body, bool enable);
     float sleep_threshold(BodyId body) const;
     /// m/s, >= 0
@@ -238,6 +251,9 @@ public:
     bool is_awake(BodyId body) const;
     /// Wakes the body and its island.
     void wake(BodyId body);
+    /// Puts a dynamic body and its island to sleep at once; their velocities and forces become 0. No effect on other bodies, if the island touches or is joined
+    /// to a kinematic body that is awake, or if the world does not sleep (WorldDef::enable_sleep).
+    void sleep(BodyId body);
     std::uint64_t user_data(BodyId body) const;
     void set_user_data(BodyId body, std::uint64_t data);
     /// Writes the body's touching contacts, newest first, as far as they fit; returns how many there are.
@@ -261,6 +277,10 @@ public:
     void destroy_shape(ShapeId shape);
     bool is_valid(ShapeId shape) const;
     std::uint32_t shape_count() const;
+    /// Id of the shape in slot 0 <= slot < capacity().shapes; null if the slot is free.
+    ShapeId shape_at(std::uint32_t slot) const;
+    /// Writes the shape's touching contacts, newest first, as far as they fit; returns how many there are.
+    std::uint32_t contacts(ShapeId shape, std::span<ContactInfo> out) const;
 
     BodyId body(ShapeId shape) const;
     ShapeType shape_type(ShapeId shape) const;
@@ -278,6 +298,7 @@ public:
     void set_segment(ShapeId shape, const Segment& segment);
     void set_polygon(ShapeId shape, const Polygon& polygon);
     void set_half_space(ShapeId shape, const HalfSpace& half_space);
+    void set_chain_segment(ShapeId shape, const ChainSegment& segment);
     /// kg/m^2, >= 0. Setting it computes the body's mass again.
     float density(ShapeId shape) const;
     void set_density(ShapeId shape, float density);
@@ -295,7 +316,9 @@ public:
     /// All of these at once, and the number of yours (SurfaceMaterial::id).
     SurfaceMaterial material(ShapeId shape) const;
     void set_material(ShapeId shape, const SurfaceMaterial& material);
+    /// ShapeDef::sensor. Changing it ends the shape's contacts and overlaps, and wakes the bodies that touched it; the next step finds new ones.
     bool is_sensor(ShapeId shape) const;
+    void set_sensor(ShapeId shape, bool sensor);
     /// Writes the shapes that overlap the sensor, as far as they fit; the shape that came near last comes first. Returns how many there are. Error:
     /// not_a_sensor.
     std::uint32_t sensor_overlaps(ShapeId sensor, std::span<ShapeId> out) const;
@@ -364,7 +387,9 @@ public:
     bool collide_connected(JointId joint) const;
     /// Not for mouse and gear joints, which forbid nothing.
     void set_collide_connected(JointId joint, bool collide);
-    /// As in JointBase; 0: never breaks. A gear has a torque only.
+    /// As in JointBase, N and N m; 0: never breaks. A gear has a torque only.
+    float break_force(JointId joint) const;
+    float break_torque(JointId joint) const;
     void set_break(JointId joint, float force, float torque);
     std::uint64_t user_data(JointId joint) const;
     void set_user_data(JointId joint, std::uint64_t data);
@@ -391,16 +416,31 @@ public:
     /// Of a distance joint, m.
     float joint_length(JointId joint) const;
     void set_joint_length(JointId joint, float length);
-    /// Of a motor joint.
+    /// Of weld, motor and mouse joints.
+    JointSoftness softness(JointId joint) const;
+    void set_softness(JointId joint, const JointSoftness& softness);
+    /// Of a motor joint, m/s and rad/s.
+    Vec2 joint_linear_velocity(JointId joint) const;
+    float joint_angular_velocity(JointId joint) const;
     void set_joint_velocity(JointId joint, Vec2 linear, float angular);
+    /// Of motor and mouse joints, N and N m. A mouse joint has a force only.
+    float joint_max_force(JointId joint) const;
+    float joint_max_torque(JointId joint) const;
     void set_joint_strength(JointId joint, float max_force, float max_torque);
     /// Of a mouse joint, m in the world.
     Vec2 target(JointId joint) const;
     void set_target(JointId joint, Vec2 target);
 
-    /// The fixed points of a pulley, m in the world.
+    /// The fixed points of a pulley, m in the world. Setting them measures the rope anew, so it fits the bodies' places now.
     Vec2 ground_a(JointId joint) const;
     Vec2 ground_b(JointId joint) const;
+    void set_grounds(JointId joint, Vec2 ground_a, Vec2 ground_b);
+    /// Of a pulley or a gear, in the range of its definition. Setting it measures the rope, or the gear's angle, anew.
+    float joint_ratio(JointId joint) const;
+    void set_joint_ratio(JointId joint, float ratio);
+    /// The two joints of a gear.
+    JointId joint1(JointId gear) const;
+    JointId joint2(JointId gear) const;
 
     /// What the joint did to body B over the last substep: force in N, torque about B's anchor in N m. A gets the opposite (a pulley's A is pulled
     /// along its own rope).
@@ -490,9 +530,16 @@ class StaticWorld {
     static_assert(is_valid(C), "bodies, shapes and contacts must be above 0, and nothing above max_capacity");
 
 public:
+    StaticWorld() = default;
+    StaticWorld(const StaticWorld&) = delete;
+    StaticWorld& operator=(const StaticWorld&) = delete;
+
     /// Creates the world. An earlier world in this memory is lost. If the definition breaks a rule, the world gets the default one, and World::last_error says
     /// what was wrong. If the engine was compiled in a way that changes the bits (inexact_build), the world takes no step.
     World& create(const WorldDef& def = {}) { return detail::create_static(block_, C, layout, def); }
+    /// The world that create() has made. Before that there is none.
+    World& get() { return *__builtin_launder(reinterpret_cast<World*>(block_)); }
+    const World& get() const { return *__builtin_launder(reinterpret_cast<const World*>(block_)); }
     static constexpr std::size_t bytes = world_bytes(C);
 
 private:

@@ -74,6 +74,37 @@ void wake_island(Core& core, std::uint32_t body, Arena arena) {
     }
 }
 
+void sleep_island(Core& core, std::uint32_t body, Arena arena) {
+    if (!core.is_dynamic(body) || !core.is_awake(body)) return;
+    const auto words = static_cast<std::uint32_t>(words_for(core.capacity.bodies));
+    const BitSet found{arena.take<std::uint64_t>(words), words};
+    for (std::uint32_t w = 0; w < words; ++w) found.words[w] = 0;
+    std::uint32_t* island = arena.take<std::uint32_t>(core.capacity.bodies);
+    std::uint32_t end = 0;
+    bool held = false;
+    const auto reach = [&](std::uint32_t other) {
+        if (other == null_index || !core.is_awake(other) || found.test(other)) return;
+        held = held || !core.is_dynamic(other);
+        found.set(other);
+        island[end++] = other;
+    };
+    reach(body);
+    for (std::uint32_t at = 0; at < end && !held; ++at) {
+        for_each_contact(core, island[at], [&](std::uint32_t contact, std::uint32_t side) {
+            if ((core.manifolds[contact].flags & contact_touching) != 0) reach(other_body(core, contact, side));
+        });
+        for_each_joint(core, island[at], [&](std::uint32_t joint, std::uint32_t side) { reach(other_joined(core, joint, side)); });
+    }
+    if (held) return;
+    for (std::uint32_t i = 0; i < end; ++i) {
+        Motion& motion = core.motions[island[i]];
+        motion.force = {0, 0};
+        motion.torque = 0;
+        core.residuals[island[i]] = 0;
+        put_to_sleep(core, island[i]);
+    }
+}
+
 void wake_neighbors(Core& core, std::uint32_t body, Arena arena) {
     for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
         if ((core.manifolds[contact].flags & contact_touching) != 0) wake_island(core, other_body(core, contact, side), arena);

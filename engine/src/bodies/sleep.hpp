@@ -14,6 +14,8 @@ void wake_island(Core& core, std::uint32_t body, Arena arena);
 void wake_neighbors(Core& core, std::uint32_t body, Arena arena);
 /// The same, and destroys the body's contacts.
 void end_contacts(Core& core, std::uint32_t body);
+/// Puts a dynamic body and its island to sleep, unless it is held awake by a kinematic body that moves.
+void sleep_island(Core& core, std::uint32_t body, Arena arena);
 /// Puts one body to sleep with zero velocity.
 void put_to_sleep(Core& core, std::uint32_t body);
 

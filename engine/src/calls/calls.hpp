@@ -90,7 +90,16 @@
     X(create_angle_joint, create_joint, AngleJointDef) \
     X(set_ratchet, set_ratchet, JointId, JointRatchet) \
     X(create_half_space, create_shape, BodyId, HalfSpace, ShapeDef) \
-    X(set_half_space, set_half_space, ShapeId, HalfSpace)
+    X(set_half_space, set_half_space, ShapeId, HalfSpace) \
+    X(set_restitution_threshold, set_restitution_threshold, float) \
+    X(set_max_speed, set_max_speed, float) \
+    X(set_pose, set_transform, BodyId, Transform) \
+    X(sleep, sleep, BodyId) \
+    X(set_chain_segment, set_chain_segment, ShapeId, ChainSegment) \
+    X(set_sensor, set_sensor, ShapeId, bool) \
+    X(set_softness, set_softness, JointId, JointSoftness) \
+    X(set_grounds, set_grounds, JointId, Vec2, Vec2) \
+    X(set_joint_ratio, set_joint_ratio, JointId, float)
 // clang-format on
 
 namespace islet::detail {
@@ -157,6 +166,9 @@ template <class V> constexpr void members(V& v, ShapeDef& a) {
 }
 template <class V> constexpr void members(V& v, JointFrame& a) { v(a.position, a.angle); }
 template <class V> constexpr void members(V& v, JointSpring& a) { v(a.enable, a.hertz, a.damping_ratio, a.target); }
+template <class V> constexpr void members(V& v, JointSoftness& a) {
+    v(a.linear_hertz, a.linear_damping_ratio, a.angular_hertz, a.angular_damping_ratio);
+}
 template <class V> constexpr void members(V& v, JointLimit& a) { v(a.enable, a.lower, a.upper); }
 template <class V> constexpr void members(V& v, JointMotor& a) { v(a.enable, a.speed, a.max_force); }
 template <class V> constexpr void members(V& v, JointBase& a) {

@@ -51,6 +51,11 @@ inline bool check_position(const Core& core, Vec2 p) {
     return check_range(core, p.x, -max_position, max_position) && check_range(core, p.y, -max_position, max_position);
 }
 
+ISLET_SHARED bool check_pose(const Core& core, const Transform& t) {
+    return check_position(core, t.p) && check(core, all_finite(t.q.c, t.q.s), Error::not_finite) &&
+           check(core, abs(t.q.c * t.q.c + t.q.s * t.q.s - 1.0f) <= 1.0e-3f, Error::out_of_range);
+}
+
 inline bool is_time_step(float dt) { return dt >= min_time_step && dt <= 1; }
 
 }  // namespace islet::detail

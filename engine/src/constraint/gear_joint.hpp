@@ -109,7 +109,7 @@ using LoneGearRows = GearRows<1>;
 
 template <>
 struct JointKind<JointType::gear> : AnyJoint {
-    static constexpr bool has_frames = false, has_base = false;
+    static constexpr bool has_frames = false, has_base = false, has_ratio = true;
 
     static const char* fault(const Joint& j) { return j.ratio != 0 && abs(j.ratio) <= max_ratio ? nullptr : "a joint's ratio is out of range"; }
     static JointKernel kernel(const Joint&) { return JointKernel::gear; }

@@ -46,6 +46,9 @@ inline constexpr std::uint32_t with_friction = joints_that([](auto kind) { retur
 inline constexpr std::uint32_t with_length = joints_that([](auto kind) { return kind.has_length; });
 inline constexpr std::uint32_t with_frames = joints_that([](auto kind) { return kind.has_frames; });
 inline constexpr std::uint32_t with_base = joints_that([](auto kind) { return kind.has_base; });
+inline constexpr std::uint32_t with_softness = joints_that([](auto kind) { return kind.has_softness; });
+inline constexpr std::uint32_t with_strength = joints_that([](auto kind) { return kind.has_strength; });
+inline constexpr std::uint32_t with_ratio = joints_that([](auto kind) { return kind.has_ratio; });
 inline constexpr std::uint32_t with_turns = joints_that([](auto kind) { return kind.counts_turns; });
 
 /// The coordinate of a joint that has one, now.

@@ -130,6 +130,9 @@ struct AnyJoint {
     static constexpr bool has_frames = true;     // they may be set anew
     static constexpr bool has_base = true;       // its definition has a JointBase
     static constexpr bool counts_turns = false;  // Joint::coordinate is its angle
+    static constexpr bool has_softness = false;  // a frequency for its point, and perhaps one for its angle
+    static constexpr bool has_strength = false;  // a greatest force, and perhaps a greatest torque
+    static constexpr bool has_ratio = false;
 
     /// The joint's own part of what an image must keep: null, or what is wrong.
     static const char* fault(const Joint&) { return nullptr; }

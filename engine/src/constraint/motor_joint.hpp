@@ -86,6 +86,8 @@ void store(const DriveRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
 /// rigid drive has its first row along the impulse it gives, so that one that gives all it has is at the bound of that row alone, as the engine bounds the
 /// impulse's length.
 struct DriveJoint : AnyJoint {
+    static constexpr bool has_softness = true, has_strength = true;
+
     static JointKernel kernel(const Joint&) { return JointKernel::drive; }
 
     template <class Rows>

@@ -133,9 +133,19 @@ void store(const PulleyRows<W>& r, std::uint32_t lane, Joint& j, const JointOutp
     j.torque_impulse = 0;
 }
 
+/// Measures a pulley's constant. False, with the error recorded, if an end is too short to have a direction.
+ISLET_SHARED bool measure_rope(const Core& core, Joint& j) {
+    const auto end = [&](std::uint32_t body, Vec2 local, Vec2 ground) {
+        return distance(transform_point({core.bodies[body].origin, core.poses[body].q}, local), ground);
+    };
+    const float a = end(j.body_a, j.local_a, j.ground_a), b = end(j.body_b, j.local_b, j.ground_b);
+    j.length = a + j.ratio * b;
+    return check(core, a >= linear_slop && b >= linear_slop, Error::out_of_range);
+}
+
 template <>
 struct JointKind<JointType::pulley> : AnyJoint {
-    static constexpr bool has_frames = false;
+    static constexpr bool has_frames = false, has_ratio = true;
 
     static bool take(const Core& core, Joint& j, const PulleyJointDef& def) {
         j.ground_a = def.ground_a;

@@ -78,6 +78,8 @@ void store(const WeldRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput
 
 template <>
 struct JointKind<JointType::weld> : AnyJoint {
+    static constexpr bool has_softness = true;
+
     static bool take(const Core&, Joint& j, const WeldJointDef& def) {
         fill_softness(j, def);
         return true;

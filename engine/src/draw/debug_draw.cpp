@@ -44,18 +44,22 @@ void draw_geometry(const DebugDraw& draw, const Geometry& g, const Transform& po
 bool sees_shape(const Core& core, const DebugDraw& draw, std::uint32_t shape) {
     return meet(core.boxes[shape], draw.view) && meet(shape_aabb(core, shape), draw.view);
 }
+bool sees_shape_at(const Core& core, const DebugDraw& draw, std::uint32_t shape, const Transform& pose) {
+    return meet(aabb_of(core.geometries[core.shapes[shape].geometry], pose), draw.view);
+}
 
 bool sees_point(const DebugDraw& draw, Vec2 p) { return meet(draw.view, {p, p}); }
 
 void draw_shapes(const Core& core, const DebugDraw& draw) {
     const std::uint32_t* islands = draw.body_colors == BodyColors::island ? find_all_islands(core) : nullptr;
     for_each_live(core.state->shape_pool, core.shapes, [&](std::uint32_t i) {
-        if (!sees_shape(core, draw, i)) return;
         const Shape& shape = core.shapes[i];
+        const Transform pose = draw.poses != nullptr ? draw.poses[shape.body] : body_transform(core, shape.body);
+        if (draw.poses != nullptr ? !sees_shape_at(core, draw, i, pose) : !sees_shape(core, draw, i)) return;
         const bool sensor = (shape.flags & shape_sensor) != 0;
         const bool in_island = islands != nullptr && islands[shape.body] != null_index;
         const DrawColor color = sensor ? draw_color::sensor : in_island ? distinct_color(islands[shape.body]) : state_color(core, shape.body);
-        draw_geometry(draw, core.geometries[shape.geometry], body_transform(core, shape.body), {color, DrawPart::shape, !sensor, shape.body});
+        draw_geometry(draw, core.geometries[shape.geometry], pose, {color, DrawPart::shape, !sensor, shape.body});
     });
 }
 

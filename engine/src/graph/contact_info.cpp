@@ -42,17 +42,23 @@ bool World::contact_at(std::uint32_t slot, ContactInfo& out) const {
     return true;
 }
 
-std::uint32_t World::contacts(BodyId id, std::span<ContactInfo> out) const {
-    const Core& c = core();
-    const std::uint32_t i = find_slot(c, id);
-    if (i == null_index) return 0;
+namespace {
+
+/// The touching contacts of a body, or with a shape those of this shape alone.
+std::uint32_t list_contacts(const Core& c, std::uint32_t body, std::uint32_t shape, std::span<ContactInfo> out) {
     std::uint32_t n = 0;
-    for_each_contact(c, i, [&](std::uint32_t contact, std::uint32_t) {
-        if (!is_told(c.manifolds[contact])) return;
+    for_each_contact(c, body, [&](std::uint32_t contact, std::uint32_t) {
+        const Contact& of = c.contacts[contact];
+        if (!is_told(c.manifolds[contact]) || (shape != null_index && of.shape_a != shape && of.shape_b != shape)) return;
         if (n < out.size()) read_contact(c, contact, out[n]);
         ++n;
     });
     return n;
 }
+
+}  // namespace
+
+std::uint32_t World::contacts(BodyId id, std::span<ContactInfo> out) const { ISLET_READ(list_contacts(c, i, null_index, out)); }
+std::uint32_t World::contacts(ShapeId id, std::span<ContactInfo> out) const { ISLET_READ(list_contacts(c, c.shapes[i].body, i, out)); }
 
 }  // namespace islet

@@ -44,6 +44,18 @@ void act_on(Core& core, BodyId id, Vec2 push, float turn, const Vec2* point, Pus
     }
 }
 
+void teleport(Core& core, std::uint32_t body, const Transform& pose) {
+    end_contacts(core, body);
+    wake_island(core, body, core.arena());
+    const bool at_rest = !core.is_awake(body);
+    if (at_rest) unrest_shapes(core, body);
+    core.bodies[body].origin = pose.p;
+    core.poses[body].q = pose.q;
+    core.poses[body].center = transform_point(body_transform(core, body), core.bodies[body].local_center);
+    update_boxes(core, body, true);
+    if (at_rest) rest_shapes(core, body);
+}
+
 }  // namespace
 
 BodyId World::create_body(const BodyDef& def) {
@@ -124,6 +136,7 @@ float World::angular_damping(BodyId id) const { ISLET_READ(c.bodies[i].angular_d
 float World::sleep_threshold(BodyId id) const { ISLET_READ(c.bodies[i].sleep_threshold); }
 float World::gravity_scale(BodyId id) const { ISLET_READ(c.bodies[i].gravity_scale); }
 bool World::is_awake(BodyId id) const { ISLET_READ(c.is_awake(i)); }
+bool World::sleep_enabled(BodyId id) const { ISLET_READ((c.bodies[i].flags & body_may_sleep) != 0); }
 std::uint64_t World::user_data(BodyId id) const { ISLET_READ(c.bodies[i].user_data); }
 
 Vec2 World::velocity_at(BodyId id, Vec2 point) const {
@@ -146,16 +159,13 @@ std::uint32_t World::shapes(BodyId id, std::span<ShapeId> out) const {
 void World::set_transform(BodyId id, Vec2 position, float angle) {
     const DefaultFloatMode mode;
     const auto [c, i] = begin_call<Call::set_transform>(core(), id, position, angle);
-    if (i == null_index || !check_position(c, position) || !check_finite(c, angle)) return;
-    end_contacts(c, i);
-    wake_island(c, i, c.arena());
-    const bool at_rest = !c.is_awake(i);
-    if (at_rest) unrest_shapes(c, i);
-    c.bodies[i].origin = position;
-    c.poses[i].q = make_rot(angle);
-    c.poses[i].center = transform_point(body_transform(c, i), c.bodies[i].local_center);
-    update_boxes(c, i, true);
-    if (at_rest) rest_shapes(c, i);
+    if (i != null_index && check_position(c, position) && check_finite(c, angle)) teleport(c, i, {position, make_rot(angle)});
+}
+
+void World::set_transform(BodyId id, const Transform& pose) {
+    const DefaultFloatMode mode;
+    const auto [c, i] = begin_call<Call::set_pose>(core(), id, pose);
+    if (i != null_index && check_pose(c, pose)) teleport(c, i, {pose.p, normalize(pose.q)});
 }
 
 void World::set_linear_velocity(BodyId id, Vec2 velocity) {
@@ -285,6 +295,11 @@ void World::set_sleep_threshold(BodyId id, float threshold) {
 void World::wake(BodyId id) {
     const auto [c, i] = begin_call<Call::wake>(core(), id);
     if (i != null_index) wake_island(c, i, c.arena());
+}
+
+void World::sleep(BodyId id) {
+    const auto [c, i] = begin_call<Call::sleep>(core(), id);
+    if (i != null_index && check_there(c, has_sleep) && c.state->enable_sleep != 0) sleep_island(c, i, c.arena());
 }
 
 void World::set_user_data(BodyId id, std::uint64_t data) {

@@ -25,8 +25,7 @@ float turn_to(Rot q, float most) {
 void World::set_target(BodyId id, const Transform& target, float dt) {
     const DefaultFloatMode mode;
     const auto [c, i] = begin_call<Call::set_body_target>(core(), id, target, dt);
-    if (i == null_index || !check_position(c, target.p) || !check(c, all_finite(target.q.c, target.q.s), Error::not_finite)) return;
-    if (!check(c, abs(target.q.c * target.q.c + target.q.s * target.q.s - 1.0f) <= 1.0e-3f, Error::out_of_range)) return;
+    if (i == null_index || !check_pose(c, target)) return;
     if (!check(c, is_time_step(dt), Error::bad_time_step) || c.bodies[i].type() != BodyType::kinematic) return;
     const Pose& pose = c.poses[i];
     const Vec2 way = transform_point(target, c.bodies[i].local_center) - pose.center;

@@ -12,6 +12,7 @@ namespace islet {
 using namespace detail;
 
 ISLET_DEFINE_CREATE_SHAPE(chain_segment, ChainSegment)
+ISLET_DEFINE_SET_SHAPE(chain_segment, ChainSegment)
 
 std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool loop, const ShapeDef& def, std::span<ShapeId> out) {
     Core& c = core();

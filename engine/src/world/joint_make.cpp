@@ -75,16 +75,6 @@ JointId tie(Core& core, const Joint& made) {
     return core.joint_id(i);
 }
 
-/// A pulley's constant, if both ends are long enough to have a direction.
-bool measure_rope(const Core& core, Joint& j) {
-    const auto end = [&](std::uint32_t body, Vec2 local, Vec2 ground) {
-        return distance(transform_point({core.bodies[body].origin, core.poses[body].q}, local), ground);
-    };
-    const float a = end(j.body_a, j.local_a, j.ground_a), b = end(j.body_b, j.local_b, j.ground_b);
-    j.length = a + j.ratio * b;
-    return check(core, a >= linear_slop && b >= linear_slop, Error::out_of_range);
-}
-
 /// A joint between two bodies, checked as far as all types have it in common.
 [[maybe_unused]] JointId make(Core& core, Joint& j, const JointBase& base) {
     const DefaultFloatMode mode;

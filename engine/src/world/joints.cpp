@@ -103,6 +103,8 @@ Vec2 World::anchor_a(JointId id) const { ISLET_READ_JOINT(~0u, j.body_a != null_
 Vec2 World::anchor_b(JointId id) const { ISLET_READ_JOINT(~0u, world_point(c, j.body_b, j.local_b)); }
 bool World::collide_connected(JointId id) const { ISLET_READ_JOINT(~0u, (j.flags & joint_collide) != 0); }
 std::uint64_t World::user_data(JointId id) const { ISLET_READ_JOINT(~0u, j.user_data); }
+float World::break_force(JointId id) const { ISLET_READ_JOINT(~0u, j.break_force); }
+float World::break_torque(JointId id) const { ISLET_READ_JOINT(~0u, j.break_torque); }
 JointSpring World::spring(JointId id) const {
     ISLET_READ_JOINT(with_coordinate, (JointSpring{(j.flags & joint_spring) != 0, j.spring_hertz, j.spring_damping_ratio, j.target}));
 }
@@ -112,9 +114,19 @@ float World::joint_friction(JointId id) const { ISLET_READ_JOINT(with_friction, 
 float World::motor_force(JointId id) const { ISLET_READ_JOINT(with_coordinate, force_of(c, j.motor_impulse)); }
 float World::joint_length(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::distance), j.length); }
 JointRatchet World::ratchet(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::angle), (JointRatchet{j.length, j.velocity.x})); }
+JointSoftness World::softness(JointId id) const {
+    ISLET_READ_JOINT(with_softness, (JointSoftness{j.linear_hertz, j.linear_damping_ratio, j.angular_hertz, j.angular_damping_ratio}));
+}
+Vec2 World::joint_linear_velocity(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::motor), j.velocity); }
+float World::joint_angular_velocity(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::motor), j.motor_speed); }
+float World::joint_max_force(JointId id) const { ISLET_READ_JOINT(with_strength, j.motor_max); }
+float World::joint_max_torque(JointId id) const { ISLET_READ_JOINT(with_strength, j.max_torque); }
 Vec2 World::target(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::mouse), j.local_a); }
 Vec2 World::ground_a(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::pulley), j.ground_a); }
 Vec2 World::ground_b(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::pulley), j.ground_b); }
+float World::joint_ratio(JointId id) const { ISLET_READ_JOINT(with_ratio, j.ratio); }
+JointId World::joint1(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::gear), c.joint_id(j.joint1)); }
+JointId World::joint2(JointId id) const { ISLET_READ_JOINT(joint_bit(JointType::gear), c.joint_id(j.joint2)); }
 float World::joint_position(JointId id) const { ISLET_READ_JOINT(with_coordinate, joint_coordinate(c, j)); }
 Vec2 World::joint_force(JointId id) const { ISLET_READ_JOINT(~0u, (Vec2{force_of(c, j.force_impulse.x), force_of(c, j.force_impulse.y)})); }
 float World::joint_torque(JointId id) const { ISLET_READ_JOINT(~0u, force_of(c, j.torque_impulse)); }
@@ -230,11 +242,53 @@ void World::set_joint_velocity(JointId id, Vec2 linear, float angular) {
 }
 
 void World::set_joint_strength(JointId id, float max_force, float max_torque) {
-    const auto [c, i] = begin_call_on<Call::set_joint_strength>(joint_bit(JointType::motor), core(), id, max_force, max_torque);
+    const auto [c, i] = begin_call_on<Call::set_joint_strength>(with_strength, core(), id, max_force, max_torque);
     if (i == null_index || !check_not_negative(c, max_force) || !check_not_negative(c, max_torque)) return;
     c.joints[i].motor_max = max_force;
-    c.joints[i].max_torque = max_torque;
+    if (type_of(c.joints[i]) == JointType::motor) c.joints[i].max_torque = max_torque;
     wake_bodies(c, c.joints[i]);
+}
+
+void World::set_softness(JointId id, const JointSoftness& softness) {
+    const auto [c, i] = begin_call_on<Call::set_softness>(with_softness, core(), id, softness);
+    if (i == null_index) return;
+    for (const float a : {softness.linear_hertz, softness.linear_damping_ratio, softness.angular_hertz, softness.angular_damping_ratio})
+        if (!check_not_negative(c, a)) return;
+    Joint& j = c.joints[i];
+    const bool mouse = type_of(j) == JointType::mouse;
+    if (!check(c, !mouse || (softness.linear_hertz > 0 && softness.angular_hertz == 0), Error::out_of_range)) return;
+    fill_softness(j, softness);
+    if (mouse) j.angular_damping_ratio = 0;
+    wake_bodies(c, j);
+}
+
+void World::set_grounds(JointId id, Vec2 ground_a, Vec2 ground_b) {
+    const DefaultFloatMode mode;
+    const auto [c, i] = begin_call_on<Call::set_grounds>(joint_bit(JointType::pulley), core(), id, ground_a, ground_b);
+    if (i == null_index || !check_position(c, ground_a) || !check_position(c, ground_b)) return;
+    Joint changed = c.joints[i];
+    changed.ground_a = ground_a;
+    changed.ground_b = ground_b;
+    if (!measure_rope(c, changed)) return;
+    c.joints[i] = changed;
+    wake_bodies(c, changed);
+}
+
+void World::set_joint_ratio(JointId id, float ratio) {
+    const DefaultFloatMode mode;
+    const auto [c, i] = begin_call_on<Call::set_joint_ratio>(with_ratio, core(), id, ratio);
+    if (i == null_index || !check_range(c, ratio, -max_ratio, max_ratio)) return;
+    Joint changed = c.joints[i];
+    const bool gear = type_of(changed) == JointType::gear;
+    if (!check(c, gear ? ratio != 0 : ratio > 0, Error::out_of_range)) return;
+    changed.ratio = ratio;
+    if (gear) {
+        changed.length = joint_coordinate(c, c.joints[changed.joint1]) + ratio * joint_coordinate(c, c.joints[changed.joint2]);
+    } else if (!measure_rope(c, changed)) {
+        return;
+    }
+    c.joints[i] = changed;
+    wake_bodies(c, changed);
 }
 
 void World::set_target(JointId id, Vec2 target) {

@@ -17,10 +17,9 @@ namespace islet {
 
 using namespace detail;
 
-namespace {
+namespace detail {
 
-// Contacts are destroyed, because the types of two shapes decide which of them is A. The next step finds those of the new geometry.
-void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) {
+void replace_geometry(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) {
     const DefaultFloatMode mode;
     if (!check_there(core, there)) return;
     const std::uint32_t i = find_slot(core, id);
@@ -47,6 +46,10 @@ void replace(Core& core, ShapeId id, const Geometry& g, bool valid, bool there) 
     shapes_changed(core, body);
 }
 
+}  // namespace detail
+
+namespace {
+
 void set_flag(Core& core, ShapeId id, std::uint32_t flag, bool on) {
     const std::uint32_t i = find_slot(core, id);
     if (i == null_index) return;
@@ -64,11 +67,7 @@ bool flag_of(const Core& core, ShapeId id, std::uint32_t flag) {
 }  // namespace
 
 #define ISLET_SET(name, Type, feature, kind, linked) ISLET_SET_##linked(name, Type)
-#define ISLET_SET_always(name, Type)                                                                 \
-    void World::set_##name(ShapeId id, const Type& shape) {                                          \
-        note_call<Call::set_##name>(core(), id, shape);                                              \
-        replace(core(), id, geometry_of(shape), islet::is_valid(shape), has_shape(ShapeType::name)); \
-    }
+#define ISLET_SET_always ISLET_DEFINE_SET_SHAPE
 #define ISLET_SET_when_made(name, Type)
 ISLET_SHAPE_TYPES(ISLET_SET)
 
@@ -106,6 +105,17 @@ void World::set_material(ShapeId id, const SurfaceMaterial& m) {
 }
 
 bool World::is_sensor(ShapeId id) const { return flag_of(core(), id, shape_sensor); }
+
+void World::set_sensor(ShapeId id, bool sensor) {
+    const auto [c, i] = begin_call<Call::set_sensor>(core(), id, sensor);
+    if (i == null_index || !check_there(c, has_sensors || !sensor) || ((c.shapes[i].flags & shape_sensor) != 0) == sensor) return;
+    wake_island(c, c.shapes[i].body, c.arena());
+    end_contacts_of_shape(c, i);
+    c.shapes[i].flags ^= shape_sensor;
+    c.state->asked |= asked_of(c.shapes[i].flags);
+    mark_moved(c, i);
+}
+
 bool World::hit_events_enabled(ShapeId id) const { return flag_of(core(), id, shape_hit_events); }
 bool World::pre_solve_enabled(ShapeId id) const { return flag_of(core(), id, shape_pre_solve); }
 bool World::sensor_events_enabled(ShapeId id) const { ISLET_READ((c.shapes[i].flags & shape_unseen) == 0); }

@@ -158,6 +158,11 @@ void World::destroy_shape(ShapeId id) {
 bool World::is_valid(ShapeId id) const { return pool_holds(core().state->shape_pool, core().shapes, id); }
 std::uint32_t World::shape_count() const { return core().state->shape_pool.count; }
 
+ShapeId World::shape_at(std::uint32_t slot) const {
+    const Core& c = core();
+    return pool_live(c.state->shape_pool, c.shapes, slot) ? c.shape_id(slot) : ShapeId{};
+}
+
 BodyId World::body(ShapeId id) const { ISLET_READ(c.body_id(c.shapes[i].body)); }
 ShapeType World::shape_type(ShapeId id) const { ISLET_READ(c.geometries[c.shapes[i].geometry].shape_type()); }
 Aabb World::aabb(ShapeId id) const { ISLET_READ(shape_aabb(c, i)); }

@@ -33,4 +33,15 @@ ShapeId attach_shape(Core& core, BodyId body, const Geometry& geometry, bool val
         return check_there(core(), has_shape(ShapeType::name)) ? attach_shape(core(), body, geometry_of(shape), islet::is_valid(shape), def) : ShapeId{}; \
     }
 
+/// Gives a shape another geometry. `valid` says whether it is valid, `there` whether this build has its type. Contacts are destroyed, because the types of two
+/// shapes decide which of them is A; the next step finds those of the new geometry.
+void replace_geometry(Core& core, ShapeId shape, const Geometry& geometry, bool valid, bool there);
+
+/// World::set_circle and so on, for a type of shape.
+#define ISLET_DEFINE_SET_SHAPE(name, Type)                                                                    \
+    void World::set_##name(ShapeId id, const Type& shape) {                                                   \
+        note_call<Call::set_##name>(core(), id, shape);                                                       \
+        replace_geometry(core(), id, geometry_of(shape), islet::is_valid(shape), has_shape(ShapeType::name)); \
+    }
+
 }  // namespace islet::detail

@@ -162,6 +162,8 @@ void World::set_tasks(const TaskSystem& tasks) {
     if (check_open(core()) && check(core(), is_usable(tasks), Error::out_of_range)) core().tasks = tasks;
 }
 
+bool World::sleep_enabled() const { return core().state->enable_sleep != 0; }
+
 void World::enable_sleep(bool enable) {
     Core& c = core();
     note_call<Call::enable_sleep>(c, enable);
@@ -177,6 +179,22 @@ void World::enable_continuous(bool enable) {
     note_call<Call::enable_continuous>(core(), enable);
     if (check_open(core()) && check_there(core(), has_continuous || !enable)) core().state->continuous = enable ? 1 : 0;
 }
+
+float World::restitution_threshold() const { return core().state->restitution_threshold; }
+
+void World::set_restitution_threshold(float speed) {
+    note_call<Call::set_restitution_threshold>(core(), speed);
+    if (check_open(core()) && check_range(core(), speed, 0, no_limit)) core().state->restitution_threshold = speed;
+}
+
+float World::max_speed() const { return core().state->max_speed; }
+
+void World::set_max_speed(float speed) {
+    note_call<Call::set_max_speed>(core(), speed);
+    if (check_open(core()) && check_range(core(), speed, 0, max_speed_limit) && check(core(), speed > 0, Error::out_of_range)) core().state->max_speed = speed;
+}
+
+std::uint32_t World::lanes() const { return core().lanes; }
 
 const Capacity& World::capacity() const { return core().capacity; }
 const StepReport& World::report() const { return core().report; }

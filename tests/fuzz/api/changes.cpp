@@ -93,7 +93,8 @@ void Caller::change_body() {
     switch (in.below(28)) {
     case 0: {
         const Vec2 at = in.place();
-        all.set_transform(b, at, in.number());
+        const float angle = in.number();
+        in.flag() ? all.set_transform(b, at, angle) : all.set_transform(b, Transform{at, make_rot(angle)});
         break;
     }
     case 1: all.set_linear_velocity(b, in.point()); break;
@@ -125,7 +126,7 @@ void Caller::change_body() {
     case 14: all.set_gravity_scale(b, in.number()); break;
     case 15: all.set_fixed_rotation(b, in.flag()); break;
     case 16: all.enable_sleep(b, in.flag()); break;
-    case 17: all.wake(b); break;
+    case 17: in.flag() ? all.wake(b) : all.sleep(b); break;
     case 18: all.set_user_data(b, std::uint64_t{in.byte()}); break;
     case 19: all.lock_x(b, in.flag()); break;
     case 20: all.lock_y(b, in.flag()); break;
@@ -154,7 +155,7 @@ void Caller::change_shape() {
     case 5: all.set_user_data(s, std::uint64_t{in.byte()}); break;
     case 6: all.set_circle(s, circle()); break;
     case 7: all.set_capsule(s, capsule()); break;
-    case 8: all.set_segment(s, segment()); break;
+    case 8: in.flag() ? all.set_segment(s, segment()) : all.set_chain_segment(s, chain_segment()); break;
     case 9: in.flag() ? all.set_half_space(s, half_space()) : all.set_polygon(s, polygon()); break;
     case 10: all.set_density(s, in.size()); break;
     case 11: {
@@ -167,7 +168,13 @@ void Caller::change_shape() {
         all.set_material(s, m);
         break;
     }
-    case 12: all.enable_sensor_events(s, in.flag()); break;
+    case 12:
+        if (in.flag()) {
+            all.enable_sensor_events(s, in.flag());
+        } else {
+            all.set_sensor(s, in.flag());
+        }
+        break;
     case 13: all.enable_hit_events(s, in.flag()); break;
     case 14:
         if (in.flag()) {
@@ -191,7 +198,7 @@ void Caller::change_shape() {
 
 void Caller::change_joint() {
     const JointId j = joint();
-    switch (in.below(14)) {
+    switch (in.below(17)) {
     case 0: {
         const JointFrame a = frame();
         all.set_frames(j, a, frame());
@@ -221,16 +228,33 @@ void Caller::change_joint() {
     }
     case 11: all.set_target(j, in.place()); break;
     case 12: all.set_ratchet(j, ratchet()); break;
+    case 13: {
+        JointSoftness soft;
+        soft.linear_hertz = in.size();
+        soft.linear_damping_ratio = in.size();
+        soft.angular_hertz = in.flag() ? in.size() : 0;
+        soft.angular_damping_ratio = in.size();
+        all.set_softness(j, soft);
+        break;
+    }
+    case 14: {
+        const Vec2 ground = in.place();
+        all.set_grounds(j, ground, in.place());
+        break;
+    }
+    case 15: all.set_joint_ratio(j, in.number()); break;
     default: dead_joint = j; all.destroy_joint(j);
     }
 }
 
 void Caller::change_world() {
-    switch (in.below(12)) {
+    switch (in.below(14)) {
     case 0: all.set_gravity(in.point()); break;
     case 1: all.enable_sleep(in.flag()); break;
     case 2: all.enable_continuous(in.flag()); break;
     case 3: all.set_hit_threshold(in.size()); break;
+    case 7: all.set_restitution_threshold(in.size()); break;
+    case 8: all.set_max_speed(in.flag() ? 1000 * in.size() : in.size()); break;
     case 4: {
         ExplosionDef e;
         e.position = in.place();

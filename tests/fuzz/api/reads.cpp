@@ -23,12 +23,15 @@ void Player::read() {
     read_shape(shape());
     read_joint(joint());
     switch (in.below(6)) {
-    case 0: draw(); break;
-    case 1: solve_island(b); break;
-    case 2: solve_matrix(); break;
-    case 3: try_geometry(); break;
-    case 4: try_math(); try_create(); break;
-    default: ask();
+        case 0: draw(); break;
+        case 1: solve_island(b); break;
+        case 2: solve_matrix(); break;
+        case 3: try_geometry(); break;
+        case 4:
+            try_math();
+            try_create();
+            break;
+        default: ask();
     }
     expect(w.hash() == hash, "reading changed the world");
 }
@@ -64,7 +67,7 @@ void Player::read_world() {
 void Player::read_body(BodyId b) {
     look(w.position(b), w.transform(b), w.angle(b), w.center_of_mass(b), w.local_center_of_mass(b), w.linear_velocity(b), w.angular_velocity(b));
     look(w.velocity_at(b, in.point()), w.type(b), w.mass(b), w.rotational_inertia(b), w.linear_damping(b), w.angular_damping(b), w.gravity_scale(b));
-    look(w.is_rotation_fixed(b), w.is_x_locked(b), w.is_y_locked(b), w.is_enabled(b), w.is_bullet(b), w.sleep_threshold(b), w.is_awake(b));
+    look(w.is_rotation_fixed(b), w.is_x_locked(b), w.is_y_locked(b), w.is_enabled(b), w.is_bullet(b), w.sleep_threshold(b), w.sleep_enabled(b), w.is_awake(b));
     look(w.user_data(b), w.residual(b));
     ShapeId shapes[capacity.shapes];
     const std::uint32_t shape_count = w.shapes(b, shapes);
@@ -100,12 +103,17 @@ void Player::read_shape(ShapeId s) {
     ShapeId seen[capacity.shapes];
     const std::uint32_t n = w.sensor_overlaps(s, {seen, in.below(capacity.shapes + 1)});
     expect(n <= capacity.shapes, "a sensor sees more shapes than there can be");
+    ContactInfo touching[capacity.contacts];
+    const std::uint32_t touches = w.contacts(s, touching);
+    for (std::uint32_t i = 0; i < touches; ++i) expect(touching[i].shape_a == s || touching[i].shape_b == s, "a shape has the contact of others");
 }
 
 void Player::read_joint(JointId j) {
     look(w.joint_type(j), w.body_a(j), w.body_b(j), w.frame_a(j), w.frame_b(j), w.anchor_a(j), w.anchor_b(j), w.collide_connected(j), w.user_data(j));
     look(w.joint_position(j), w.joint_speed(j), w.spring(j), w.limit(j), w.motor(j), w.joint_friction(j), w.motor_force(j), w.joint_length(j));
     look(w.target(j), w.ground_a(j), w.ground_b(j), w.joint_force(j), w.joint_torque(j), w.joint_error(j));
+    look(w.softness(j), w.joint_ratio(j), w.joint1(j), w.joint2(j), w.break_force(j), w.break_torque(j));
+    look(w.joint_linear_velocity(j), w.joint_angular_velocity(j), w.joint_max_force(j), w.joint_max_torque(j));
 }
 
 }  // namespace islet::fuzz

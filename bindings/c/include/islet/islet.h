@@ -86,11 +86,11 @@ extern "C" {
 #define ISLET_MAX_SHOCK 0.5f
 /// The number of constraint colours.
 #define ISLET_CONSTRAINT_COLOR_COUNT 32u
-/// IsletRowEnd.body of an end that cannot be pushed: a static or kinematic body, or the world itself.
-#define ISLET_NO_BODY 4294967295u
 #define ISLET_JOINT_TYPE_COUNT 10u
 /// The largest ratio of a pulley or a gear.
 #define ISLET_MAX_RATIO 1.0e6f
+/// IsletRowEnd.body of an end that cannot be pushed: a static or kinematic body, or the world itself.
+#define ISLET_NO_BODY 4294967295u
 /// Alignment that islet_create_world demands of its block.
 #define ISLET_WORLD_ALIGNMENT 64u
 /// No capacity may exceed this.
@@ -185,7 +185,7 @@ enum {
     ISLET_ERROR_BODIES_FULL = 8,
     /// raise IsletCapacity.shapes
     ISLET_ERROR_SHAPES_FULL = 9,
-    /// raise IsletCapacity.contacts (the contact is retried every step)
+    /// raise IsletCapacity.contacts, to 3 to 7 for each moving shape (the contact is retried every step)
     ISLET_ERROR_CONTACTS_FULL = 10,
     /// raise IsletCapacity.geometries
     ISLET_ERROR_GEOMETRIES_FULL = 11,
@@ -294,6 +294,21 @@ enum {
     ISLET_BODY_TYPE_DYNAMIC = 2,
 };
 
+/// revolute, prismatic and so on: the names in ISLET_JOINT_TYPES (islet/config.hpp), in that order.
+typedef uint8_t IsletJointType;
+enum {
+    ISLET_JOINT_TYPE_REVOLUTE = 0,
+    ISLET_JOINT_TYPE_PRISMATIC = 1,
+    ISLET_JOINT_TYPE_DISTANCE = 2,
+    ISLET_JOINT_TYPE_WELD = 3,
+    ISLET_JOINT_TYPE_WHEEL = 4,
+    ISLET_JOINT_TYPE_MOTOR = 5,
+    ISLET_JOINT_TYPE_MOUSE = 6,
+    ISLET_JOINT_TYPE_PULLEY = 7,
+    ISLET_JOINT_TYPE_GEAR = 8,
+    ISLET_JOINT_TYPE_ANGLE = 9,
+};
+
 /// The kind of a row, with its bounds lo, hi and its bias.
 typedef uint8_t IsletRowKind;
 enum {
@@ -315,21 +330,6 @@ enum {
     ISLET_ROW_KIND_MOTOR = 6,
     /// +-h times the friction of the joint
     ISLET_ROW_KIND_JOINT_FRICTION = 7,
-};
-
-/// revolute, prismatic and so on: the names in ISLET_JOINT_TYPES (islet/config.hpp), in that order.
-typedef uint8_t IsletJointType;
-enum {
-    ISLET_JOINT_TYPE_REVOLUTE = 0,
-    ISLET_JOINT_TYPE_PRISMATIC = 1,
-    ISLET_JOINT_TYPE_DISTANCE = 2,
-    ISLET_JOINT_TYPE_WELD = 3,
-    ISLET_JOINT_TYPE_WHEEL = 4,
-    ISLET_JOINT_TYPE_MOTOR = 5,
-    ISLET_JOINT_TYPE_MOUSE = 6,
-    ISLET_JOINT_TYPE_PULLEY = 7,
-    ISLET_JOINT_TYPE_GEAR = 8,
-    ISLET_JOINT_TYPE_ANGLE = 9,
 };
 
 /// How a replay ended.
@@ -503,6 +503,9 @@ typedef struct IsletDebugDraw {
     IsletBodyColors body_colors;
     /// joints, contact points and normals in distinct_color of the constraint colour (0 to 31) they are solved with
     bool constraint_colors;
+    /// Null, or where to draw the shapes instead of where they are: a pose for each slot of a body, capacity().bodies of them. For pictures between two
+    /// steps: keep each body's transform before the step, and lerp to the one after it.
+    const IsletTransform* poses;
 } IsletDebugDraw;
 
 /// What read_format finds.
@@ -534,7 +537,8 @@ typedef struct IsletTaskSystem {
     uint32_t workers;
 } IsletTaskSystem;
 
-/// The id of a body; null by default. Ids are safe to keep: when its body is destroyed, an id becomes stale, and it never refers to another body.
+/// The id of a body; null by default. Ids are safe to keep: when its body is destroyed, an id becomes stale, and it never refers to another body. Ids compare
+/// by slot, then by generation; hash.hpp makes them keys of unordered containers.
 typedef struct IsletBodyId {
     uint32_t index1;
     uint32_t generation;
@@ -927,46 +931,6 @@ struct IsletPreSolve {
     float tangent_speed;
 };
 
-/// The entries of a row's Jacobian for one body. The body adds dot(linear, v) + angular w to the row's velocity. The row's x gives the body the impulse x
-/// linear and the angular impulse x angular.
-typedef struct IsletRowEnd {
-    /// index into IslandProblem::bodies, or no_body
-    uint32_t body;
-    /// 1; m for a row in rad
-    IsletVec2 linear;
-    /// m; 1 for a row in rad
-    float angular;
-} IsletRowEnd;
-
-/// One row. The rows of one contact or joint stand together.
-typedef struct IsletIslandRow {
-    IsletRowKind kind;
-    /// of the contact (islet_world_contact_at) for normal, friction and rolling; else of the joint (islet_world_joint_at)
-    uint32_t slot;
-    /// point of the contact, 0 or 1; row of the joint, from 0
-    uint32_t index;
-    /// 1 to 4; no two ends have the same body of the island
-    uint32_t end_count;
-    IsletRowEnd ends[4];
-    /// m/s or rad/s: the part of w that does not come from the island's bodies, including the motion of kinematic ends
-    float bias;
-    /// 1/kg or 1/(kg m^2); 0: rigid
-    float softness;
-} IsletIslandRow;
-
-/// One body.
-typedef struct IsletIslandBody {
-    IsletBodyId id;
-    /// 1/kg, > 0
-    float inv_mass;
-    /// 1/(kg m^2), as in the solver, which lessens it for bodies pulled so hard that they would swing within a substep
-    float inv_inertia;
-    /// m/s, of the centre of mass: after gravity, forces and damping over h, before any impulse
-    IsletVec2 v_free;
-    /// rad/s; of a link of a joint tree, scaled with the inertia
-    float w_free;
-} IsletIslandBody;
-
 /// The id of a joint. The same rules hold as for BodyId.
 typedef struct IsletJointId {
     uint32_t index1;
@@ -992,6 +956,18 @@ typedef struct IsletJointSpring {
     /// rad or m; not used by distance joints, whose target is their length
     float target;
 } IsletJointSpring;
+
+/// The springs of a weld or motor joint, and the linear one of a mouse joint.
+typedef struct IsletJointSoftness {
+    /// Hz, >= 0; of a mouse joint > 0. 0: rigid, or, of a motor joint, it drives the velocity.
+    float linear_hertz;
+    /// >= 0
+    float linear_damping_ratio;
+    /// Hz, >= 0; the same for the angle. Of a mouse joint 0.
+    float angular_hertz;
+    /// >= 0; of a mouse joint without effect
+    float angular_damping_ratio;
+} IsletJointSoftness;
 
 /// Bounds of the joint's coordinate, rad or m: lower <= upper.
 typedef struct IsletJointLimit {
@@ -1193,6 +1169,49 @@ typedef struct IsletJointBreakEvent {
     float torque;
     uint64_t user_data;
 } IsletJointBreakEvent;
+
+typedef struct Islethash {
+} Islethash;
+
+/// The entries of a row's Jacobian for one body. The body adds dot(linear, v) + angular w to the row's velocity. The row's x gives the body the impulse x
+/// linear and the angular impulse x angular.
+typedef struct IsletRowEnd {
+    /// index into IslandProblem::bodies, or no_body
+    uint32_t body;
+    /// 1; m for a row in rad
+    IsletVec2 linear;
+    /// m; 1 for a row in rad
+    float angular;
+} IsletRowEnd;
+
+/// One row. The rows of one contact or joint stand together.
+typedef struct IsletIslandRow {
+    IsletRowKind kind;
+    /// of the contact (islet_world_contact_at) for normal, friction and rolling; else of the joint (islet_world_joint_at)
+    uint32_t slot;
+    /// point of the contact, 0 or 1; row of the joint, from 0
+    uint32_t index;
+    /// 1 to 4; no two ends have the same body of the island
+    uint32_t end_count;
+    IsletRowEnd ends[4];
+    /// m/s or rad/s: the part of w that does not come from the island's bodies, including the motion of kinematic ends
+    float bias;
+    /// 1/kg or 1/(kg m^2); 0: rigid
+    float softness;
+} IsletIslandRow;
+
+/// One body.
+typedef struct IsletIslandBody {
+    IsletBodyId id;
+    /// 1/kg, > 0
+    float inv_mass;
+    /// 1/(kg m^2), as in the solver, which lessens it for bodies pulled so hard that they would swing within a substep
+    float inv_inertia;
+    /// m/s, of the centre of mass: after gravity, forces and damping over h, before any impulse
+    IsletVec2 v_free;
+    /// rad/s; of a link of a joint tree, scaled with the inertia
+    float w_free;
+} IsletIslandBody;
 
 /// A convex shape of any type: the hull of 1 to 8 points, counter-clockwise, grown by `radius` (m, 0 to 1e7). count 0: no shape.
 typedef struct IsletShapeProxy {
@@ -1591,9 +1610,10 @@ static inline IsletPreSolve islet_default_pre_solve(void) {
     return def;
 }
 
-static inline IsletRowEnd islet_default_row_end(void) {
-    IsletRowEnd def = ISLET_ZERO;
-    def.body = ISLET_NO_BODY;
+static inline IsletJointSoftness islet_default_joint_softness(void) {
+    IsletJointSoftness def = ISLET_ZERO;
+    def.linear_damping_ratio = 1.0f;
+    def.angular_damping_ratio = 1.0f;
     return def;
 }
 
@@ -1669,6 +1689,12 @@ static inline IsletAngleJointDef islet_default_angle_joint_def(void) {
     return def;
 }
 
+static inline IsletRowEnd islet_default_row_end(void) {
+    IsletRowEnd def = ISLET_ZERO;
+    def.body = ISLET_NO_BODY;
+    return def;
+}
+
 static inline IsletQueryFilter islet_default_query_filter(void) {
     IsletQueryFilter def = ISLET_ZERO;
     def.category = 4294967295u;
@@ -1740,6 +1766,12 @@ ISLET_C_API IsletSeparation islet_separation(const IsletShapeProxy* a, const Isl
 /// Reads the header of an image, and nothing else. Errors: not_an_image; other_byte_order; other_version; truncated_image; corrupt_image if the header
 /// contradicts itself. Then `out` stays as it was.
 ISLET_C_API IsletError islet_read_snapshot(const void* image, size_t image_bytes, IsletSnapshotInfo* out);
+/// Copies a world into another block, for example into a larger one when it has grown full. The new world has the same state, ids, settings, hooks, tasks and
+/// clock, but no recording; the old one stays as it is. `image` is memory that is used during the call only, at least islet_world_snapshot_bytes(from) bytes.
+/// Returns null with *error set, if given: the errors of islet_create_world for the block and the capacity; image_too_small; image_too_large if the capacity
+/// cannot hold what the world holds; in_step.
+ISLET_C_API IsletWorld* islet_copy_world(const IsletWorld* from, void* block, size_t block_bytes, const IsletCapacity* capacity, void* image, size_t image_bytes,
+                                         IsletError* error);
 /// Reads the header of a recording, and goes through its calls without making them. On an error `out` stays as it was: image_misaligned; not_a_recording;
 /// other_version; truncated_image; corrupt_recording if the header contradicts itself; and the errors of islet_read_snapshot for the recording's first snapshot.
 ISLET_C_API IsletError islet_read_recording(const void* recording, size_t recording_bytes, IsletRecordingInfo* out);
@@ -1980,8 +2012,20 @@ ISLET_C_API IsletError islet_world_profile(const IsletWorld* world, IsletStepPro
 ISLET_C_API IsletError islet_world_set_clock(IsletWorld* world, IsletClock clock, void* context);
 ISLET_C_API IsletError islet_world_counters(const IsletWorld* world, IsletWorldCounters* out);
 
-/// Turning sleep off wakes everything.
+/// IsletWorldDef.enable_sleep. Turning sleep off wakes everything.
+ISLET_C_API bool islet_world_sleep_enabled(const IsletWorld* world);
 ISLET_C_API IsletError islet_world_enable_sleep(IsletWorld* world, bool enable);
+
+/// IsletWorldDef.restitution_threshold, m/s, >= 0.
+ISLET_C_API float islet_world_restitution_threshold(const IsletWorld* world);
+ISLET_C_API IsletError islet_world_set_restitution_threshold(IsletWorld* world, float speed);
+
+/// IsletWorldDef.max_speed, m/s, above 0 and at most max_speed_limit. A lower one slows faster bodies down in the next step.
+ISLET_C_API float islet_world_max_speed(const IsletWorld* world);
+ISLET_C_API IsletError islet_world_set_max_speed(IsletWorld* world, float speed);
+
+/// How many constraints this world solves at once: 1, 4 or 8 (IsletWorldDef.lanes).
+ISLET_C_API uint32_t islet_world_lanes(const IsletWorld* world);
 
 /// IsletWorldDef.continuous.
 ISLET_C_API bool islet_world_continuous(const IsletWorld* world);
@@ -2100,6 +2144,9 @@ ISLET_C_API IsletVec2 islet_body_velocity_at(const IsletWorld* world, IsletBodyI
 /// Teleports the body. Its contacts are found anew; it keeps its velocity. Wakes the body, and the bodies that touched it or are joined to it.
 ISLET_C_API IsletError islet_body_set_transform(IsletWorld* world, IsletBodyId body, IsletVec2 position, float angle);
 
+/// The same. pose.q must be of unit length (out_of_range).
+ISLET_C_API IsletError islet_body_set_pose(IsletWorld* world, IsletBodyId body, IsletTransform pose);
+
 /// No effect on static bodies. Wakes the body if the velocity is not zero.
 ISLET_C_API IsletError islet_body_set_linear_velocity(IsletWorld* world, IsletBodyId body, IsletVec2 velocity);
 
@@ -2110,7 +2157,8 @@ ISLET_C_API IsletError islet_body_set_angular_velocity(IsletWorld* world, IsletB
 /// The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
 ISLET_C_API IsletError islet_body_set_target(IsletWorld* world, IsletBodyId body, IsletTransform target, float dt);
 
-/// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s) act at once.
+/// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s) act at once. To
+/// leave sleeping bodies alone, ask is_awake first.
 ISLET_C_API IsletError islet_body_apply_force(IsletWorld* world, IsletBodyId body, IsletVec2 force, IsletVec2 point);
 ISLET_C_API IsletError islet_body_apply_force_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 force);
 ISLET_C_API IsletError islet_body_apply_torque(IsletWorld* world, IsletBodyId body, float torque);
@@ -2156,6 +2204,9 @@ ISLET_C_API IsletError islet_body_set_enabled(IsletWorld* world, IsletBodyId bod
 /// IsletBodyDef.bullet. No effect unless the body is dynamic.
 ISLET_C_API bool islet_body_is_bullet(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_bullet(IsletWorld* world, IsletBodyId body, bool bullet);
+
+/// IsletBodyDef.enable_sleep.
+ISLET_C_API bool islet_body_sleep_enabled(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_enable_sleep(IsletWorld* world, IsletBodyId body, bool enable);
 ISLET_C_API float islet_body_sleep_threshold(const IsletWorld* world, IsletBodyId body);
 
@@ -2165,6 +2216,10 @@ ISLET_C_API bool islet_body_is_awake(const IsletWorld* world, IsletBodyId body);
 
 /// Wakes the body and its island.
 ISLET_C_API IsletError islet_body_wake(IsletWorld* world, IsletBodyId body);
+
+/// Puts a dynamic body and its island to sleep at once; their velocities and forces become 0. No effect on other bodies, if the island touches or is joined
+/// to a kinematic body that is awake, or if the world does not sleep (IsletWorldDef.enable_sleep).
+ISLET_C_API IsletError islet_body_sleep(IsletWorld* world, IsletBodyId body);
 ISLET_C_API uint64_t islet_body_user_data(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_user_data(IsletWorld* world, IsletBodyId body, uint64_t data);
 
@@ -2196,6 +2251,12 @@ ISLET_C_API uint32_t islet_create_chain(IsletWorld* world, IsletBodyId body, con
 ISLET_C_API IsletError islet_destroy_shape(IsletWorld* world, IsletShapeId shape);
 ISLET_C_API bool islet_shape_is_valid(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API uint32_t islet_world_shape_count(const IsletWorld* world);
+
+/// Id of the shape in slot 0 <= slot < capacity().shapes; null if the slot is free.
+ISLET_C_API IsletShapeId islet_world_shape_at(const IsletWorld* world, uint32_t slot);
+
+/// Writes the shape's touching contacts, newest first, as far as they fit; returns how many there are.
+ISLET_C_API uint32_t islet_shape_contacts(const IsletWorld* world, IsletShapeId shape, IsletContactInfo* out, size_t out_count);
 ISLET_C_API IsletBodyId islet_shape_body(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API IsletShapeType islet_shape_type(const IsletWorld* world, IsletShapeId shape);
 
@@ -2214,6 +2275,7 @@ ISLET_C_API IsletError islet_shape_set_capsule(IsletWorld* world, IsletShapeId s
 ISLET_C_API IsletError islet_shape_set_segment(IsletWorld* world, IsletShapeId shape, const IsletSegment* segment);
 ISLET_C_API IsletError islet_shape_set_polygon(IsletWorld* world, IsletShapeId shape, const IsletPolygon* polygon);
 ISLET_C_API IsletError islet_shape_set_half_space(IsletWorld* world, IsletShapeId shape, const IsletHalfSpace* half_space);
+ISLET_C_API IsletError islet_shape_set_chain_segment(IsletWorld* world, IsletShapeId shape, const IsletChainSegment* segment);
 
 /// kg/m^2, >= 0. Setting it computes the body's mass again.
 ISLET_C_API float islet_shape_density(const IsletWorld* world, IsletShapeId shape);
@@ -2235,7 +2297,10 @@ ISLET_C_API IsletError islet_shape_set_tangent_speed(IsletWorld* world, IsletSha
 /// All of these at once, and the number of yours (IsletSurfaceMaterial.id).
 ISLET_C_API IsletSurfaceMaterial islet_shape_material(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API IsletError islet_shape_set_material(IsletWorld* world, IsletShapeId shape, const IsletSurfaceMaterial* material);
+
+/// IsletShapeDef.sensor. Changing it ends the shape's contacts and overlaps, and wakes the bodies that touched it; the next step finds new ones.
 ISLET_C_API bool islet_shape_is_sensor(const IsletWorld* world, IsletShapeId shape);
+ISLET_C_API IsletError islet_shape_set_sensor(IsletWorld* world, IsletShapeId shape, bool sensor);
 
 /// Writes the shapes that overlap the sensor, as far as they fit; the shape that came near last comes first. Returns how many there are. Error: not_a_sensor.
 ISLET_C_API uint32_t islet_shape_sensor_overlaps(const IsletWorld* world, IsletShapeId sensor, IsletShapeId* out, size_t out_count);
@@ -2309,7 +2374,9 @@ ISLET_C_API bool islet_joint_collide_connected(const IsletWorld* world, IsletJoi
 /// Not for mouse and gear joints, which forbid nothing.
 ISLET_C_API IsletError islet_joint_set_collide_connected(IsletWorld* world, IsletJointId joint, bool collide);
 
-/// As in JointBase; 0: never breaks. A gear has a torque only.
+/// As in JointBase, N and N m; 0: never breaks. A gear has a torque only.
+ISLET_C_API float islet_joint_break_force(const IsletWorld* world, IsletJointId joint);
+ISLET_C_API float islet_joint_break_torque(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletError islet_joint_set_break(IsletWorld* world, IsletJointId joint, float force, float torque);
 ISLET_C_API uint64_t islet_joint_user_data(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletError islet_joint_set_user_data(IsletWorld* world, IsletJointId joint, uint64_t data);
@@ -2343,17 +2410,36 @@ ISLET_C_API IsletError islet_joint_set_ratchet(IsletWorld* world, IsletJointId j
 ISLET_C_API float islet_joint_length(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletError islet_joint_set_length(IsletWorld* world, IsletJointId joint, float length);
 
-/// Of a motor joint.
+/// Of weld, motor and mouse joints.
+ISLET_C_API IsletJointSoftness islet_joint_softness(const IsletWorld* world, IsletJointId joint);
+ISLET_C_API IsletError islet_joint_set_softness(IsletWorld* world, IsletJointId joint, const IsletJointSoftness* softness);
+
+/// Of a motor joint, m/s and rad/s.
+ISLET_C_API IsletVec2 islet_joint_linear_velocity(const IsletWorld* world, IsletJointId joint);
+ISLET_C_API float islet_joint_angular_velocity(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletError islet_joint_set_velocity(IsletWorld* world, IsletJointId joint, IsletVec2 linear, float angular);
+
+/// Of motor and mouse joints, N and N m. A mouse joint has a force only.
+ISLET_C_API float islet_joint_max_force(const IsletWorld* world, IsletJointId joint);
+ISLET_C_API float islet_joint_max_torque(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletError islet_joint_set_strength(IsletWorld* world, IsletJointId joint, float max_force, float max_torque);
 
 /// Of a mouse joint, m in the world.
 ISLET_C_API IsletVec2 islet_joint_target(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletError islet_joint_set_target(IsletWorld* world, IsletJointId joint, IsletVec2 target);
 
-/// The fixed points of a pulley, m in the world.
+/// The fixed points of a pulley, m in the world. Setting them measures the rope anew, so it fits the bodies' places now.
 ISLET_C_API IsletVec2 islet_joint_ground_a(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletVec2 islet_joint_ground_b(const IsletWorld* world, IsletJointId joint);
+ISLET_C_API IsletError islet_joint_set_grounds(IsletWorld* world, IsletJointId joint, IsletVec2 ground_a, IsletVec2 ground_b);
+
+/// Of a pulley or a gear, in the range of its definition. Setting it measures the rope, or the gear's angle, anew.
+ISLET_C_API float islet_joint_ratio(const IsletWorld* world, IsletJointId joint);
+ISLET_C_API IsletError islet_joint_set_ratio(IsletWorld* world, IsletJointId joint, float ratio);
+
+/// The two joints of a gear.
+ISLET_C_API IsletJointId islet_gear_joint1(const IsletWorld* world, IsletJointId gear);
+ISLET_C_API IsletJointId islet_gear_joint2(const IsletWorld* world, IsletJointId gear);
 
 /// What the joint did to body B over the last substep: force in N, torque about B's anchor in N m. A gets the opposite (a pulley's A is pulled along its own
 /// rope).
