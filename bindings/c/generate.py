@@ -804,7 +804,7 @@ def compared(api, name):
             out.append(f"    expect_same(c.{field}, cpp.{field});")
         elif "[" in f["type"]:
             continue
-        elif cpp == "function" or cpp in api.callbacks:
+        elif cpp == "function" or cpp in api.callbacks or cpp in api.pointers:
             out.append(f"    EXPECT_TRUE(c.{field} == nullptr && cpp.{field} == nullptr);")
         elif cpp in api.enum_types:
             out.append(f"    EXPECT_EQ(int(c.{field}), int(cpp.{field}));")

@@ -237,6 +237,10 @@ static void settings(void) {
     solver.substeps = 1000;
     CHECK(islet_world_set_solver(world, &solver) == ISLET_ERROR_OUT_OF_RANGE && ok(islet_world_solver(world, &solver)) && solver.substeps == 5);
     CHECK(ok(islet_world_enable_sleep(world, false)) && ok(islet_world_enable_continuous(world, false)) && !islet_world_continuous(world));
+    CHECK(!islet_world_sleep_enabled(world) && islet_world_lanes(world) >= 1);
+    CHECK(ok(islet_world_set_restitution_threshold(world, 2)) && near(islet_world_restitution_threshold(world), 2));
+    CHECK(ok(islet_world_set_max_speed(world, 90)) && near(islet_world_max_speed(world), 90));
+    CHECK(islet_world_set_max_speed(world, 0) == ISLET_ERROR_OUT_OF_RANGE && near(islet_world_max_speed(world), 90));
     CHECK(ok(islet_world_set_hit_threshold(world, 2)) && near(islet_world_hit_threshold(world), 2));
     IsletTaskSystem tasks = islet_default_task_system();
     tasks.parallel_for = run_tasks;
@@ -289,6 +293,11 @@ static void bodies(void) {
     CHECK(ok(islet_body_set_angular_velocity(world, body, 3)) && near(islet_body_angular_velocity(world, body), 3));
     CHECK(same(islet_body_velocity_at(world, body, vec(4, 4)), 1, 5));
     CHECK(ok(islet_body_set_transform(world, body, vec(5, 6), 0.5f)) && near(islet_body_angle(world, body), 0.5f));
+    IsletTransform pose = at(5, 6);
+    pose.q = islet_make_rot(0.5f);
+    CHECK(ok(islet_body_set_pose(world, body, pose)) && near(islet_body_angle(world, body), 0.5f));
+    pose.q.c = 2;
+    CHECK(islet_body_set_pose(world, body, pose) == ISLET_ERROR_OUT_OF_RANGE);
     CHECK(ok(islet_body_set_target(world, lift, at(30, 1), 0.5f)) && same(islet_body_linear_velocity(world, lift), 0, 2));
     CHECK(near(islet_body_mass(world, body), 4) && near(islet_body_rotational_inertia(world, body), 4 * 4.0f / 6));
     const IsletMassData mass = {10, {0, 0}, 5};
@@ -310,6 +319,7 @@ static void bodies(void) {
     CHECK(ok(islet_body_set_bullet(world, body, true)) && islet_body_is_bullet(world, body));
     CHECK(ok(islet_body_enable_sleep(world, body, false)) && ok(islet_body_set_sleep_threshold(world, body, 1)) &&
           near(islet_body_sleep_threshold(world, body), 1));
+    CHECK(!islet_body_sleep_enabled(world, body) && ok(islet_body_sleep(world, body)) && !islet_body_is_awake(world, body));
     CHECK(ok(islet_body_wake(world, body)) && islet_body_is_awake(world, body));
     CHECK(ok(islet_body_set_user_data(world, body, 99)) && islet_body_user_data(world, body) == 99);
     CHECK(ok(islet_body_set_type(world, body, ISLET_BODY_TYPE_KINEMATIC)) && islet_body_type(world, body) == ISLET_BODY_TYPE_KINEMATIC);
@@ -369,6 +379,8 @@ static void shapes(void) {
     CHECK(ok(islet_shape_set_polygon(world, a, &polygon)) && islet_shape_type(world, a) == ISLET_SHAPE_TYPE_POLYGON);
     CHECK(ok(islet_shape_set_circle(world, a, &circle)) && ok(islet_shape_set_capsule(world, a, &capsule)) && ok(islet_shape_set_segment(world, a, &segment)));
     CHECK(islet_shape_set_half_space(world, a, &half_space) == ISLET_ERROR_ENDLESS_SHAPE && ok(islet_shape_set_half_space(world, c, &half_space)));
+    CHECK(ok(islet_shape_set_chain_segment(world, e, &link)) && ok(islet_shape_set_sensor(world, d, true)) && islet_shape_is_sensor(world, d));
+    CHECK(equal_shapes(islet_world_shape_at(world, 0), a) && islet_shape_contacts(world, a, NULL, 0) == 0);
     CHECK(ok(islet_destroy_shape(world, d)) && islet_destroy_shape(world, d) == ISLET_ERROR_STALE_ID);
 }
 
@@ -437,7 +449,7 @@ static void joints(void) {
     CHECK(ok(islet_joint_set_frames(world, revolute_joint, &frame_a, &frame_b)));
     CHECK(same(islet_joint_anchor_a(world, revolute_joint), 1.5f, 0) && same(islet_joint_anchor_b(world, revolute_joint), 1.5f, 0));
     CHECK(ok(islet_joint_set_collide_connected(world, revolute_joint, true)) && islet_joint_collide_connected(world, revolute_joint));
-    CHECK(ok(islet_joint_set_break(world, revolute_joint, 1000, 1000)));
+    CHECK(ok(islet_joint_set_break(world, revolute_joint, 1e6f, 1e5f)));
     CHECK(ok(islet_joint_set_user_data(world, revolute_joint, 6)) && islet_joint_user_data(world, revolute_joint) == 6);
     CHECK(near(islet_joint_position(world, revolute_joint), 0) && near(islet_joint_speed(world, revolute_joint), 0));
     const IsletJointSpring spring = {true, 2, 1, 0.5f};
@@ -453,6 +465,14 @@ static void joints(void) {
     CHECK(ok(islet_joint_set_velocity(world, motor_joint, vec(1, 0), 1)) && ok(islet_joint_set_strength(world, motor_joint, 5, 5)));
     CHECK(ok(islet_joint_set_target(world, mouse_joint, vec(21, 1))) && same(islet_joint_target(world, mouse_joint), 21, 1));
     CHECK(same(islet_joint_ground_a(world, pulley_joint), 24, 5) && same(islet_joint_ground_b(world, pulley_joint), 27, 5));
+    CHECK(islet_joint_break_force(world, revolute_joint) == 1e6f && islet_joint_break_torque(world, revolute_joint) == 1e5f);
+    const IsletJointSoftness soft = {4, 1, 5, 1};
+    CHECK(ok(islet_joint_set_softness(world, weld_joint, &soft)) && near(islet_joint_softness(world, weld_joint).angular_hertz, 5));
+    CHECK(same(islet_joint_linear_velocity(world, motor_joint), 1, 0) && near(islet_joint_angular_velocity(world, motor_joint), 1));
+    CHECK(near(islet_joint_max_force(world, motor_joint), 5) && near(islet_joint_max_torque(world, motor_joint), 5));
+    CHECK(ok(islet_joint_set_grounds(world, pulley_joint, vec(24, 6), vec(27, 6))) && same(islet_joint_ground_a(world, pulley_joint), 24, 6));
+    CHECK(ok(islet_joint_set_ratio(world, gear_joint, -2)) && near(islet_joint_ratio(world, gear_joint), -2));
+    CHECK(equal_joints(islet_gear_joint1(world, gear_joint), revolute_joint) && equal_joints(islet_gear_joint2(world, gear_joint), prismatic_joint));
     CHECK(islet_joint_set_length(world, revolute_joint, 2) == ISLET_ERROR_WRONG_JOINT_TYPE);
     CHECK(ok(islet_world_step(world, 1.0f / 60)));
     CHECK(islet_vec2_length(islet_joint_force(world, revolute_joint)) > 0 && islet_joint_torque(world, revolute_joint) != 0);
@@ -593,6 +613,16 @@ static void values(void) {
     CHECK(islet_world_save(world, image2, bytes - 1) == 0 && islet_world_last_error(world) == ISLET_ERROR_IMAGE_TOO_SMALL);
     for (int i = 0; i < 30; ++i) islet_world_step(world, 1.0f / 60);
     const uint64_t hash = islet_world_hash(world);
+    IsletError copy_error = 77;
+    IsletWorld* copy = islet_copy_world(world, other_block, sizeof other_block, capacity(), image2, sizeof image2, &copy_error);
+    CHECK(copy != NULL && ok(copy_error) && islet_world_hash(copy) == hash);
+    CHECK(islet_copy_world(NULL, other_block, sizeof other_block, capacity(), image2, sizeof image2, &copy_error) == NULL &&
+          copy_error == ISLET_ERROR_NULL_POINTER);
+    CHECK(islet_copy_world(world, other_block, sizeof other_block, NULL, image2, sizeof image2, &copy_error) == NULL &&
+          copy_error == ISLET_ERROR_NULL_POINTER);
+    CHECK(islet_copy_world(world, other_block, sizeof other_block, capacity(), NULL, sizeof image2, NULL) == NULL);
+    CHECK(islet_copy_world(world, other_block, sizeof other_block, capacity(), image2, 8, &copy_error) == NULL &&
+          copy_error == ISLET_ERROR_IMAGE_TOO_SMALL);
     const size_t bytes2 = islet_world_save(world, image2, sizeof image2);
 
     static uint64_t tape2[1 << 16];

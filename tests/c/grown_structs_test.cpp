@@ -59,7 +59,7 @@ TEST(GrownStructs, OfThisVersionAreTakenAsTheyAre) {
 
 TEST(GrownStructs, OfNoKnownSizeAreRefused) {
     Room<ToyDef> room;
-    for (std::uint32_t size : {0u, 4u, 7u, 17u, 20u, 0xffffffffu}) {
+    for (std::uint32_t size : {0u, 4u, 7u, 9u, 14u, 17u, 20u, 0xffffffffu}) {
         const IsletToyDef given = {size, 10, 20, 30};
         EXPECT_EQ(take<ToyDef>(nullptr, &given, room), nullptr) << size;
         EXPECT_FALSE(fits<ToyDef>(nullptr, &given)) << size;

@@ -12,6 +12,12 @@
 #include "islet/islet.hpp"
 #include "islet/mover.hpp"
 
+namespace islet::c {
+/// The first version of a struct that has grown since (types.inc.hpp).
+template <class T>
+struct First;
+}  // namespace islet::c
+
 #include "types.inc.hpp"
 
 namespace islet::c {
@@ -82,13 +88,17 @@ IsletError refuse(const IsletWorld* world, int error);
 Error begin(IsletWorld* world);
 IsletError end(IsletWorld* world, Error before);
 
-/// The first version of a struct that has grown since (types.inc.hpp).
-template <class T>
-struct First;
 template <class T>
 concept HasGrown = requires {
     sizeof(First<T>);
 };
+
+/// Whether a struct had this size in an earlier version, which no size that would cut a field has.
+template <class T>
+bool is_older(std::uint32_t size) {
+    using Type = typename Twin<T>::Type;
+    return size >= sizeof(First<T>) && size < sizeof(Type) && size % alignof(Type) == 0;
+}
 
 /// Room for a struct of an older program, with the defaults of the fields that it does not know.
 template <class T>
@@ -106,7 +116,7 @@ template <class T>
 const T* take(const IsletWorld* world, const typename Twin<T>::Type* given, [[maybe_unused]] Room<T>& room) {
     using Type = typename Twin<T>::Type;
     if constexpr (HasGrown<T>) {
-        if (given != nullptr && given->struct_size >= sizeof(First<T>) && given->struct_size < sizeof(Type)) {
+        if (given != nullptr && is_older<T>(given->struct_size)) {
             std::memcpy(static_cast<void*>(&room.value), reinterpret_cast<const char*>(given) + start_of<T>, given->struct_size - start_of<T>);
             return &room.value;
         }
@@ -126,7 +136,7 @@ template <class T>
 bool fits(const IsletWorld* world, const typename Twin<T>::Type* out) {
     using Type = typename Twin<T>::Type;
     if constexpr (HasGrown<T>) {
-        if (out != nullptr && out->struct_size >= sizeof(First<T>) && out->struct_size < sizeof(Type)) return true;
+        if (out != nullptr && is_older<T>(out->struct_size)) return true;
     }
     return take_exact(world, out, sizeof(Type), start_of<T>) != nullptr;
 }

@@ -89,7 +89,6 @@ static_assert(offsetof(IsletDebugDraw, names) == offsetof(DebugDraw, names) + st
 static_assert(offsetof(IsletDebugDraw, body_colors) == offsetof(DebugDraw, body_colors) + start_of<DebugDraw> && sizeof(IsletDebugDraw::body_colors) == sizeof(DebugDraw::body_colors));
 static_assert(offsetof(IsletDebugDraw, constraint_colors) == offsetof(DebugDraw, constraint_colors) + start_of<DebugDraw> && sizeof(IsletDebugDraw::constraint_colors) == sizeof(DebugDraw::constraint_colors));
 static_assert(offsetof(IsletDebugDraw, poses) == offsetof(DebugDraw, poses) + start_of<DebugDraw> && sizeof(IsletDebugDraw::poses) == sizeof(DebugDraw::poses));
-static_assert(sizeof(IsletDebugDraw) > sizeof(First<DebugDraw>));
 static_assert(sizeof(IsletFormatInfo) == sizeof(FormatInfo) + start_of<FormatInfo> && start_of<FormatInfo> == offsetof(IsletFormatInfo, kind));
 static_assert(offsetof(IsletFormatInfo, kind) == offsetof(FormatInfo, kind) + start_of<FormatInfo> && sizeof(IsletFormatInfo::kind) == sizeof(FormatInfo::kind));
 static_assert(offsetof(IsletFormatInfo, format) == offsetof(FormatInfo, format) + start_of<FormatInfo> && sizeof(IsletFormatInfo::format) == sizeof(FormatInfo::format));
@@ -369,7 +368,6 @@ static_assert(offsetof(IsletJointBreakEvent, body_b) == offsetof(JointBreakEvent
 static_assert(offsetof(IsletJointBreakEvent, force) == offsetof(JointBreakEvent, force) && sizeof(IsletJointBreakEvent::force) == sizeof(JointBreakEvent::force));
 static_assert(offsetof(IsletJointBreakEvent, torque) == offsetof(JointBreakEvent, torque) && sizeof(IsletJointBreakEvent::torque) == sizeof(JointBreakEvent::torque));
 static_assert(offsetof(IsletJointBreakEvent, user_data) == offsetof(JointBreakEvent, user_data) && sizeof(IsletJointBreakEvent::user_data) == sizeof(JointBreakEvent::user_data));
-static_assert(sizeof(Islethash) == sizeof(hash) && alignof(Islethash) == alignof(hash));
 static_assert(sizeof(IsletRowEnd) == sizeof(RowEnd) && alignof(IsletRowEnd) == alignof(RowEnd));
 static_assert(offsetof(IsletRowEnd, body) == offsetof(RowEnd, body) && sizeof(IsletRowEnd::body) == sizeof(RowEnd::body));
 static_assert(offsetof(IsletRowEnd, linear) == offsetof(RowEnd, linear) && sizeof(IsletRowEnd::linear) == sizeof(RowEnd::linear));

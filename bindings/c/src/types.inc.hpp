@@ -50,7 +50,6 @@
     X(JointRatchet) \
     X(JointError) \
     X(JointBreakEvent) \
-    X(hash) \
     X(RowEnd) \
     X(IslandRow) \
     X(IslandBody) \
@@ -90,31 +89,3 @@
     X(MoverDef, 8) \
     X(MoverInput, 4) \
     X(ReplayResult, 8)
-
-template <>
-struct islet::c::First<islet::DebugDraw> {
-    std::uint32_t struct_size;
-    std::uint32_t reserved;
-    void (*polygon)(const IsletVec2* corners, size_t corners_count, float radius, const IsletDrawStyle* style, void* context);
-    void (*circle)(IsletVec2 center, float radius, IsletVec2 axis, const IsletDrawStyle* style, void* context);
-    void (*capsule)(IsletVec2 point1, IsletVec2 point2, float radius, const IsletDrawStyle* style, void* context);
-    void (*segment)(IsletVec2 point1, IsletVec2 point2, const IsletDrawStyle* style, void* context);
-    void (*point)(IsletVec2 point, const IsletDrawStyle* style, void* context);
-    void (*text)(IsletVec2 point, const char* text, const IsletDrawStyle* style, void* context);
-    void* context;
-    IsletAabb view;
-    float size;
-    float impulse_scale;
-    bool shapes;
-    bool joints;
-    bool contacts;
-    bool normals;
-    bool impulses;
-    bool boxes;
-    bool fat_boxes;
-    bool tree;
-    bool centers;
-    bool names;
-    IsletBodyColors body_colors;
-    bool constraint_colors;
-};

@@ -1170,9 +1170,6 @@ typedef struct IsletJointBreakEvent {
     uint64_t user_data;
 } IsletJointBreakEvent;
 
-typedef struct Islethash {
-} Islethash;
-
 /// The entries of a row's Jacobian for one body. The body adds dot(linear, v) + angular w to the row's velocity. The row's x gives the body the impulse x
 /// linear and the angular impulse x angular.
 typedef struct IsletRowEnd {
