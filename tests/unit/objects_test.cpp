@@ -25,26 +25,26 @@ TEST(Ranges, VisitEveryObjectOnceInTheOrderOfSlots) {
     w->destroy_body(boxes[3]);
     w.step(5);
     std::vector<BodyId> bodies_seen;
-    for (const BodyId body : bodies(*w)) bodies_seen.push_back(body);
+    for (const BodyId body : all_bodies(*w)) bodies_seen.push_back(body);
     EXPECT_EQ(bodies_seen.size(), w->body_count());
     EXPECT_TRUE(std::is_sorted(bodies_seen.begin(), bodies_seen.end()));
     EXPECT_EQ(std::count(bodies_seen.begin(), bodies_seen.end(), boxes[3]), 0);
     std::set<ShapeId> shapes_seen;
-    for (const ShapeId shape : shapes(*w)) EXPECT_TRUE(shapes_seen.insert(shape).second && w->is_valid(shape));
+    for (const ShapeId shape : all_shapes(*w)) EXPECT_TRUE(shapes_seen.insert(shape).second && w->is_valid(shape));
     EXPECT_EQ(shapes_seen.size(), w->shape_count());
     std::uint32_t joints_seen = 0;
-    for (const JointId joint : joints(*w)) joints_seen += w->is_valid(joint) ? 1 : 0;
+    for (const JointId joint : all_joints(*w)) joints_seen += w->is_valid(joint) ? 1 : 0;
     EXPECT_EQ(joints_seen, w->joint_count());
     std::uint32_t touching = 0;
-    for (const ContactInfo& contact : contacts(*w)) touching += contact.point_count > 0 ? 1 : 0;
+    for (const ContactInfo& contact : all_contacts(*w)) touching += contact.point_count > 0 ? 1 : 0;
     EXPECT_EQ(touching, w.contacts().size());
     EXPECT_GE(touching, 8u);
 }
 
 TEST(Ranges, OfAnEmptyWorldAreEmpty) {
     TestWorld w({.bodies = 1, .shapes = 1, .contacts = 1});
-    for (const BodyId body : bodies(*w)) ADD_FAILURE() << body.index1;
-    for (const JointId joint : joints(*w)) ADD_FAILURE() << joint.index1;
+    for (const BodyId body : all_bodies(*w)) ADD_FAILURE() << body.index1;
+    for (const JointId joint : all_joints(*w)) ADD_FAILURE() << joint.index1;
 }
 
 TEST(Ids, AreKeysOfContainers) {
@@ -59,7 +59,7 @@ TEST(Ids, AreKeysOfContainers) {
     EXPECT_EQ(scores.size(), 100u);
     EXPECT_EQ(ordered.size(), 100u);
     std::unordered_set<ShapeId> shapes_seen;
-    for (const ShapeId shape : shapes(*w)) shapes_seen.insert(shape);
+    for (const ShapeId shape : all_shapes(*w)) shapes_seen.insert(shape);
     EXPECT_EQ(shapes_seen.size(), w->shape_count());
     EXPECT_FALSE(BodyId{} < BodyId{});
     EXPECT_TRUE((BodyId{1, 9} < BodyId{2, 0}) && (BodyId{2, 0} < BodyId{2, 1}));
@@ -105,7 +105,7 @@ TEST(CopyOfAWorld, GoesOnBitForBitAndHasRoomForMore) {
         larger->step(1.0f / 60);
         ASSERT_EQ(larger->hash(), w->hash()) << i;
     }
-    for (const BodyId body : bodies(*w)) EXPECT_TRUE(larger->is_valid(body));
+    for (const BodyId body : all_bodies(*w)) EXPECT_TRUE(larger->is_valid(body));
     EXPECT_TRUE(larger->create_body({}));
     EXPECT_EQ(larger->validate(), nullptr);
 }
@@ -148,10 +148,10 @@ TEST(DrawnPoses, StandInForThoseOfTheBodies) {
     TestWorld w({.bodies = 4, .shapes = 4, .contacts = 4});
     const BodyId ball = w.add_circle({0, 0}), other = w.add_circle({100, 0});
     std::vector<Transform> poses(w->capacity().bodies);
-    for (const BodyId body : bodies(*w)) poses[body.index1 - 1] = w->transform(body);
+    for (const BodyId body : all_bodies(*w)) poses[body.index1 - 1] = w->transform(body);
     w->set_transform(ball, {4, 8}, 0);
     w->set_transform(other, {100, 2}, 0);
-    for (const BodyId body : bodies(*w)) poses[body.index1 - 1] = lerp(poses[body.index1 - 1], w->transform(body), 0.25f);
+    for (const BodyId body : all_bodies(*w)) poses[body.index1 - 1] = lerp(poses[body.index1 - 1], w->transform(body), 0.25f);
     std::vector<Vec2> centers;
     DebugDraw draw;
     draw.circle = [](Vec2 center, float, Vec2, const DrawStyle&, void* context) { static_cast<std::vector<Vec2>*>(context)->push_back(center); };

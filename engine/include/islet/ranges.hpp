@@ -1,6 +1,6 @@
 // Walking over all objects of a world in the order of their slots:
 //
-//     for (const islet::BodyId body : islet::bodies(world)) draw(world.transform(body));
+//     for (const islet::BodyId body : islet::all_bodies(world)) draw(world.transform(body));
 //
 // The loop's body may change the world; objects made meanwhile are visited if their slots come later.
 #pragma once
@@ -57,11 +57,11 @@ inline bool read_contact_slot(const World& world, std::uint32_t slot, ContactInf
 }  // namespace detail
 
 /// Ids of all bodies, shapes and joints.
-inline auto bodies(const World& world) { return detail::SlotRange<BodyId, detail::read_slot<BodyId, &World::body_at>>(world, world.capacity().bodies); }
-inline auto shapes(const World& world) { return detail::SlotRange<ShapeId, detail::read_slot<ShapeId, &World::shape_at>>(world, world.capacity().shapes); }
-inline auto joints(const World& world) { return detail::SlotRange<JointId, detail::read_slot<JointId, &World::joint_at>>(world, world.capacity().joints); }
+inline auto all_bodies(const World& world) { return detail::SlotRange<BodyId, detail::read_slot<BodyId, &World::body_at>>(world, world.capacity().bodies); }
+inline auto all_shapes(const World& world) { return detail::SlotRange<ShapeId, detail::read_slot<ShapeId, &World::shape_at>>(world, world.capacity().shapes); }
+inline auto all_joints(const World& world) { return detail::SlotRange<JointId, detail::read_slot<JointId, &World::joint_at>>(world, world.capacity().joints); }
 /// All contacts that touch, as ContactInfo.
-inline auto contacts(const World& world) { return detail::SlotRange<ContactInfo, detail::read_contact_slot>(world, world.capacity().contacts); }
+inline auto all_contacts(const World& world) { return detail::SlotRange<ContactInfo, detail::read_contact_slot>(world, world.capacity().contacts); }
 
 }  // namespace islet
 ISLET_API_END
