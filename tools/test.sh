@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang and sanitizers, and five minutes of fuzzing under them; hashes of unoptimised code, on
+#   tools/test.sh --all        the same once more with clang and sanitizers, and four minutes of fuzzing under them; hashes of unoptimised code, on
 #                              other processors and of the firmware in microcontrollers, both emulated; the engine compiled by hand and in a fresh tree; pages played in
 #                              a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
@@ -12,7 +12,8 @@ set -euo pipefail
 . "$(dirname "$0")/lib.sh"
 
 least_coverage=90  # %
-fuzz_seconds=300
+fuzz_seconds=180
+fuzz_c_seconds=45
 
 all=false
 coverage=false
@@ -97,35 +98,46 @@ run_tests() {
     lap "$preset: tests"
 }
 
-# The fuzzer that calls all of the public API, with the sanitizers' build, beside what comes next: much of that has work for one core only. An input
-# that breaks something stays in build/findings.
-fuzzing=0  # its process
-start_fuzzer() {
-    say "fuzzing in the background for $fuzz_seconds s"
-    mkdir -p "$root/build/findings"
-    "$root/build/asan-ubsan/tests/fuzz/islet_fuzz_api" -max_total_time="$fuzz_seconds" -max_len=1500 -len_control=0 -timeout=60 \
-        -artifact_prefix="$root/build/findings/api-" >"$root/build/fuzz.log" 2>&1 &
-    fuzzing=$!
-    # Should the script end early, the fuzzer must not go on alone.
-    trap 'kill "$fuzzing" 2>/dev/null || true' EXIT
+# The fuzzers that call all of the public API, in C and in C++, with the sanitizers' build, beside what comes next: much of that has work for one core only.
+# An input that breaks something stays in build/findings.
+fuzzing=0  # their process
+fuzz_log() { printf '%s/build/fuzz_%s.log' "$root" "$1"; }
+fuzz() { # fuzz TARGET SECONDS
+    "$root/build/asan-ubsan/tests/fuzz/islet_fuzz_$1" -max_total_time="$2" -max_len=1500 -len_control=0 -timeout=60 \
+        -artifact_prefix="$root/build/findings/$1-" >"$(fuzz_log "$1")" 2>&1
 }
-finish_fuzzer() {
-    local status=0 finding
-    say "waiting for the fuzzer"
-    wait "$fuzzing" || status=$?
+start_fuzzers() {
+    say "fuzzing in the background for $((fuzz_c_seconds + fuzz_seconds)) s"
+    mkdir -p "$root/build/findings"
+    rm -f "$(fuzz_log c)" "$(fuzz_log api)"
+    { # the fuzzers' own status is in what they print
+        fuzz c "$fuzz_c_seconds" || true
+        fuzz api "$fuzz_seconds" || true
+    } &
+    fuzzing=$!
+    # Should the script end early, the fuzzers must not go on alone.
+    trap 'pkill -P "$fuzzing" 2>/dev/null; kill "$fuzzing" 2>/dev/null || true' EXIT
+}
+finish_fuzzers() {
+    local target log finding
+    say "waiting for the fuzzers"
+    wait "$fuzzing" || true
     trap - EXIT
-    # One that says nothing of its runs has made none.
-    if [ "$status" -eq 0 ] && grep -q '^Done ' "$root/build/fuzz.log"; then
-        results+=("fuzz: $(sed -n 's/^Done \([0-9]*\) runs in \([0-9]*\) second.*/\1 runs in \2 s/p' "$root/build/fuzz.log"), $(
-            sed -n 's/^#[0-9]*\tDONE .* ft: \([0-9]*\) .*/\1 features covered/p' "$root/build/fuzz.log"), nothing found")
-    else
-        failed=true
-        grep -v -E '^(#[0-9]+|\s*NEW_FUNC)' "$root/build/fuzz.log" | tail -n 40 || true  # killed at once, it has said nothing
-        finding=$(sed -n 's/.*Test unit written to //p' "$root/build/fuzz.log")
-        # For `base64 --decode`, where build/ is not kept: the fuzzer itself prints short ones only.
-        if [ -f "$finding" ]; then base64 --wrap=0 "$finding" && echo; fi
-        results+=("fuzz: $(grep -m 1 -E '^islet_fuzz_api: |ERROR: |runtime error' "$root/build/fuzz.log" || echo "ended with status $status")${finding:+; see $finding}")
-    fi
+    for target in c api; do
+        log=$(fuzz_log "$target")
+        # One that says nothing of its runs has found something, or has made none.
+        if grep -q '^Done ' "$log" && ! grep -q -E '^islet_fuzz_[a-z]*: |ERROR: |runtime error' "$log"; then
+            results+=("fuzz $target: $(sed -n 's/^Done \([0-9]*\) runs in \([0-9]*\) second.*/\1 runs in \2 s/p' "$log"), $(
+                sed -n 's/^#[0-9]*\tDONE .* ft: \([0-9]*\) .*/\1 features covered/p' "$log"), nothing found")
+        else
+            failed=true
+            grep -v -E '^(#[0-9]+|\s*NEW_FUNC)' "$log" | tail -n 40 || true # killed at once, it has said nothing
+            finding=$(sed -n 's/.*Test unit written to //p' "$log")
+            # For `base64 --decode`, where build/ is not kept: the fuzzer itself prints short ones only.
+            if [ -f "$finding" ]; then base64 --wrap=0 "$finding" && echo; fi
+            results+=("fuzz $target: $(grep -m 1 -E '^islet_fuzz_[a-z]*: |ERROR: |runtime error' "$log" || echo 'no result')${finding:+; see $finding}")
+        fi
+    done
     lap "fuzzing"
 }
 
@@ -216,9 +228,9 @@ fi
 if $all; then
     # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
     targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,features,c,samples,tools_islet,tools_lab}_tests)
-    targets+=(islet_runner islet-lab islet_hashes islet_fuzz_api islet_lockstep islet_lcp_search islet_random_rooms islet_scene_mutants islet_c_{calls,refusals})
+    targets+=(islet_runner islet-lab islet_hashes islet_fuzz_{api,c} islet_lockstep islet_lcp_search islet_random_rooms islet_scene_mutants islet_c_{calls,refusals})
     build_tests asan-ubsan
-    start_fuzzer
+    start_fuzzers
     check_scripts
     check_description
     check_firmware
@@ -235,7 +247,7 @@ if $all; then
     targets=(--target islet_hashes)
     build_tests tsan
     run_tests tsan --tests-regex '^determinism\.workers_share'
-    finish_fuzzer
+    finish_fuzzers
 fi
 
 printf '\n'

@@ -201,6 +201,23 @@ TEST(ShapeSettings, ASensorThatSleepsUnderABodyWakesIt) {
     EXPECT_NEAR(w->position(box).y, 0.5f, 0.01f);
 }
 
+TEST(ShapeSettings, ASensorOfAMovingBodyHasMassAndHoldsNothing) {
+    TestWorld w;
+    w.add_ground();
+    const BodyId box = w.add_box({0, 2});
+    w->set_mass(box, {5, {0, 0}, 1});
+    for (const bool sensor : {true, false}) {
+        w->set_transform(box, {0, 2}, 0);
+        w->set_linear_velocity(box, {0, -3});
+        w->set_sensor(w.shape_of(box), sensor);
+        EXPECT_EQ(w->validate(), nullptr);
+        EXPECT_EQ(w->mass(box), 5) << "what was set stays";
+        w.step(60);
+        EXPECT_EQ(w->validate(), nullptr);
+        EXPECT_EQ(w->position(box).y < 0, sensor);
+    }
+}
+
 TEST(ShapeSettings, ASegmentOfAChainMoves) {
     TestWorld w;
     const BodyId ground = w->create_body({});

@@ -110,6 +110,12 @@ Extent body_extent(const Core& core, std::uint32_t body) {
     return all;
 }
 
+void update_extent(Core& core, std::uint32_t body) {
+    const Extent extent = body_extent(core, body);
+    core.poses[body].max_extent = extent.max;
+    core.bodies[body].min_extent = extent.min;
+}
+
 namespace {
 
 // The inverse of a mass or an inertia.
@@ -138,9 +144,7 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     b.local_center = mass.center;
     pose.center = transform_point(body_transform(core, body), mass.center);
     motion.v = capped(motion.v + cross(motion.w, pose.center - old_center));
-    const Extent extent = body_extent(core, body);
-    pose.max_extent = extent.max;
-    b.min_extent = extent.min;
+    update_extent(core, body);
 }
 
 void update_mass(Core& core, std::uint32_t body) {

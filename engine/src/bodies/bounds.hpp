@@ -32,6 +32,7 @@ struct Extent {
 };
 /// The extent of the body's shapes about its centre of mass.
 Extent body_extent(const Core& core, std::uint32_t body);
+void update_extent(Core& core, std::uint32_t body);
 /// How far the body may now move before one of its shapes could leave its fat box, m.
 float slack_of(const Core& core, std::uint32_t body);
 

@@ -113,6 +113,7 @@ void World::set_sensor(ShapeId id, bool sensor) {
     end_contacts_of_shape(c, i);
     c.shapes[i].flags ^= shape_sensor;
     c.state->asked |= asked_of(c.shapes[i].flags);
+    update_extent(c, c.shapes[i].body);  // sensors do not count
     mark_moved(c, i);
 }
 
