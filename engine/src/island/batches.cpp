@@ -115,6 +115,7 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
         Batch& batch = plan.batches[b];
         for (std::uint32_t c = 0; c < color_count; ++c) {
             batch.first_block[c] = block;
+            if (batch.body_count == 0) continue;
             const std::uint32_t end = lay_out_parts(std::size_t{b} * places + c, block * lanes);
             if (end == block * lanes) continue;
             plan.colors |= 1u << c;
@@ -148,6 +149,7 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
     std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * places);  // by place, as in plan_contacts
     if (!has_joints || plan.joint_count == 0) return;
     std::memset(next, 0, std::size_t{plan.batch_count} * places * 4);
+    std::uint32_t colors = 0;  // that joints have
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) {
         PlannedConstraint& j = joints[k];
         const std::uint32_t color = j.color;
@@ -157,24 +159,26 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
         if (color == no_color) {
             ++plan.overflow_joints;
         } else {
-            plan.colors |= 1u << color;
+            colors |= 1u << color;
         }
     }
+    plan.colors |= colors;
     std::uint32_t at = 0;
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         plan.batches[b].first_run = plan.run_count;
-        for (std::uint32_t place = 0; place < places; ++place) {
-            const std::uint32_t count = lay_out(next[b * places + place], at) - at;
-            if (count == 0) continue;
-            const bool overflow = place < joint_kernel_count;
+        for (std::uint32_t group = 0; group <= color_count; ++group) {  // without a colour, then colour by colour
+            const bool overflow = group == 0;
+            if (overflow ? plan.overflow_joints == 0 : (colors >> (group - 1) & 1) == 0) continue;
             const std::uint32_t lanes = overflow ? 1 : core.lanes;
-            const std::uint32_t blocks = (count + lanes - 1) / lanes;
-            plan.runs[plan.run_count++] = {.kernel = static_cast<JointKernel>(place % joint_kernel_count),
-                                           .color = overflow ? no_color : place / joint_kernel_count - 1,
-                                           .first = at,
-                                           .blocks = blocks};
-            for (std::uint32_t i = count; i < blocks * lanes; ++i) plan.joints[at + i] = null_index;
-            at += blocks * lanes;
+            for (std::uint32_t kernel = 0; kernel < joint_kernel_count; ++kernel) {
+                const std::uint32_t count = lay_out(next[b * places + group * joint_kernel_count + kernel], at) - at;
+                if (count == 0) continue;
+                const std::uint32_t blocks = (count + lanes - 1) / lanes;
+                plan.runs[plan.run_count++] = {
+                    .kernel = static_cast<JointKernel>(kernel), .color = overflow ? no_color : group - 1, .first = at, .blocks = blocks};
+                for (std::uint32_t i = count; i < blocks * lanes; ++i) plan.joints[at + i] = null_index;
+                at += blocks * lanes;
+            }
         }
         plan.batches[b].end_run = plan.run_count;
     }
@@ -310,7 +314,10 @@ Plan make_plan(const Core& core, Arena& arena) {
     give_slots(core, plan, islands, temporary);
 
     // At least one body of a constraint can be pushed; its batch is the constraint's.
-    const auto batch_of = [&](const PlannedConstraint& c) { return islands.batch_of(sets.parent_of(c.body_a) != null_index ? c.body_a : c.body_b); };
+    const bool one_batch = plan.batch_count == kinematic_batch + 2 && plan.batches[kinematic_batch].body_count == 0;
+    const auto batch_of = [&](const PlannedConstraint& c) {
+        return one_batch ? kinematic_batch + 1 : islands.batch_of(sets.parent_of(c.body_a) != null_index ? c.body_a : c.body_b);
+    };
     plan_contacts(core, plan, contacts, batch_of, temporary);
     plan_joints(core, plan, joints, batch_of, temporary);
     if (plan.has_trees) plan_links(core, plan, islands, temporary);

@@ -245,6 +245,7 @@ struct BatchSolve {
     Rows* first_row;  // of the batch's first block
     ContactRows<1>* overflow = s.overflow + batch.first_overflow;
     std::uint32_t overflow_count = batch.end_overflow - batch.first_overflow;
+    std::uint32_t colors = 0;  // bits of those that contacts and joints of the batch have
 
     Rows* row(std::uint32_t block) const { return first_row + (block - batch.first_block[0]); }
 
@@ -266,7 +267,8 @@ struct BatchSolve {
     /// Calls work(first block, end block, colour), colour by colour: contacts of one colour share no body that can be pushed.
     template <class Work>
     void over_colors(Work&& work) {
-        for (std::uint32_t c = 0; c < color_count; ++c) {
+        for (std::uint32_t left = colors; left != 0; left &= left - 1) {
+            const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
             const std::uint32_t begin = batch.first_block[c];
             over(batch.first_block[c + 1] - begin, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { work(begin + first, begin + end, c); });
         }
@@ -290,6 +292,7 @@ struct BatchSolve {
     std::uint32_t link_count() const { return has_joints ? batch.link_count : 0; }
 
     void run();
+    void note_colors();
     void prepare();
     void sweep(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
     void sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
@@ -300,6 +303,14 @@ struct BatchSolve {
     }
     void store();
 };
+
+template <class K>
+void BatchSolve<K>::note_colors() {
+    for (std::uint32_t c = 0; c < color_count; ++c)
+        if (batch.first_block[c + 1] != batch.first_block[c]) colors |= 1u << c;
+    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i)
+        if (s.plan.runs[i].color != no_color) colors |= 1u << s.plan.runs[i].color;
+}
 
 template <class K>
 void BatchSolve<K>::prepare() {
@@ -331,7 +342,8 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
     if (!s.numbers.is_ordered) ContactKernel<1>::solve(s.bodies, overflow, overflow_count, dynamic);
-    for (std::uint32_t c = 0; c < color_count; ++c) {
+    for (std::uint32_t left = colors; left != 0; left &= left - 1) {
+        const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
             over_run(r, [&](const JointRun& part, std::byte* blocks) { solve_joint_run(part, W, s.bodies, blocks, joints); });
@@ -437,6 +449,7 @@ void BatchSolve<K>::store() {
 template <class K>
 void BatchSolve<K>::run() {
     const SolverState& def = s.core.state->solver;
+    note_colors();
     prepare();
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_velocities(s, first, end, substep == 0); });
@@ -475,7 +488,8 @@ void solve_batches(Solve& s) {
     };
     std::uint32_t largest = 0, narrow = 0;
     std::uint32_t total = 0;  // of blocks: times the number of shares it still is a 32-bit number
-    for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
+    const std::uint32_t first_batch = s.plan.batches[kinematic_batch].body_count == 0 ? kinematic_batch + 1 : kinematic_batch;
+    for (std::uint32_t i = first_batch; i < s.plan.batch_count; ++i) {
         Batch& b = s.plan.batches[i];
         if (is_wide(b)) {
             BatchSolve<K>{s, b, true, rows + b.first_block[0]}.run();
@@ -490,7 +504,7 @@ void solve_batches(Solve& s) {
     const bool take_turns = std::uint64_t{shares} * largest <= s.plan.block_count;
     for_ranges(s.core, shares, 1, [&](std::uint32_t first, std::uint32_t end) {
         std::uint32_t before = 0;
-        for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
+        for (std::uint32_t i = first_batch; i < s.plan.batch_count; ++i) {
             Batch& b = s.plan.batches[i];
             if (is_wide(b)) continue;
             const std::uint32_t share = before * shares / total;
