@@ -62,8 +62,8 @@ void expect_all_sort(std::uint32_t count, Random& random) {
         expect_all_sort(keys);
     };
     fill([&](std::uint32_t) { return static_cast<std::uint32_t>(random.bits()); });
-    fill([&](std::uint32_t) { return random.below(4); });               // many equal keys
-    fill([&](std::uint32_t) { return random.below(4) << 30; });         // that differ in the highest digit alone
+    fill([&](std::uint32_t) { return random.below(4); });                // many equal keys
+    fill([&](std::uint32_t) { return random.below(4) << 30; });          // that differ in the highest digit alone
     fill([&](std::uint32_t) { return 0x80000000u + random.below(9); });  // whose highest digits are alike
     fill([](std::uint32_t) { return 0xffffffffu; });
     fill([](std::uint32_t i) { return i; });

@@ -117,18 +117,18 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
         const F normal_mass = L::load(p.normal_mass);
         const F old = L::load(p.normal_impulse);
         const F speed = vn + (s.wb * rnb - s.wa * rna);
-        F delta;
+        F less;  // N s, of impulse
         if (sweep.biased) {
             // Shapes that are apart may close the gap within the substep, but no faster. Shapes that overlap are pushed apart softly.
             const auto apart = separation > zero;
             const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
             const F mass_scale = select(apart, L::splat(1.0f), sweep.mass_scale);
-            delta = zero - normal_mass * (mass_scale * speed + bias) - select(apart, zero, sweep.impulse_scale) * (old + lean);
+            less = normal_mass * (mass_scale * speed + bias) + select(apart, zero, sweep.impulse_scale) * (old + lean);
         } else {
-            delta = zero - normal_mass * (speed + max(separation, zero) * sweep.inv_h);
+            less = normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         }
-        const F lambda = lanes.pick(max(old + delta, zero), old);
-        delta = lanes.pick(lambda - old, zero);
+        const F lambda = lanes.pick(max(old - less, zero), old);
+        const F delta = lanes.pick(lambda - old, zero);
         L::store(p.normal_impulse, lambda);
         if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
         s.sum_n = s.sum_n + delta;
@@ -203,20 +203,25 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
     const SweepLanes<L> sweep(numbers);
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
-        ContactBlock<L> s(bodies, r);
         // A contact that lands is solved again at once, alone, until a pass changes little.
         if constexpr (W == 1) {
-            for (std::uint32_t more = r.extra_passes[0];; --more) {
-                const float normal_impulses = solve_rows<L>(s, r, sweep, AllLanes{});
-                if (more == 0 || !has_changed<L>(s, normal_impulses)) break;
-                if (more != r.extra_passes[0]) continue;
+            std::uint32_t passes = 1;
+            for (;;) {
                 // Bodies are read anew, as land() does for several lanes: if an impulse overflows, the speed of a static body becomes NaN, which is not
                 // kept.
+                ContactBlock<L> s(bodies, r);
+                bool changes = false;
+                for (std::uint32_t left = passes; left > 0; --left) {
+                    const float normal_impulses = solve_rows<L>(s, r, sweep, AllLanes{});
+                    changes = r.extra_passes[0] != 0 && has_changed<L>(s, normal_impulses);
+                    if (!changes) break;
+                }
                 s.scatter(bodies, r.body_a, r.body_b);
-                s.gather(bodies, r.body_a, r.body_b);
+                if (!changes || passes != 1) break;
+                passes = r.extra_passes[0];
             }
-            s.scatter(bodies, r.body_a, r.body_b);
         } else {
+            ContactBlock<L> s(bodies, r);
             const auto normal_impulses = solve_rows<L>(s, r, sweep, AllLanes{});
             s.scatter(bodies, r.body_a, r.body_b);
             std::uint64_t landing = 0;  // not 0 if any lane lands
