@@ -1,5 +1,6 @@
-// Pairs of shapes in motion are found by sorting their fat boxes along an axis and scanning the sorted columns (sort and sweep, Baraff 1992). Pairs with shapes at rest are found by queries of the tree. Measurements decided (tools/bench/pair_finder.cpp): with 8 100 boxes that all
-// move, updating and querying a tree takes 9 times as long, with 64 boxes 3 times.
+// Pairs of shapes in motion are found by sorting their fat boxes along an axis and scanning the sorted columns (sort and sweep, Baraff 1992). Pairs with shapes
+// at rest are found by queries of the tree. Measurements decided (tools/bench/pair_finder.cpp): with 8 100 boxes that all move, updating and querying a tree
+// takes 9 times as long, with 64 boxes 3 times.
 #include "../exact.hpp"
 
 #include "../broadphase/pairs.hpp"

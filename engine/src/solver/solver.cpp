@@ -245,7 +245,6 @@ struct BatchSolve {
     Rows* first_row;  // of the batch's first block
     ContactRows<1>* overflow = s.overflow + batch.first_overflow;
     std::uint32_t overflow_count = batch.end_overflow - batch.first_overflow;
-    std::uint32_t colors = 0;  // bits of those that contacts and joints of the batch have
 
     Rows* row(std::uint32_t block) const { return first_row + (block - batch.first_block[0]); }
 
@@ -267,7 +266,7 @@ struct BatchSolve {
     /// Calls work(first block, end block, colour), colour by colour: contacts of one colour share no body that can be pushed.
     template <class Work>
     void over_colors(Work&& work) {
-        for (std::uint32_t left = colors; left != 0; left &= left - 1) {
+        for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
             const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
             const std::uint32_t begin = batch.first_block[c];
             over(batch.first_block[c + 1] - begin, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { work(begin + first, begin + end, c); });
@@ -290,9 +289,13 @@ struct BatchSolve {
     }
 
     std::uint32_t link_count() const { return has_joints ? batch.link_count : 0; }
+    /// Sweeps would change nothing.
+    bool is_idle() const {
+        const std::uint32_t blocks = batch.first_block[color_count] - batch.first_block[0], runs = batch.end_run - batch.first_run;
+        return (blocks | overflow_count | runs | link_count()) == 0 && !(s.numbers.tolerance > 0);
+    }
 
     void run();
-    void note_colors();
     void prepare();
     void sweep(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
     void sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
@@ -303,14 +306,6 @@ struct BatchSolve {
     }
     void store();
 };
-
-template <class K>
-void BatchSolve<K>::note_colors() {
-    for (std::uint32_t c = 0; c < color_count; ++c)
-        if (batch.first_block[c + 1] != batch.first_block[c]) colors |= 1u << c;
-    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i)
-        if (s.plan.runs[i].color != no_color) colors |= 1u << s.plan.runs[i].color;
-}
 
 template <class K>
 void BatchSolve<K>::prepare() {
@@ -341,8 +336,8 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const JointRun& r = s.plan.runs[run];
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
-    if (!s.numbers.is_ordered) ContactKernel<1>::solve(s.bodies, overflow, overflow_count, dynamic);
-    for (std::uint32_t left = colors; left != 0; left &= left - 1) {
+    if (!s.numbers.is_ordered && overflow_count != 0) ContactKernel<1>::solve(s.bodies, overflow, overflow_count, dynamic);
+    for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
         const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
@@ -421,6 +416,10 @@ void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
 // Makes so many sweeps, or fewer if the tolerance is reached before.
 template <class K>
 void BatchSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
+    if (is_idle()) {
+        batch.sweeps += most;
+        return;
+    }
     for (std::uint32_t i = 0; i < most; ++i) {
         sweep(dynamic, ground, joints);
         ++batch.sweeps;
@@ -449,7 +448,6 @@ void BatchSolve<K>::store() {
 template <class K>
 void BatchSolve<K>::run() {
     const SolverState& def = s.core.state->solver;
-    note_colors();
     prepare();
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_velocities(s, first, end, substep == 0); });
