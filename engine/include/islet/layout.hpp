@@ -70,11 +70,10 @@ inline constexpr std::uint32_t joint_kernel_count = 0 ISLET_JOINT_KERNELS(ISLET_
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t tree_link_bytes = 140;  // per link of a joint tree
 inline constexpr std::size_t batch_bytes = 168;
-inline constexpr std::uint32_t max_plan_parts = 8;                           // that the touching contacts are cut into while they are planned
-inline constexpr std::size_t sweep_bytes = 108;                              // per shape, while pairs are found by sorting
-inline constexpr std::uint32_t sort_digit_bits = layout_lanes > 1 ? 11 : 8;  // the sort makes three passes, or four where memory is small
-inline constexpr std::uint32_t sort_digits = 1u << sort_digit_bits;
-inline constexpr std::uint32_t color_count = 32;    // constraint colours: bits of a body's mask
+inline constexpr std::uint32_t max_plan_parts = 8;                             // that the touching contacts are cut into while they are planned
+inline constexpr std::size_t sweep_bytes = 108;                                // per shape, while pairs are found by sorting
+inline constexpr std::uint32_t sort_digits = layout_lanes > 1 ? 1u << 11 : 0;  // counted by the sort; 0: where memory is small it counts none
+inline constexpr std::uint32_t color_count = 32;                               // constraint colours: bits of a body's mask
 inline constexpr std::uint32_t batch_bodies = 704;  // a batch is full from so many bodies on: with their rows they fit a core's own cache
 
 constexpr std::uint32_t next_power_of_two(std::uint32_t n) {

@@ -1,11 +1,12 @@
-// Pairs of shapes in motion are found by sorting their fat boxes along an axis and scanning the sorted columns (sort and sweep, Baraff 1992; a radix sort, so
-// its cost is fixed). Pairs with shapes at rest are found by queries of the tree. Measurements decided (tools/bench/pair_finder.cpp): with 8 100 boxes that all
-// move, updating and querying a tree takes 9 times as long, with 64 boxes 3 times.
+// Pairs of shapes in motion are found by sorting their fat boxes along an axis and scanning the sorted columns (sort and sweep, Baraff 1992). Pairs with shapes
+// at rest are found by queries of the tree. Measurements decided (tools/bench/pair_finder.cpp): with 8 100 boxes that all move, updating and querying a tree
+// takes 9 times as long, with 64 boxes 3 times.
 #include "../exact.hpp"
 
 #include "../broadphase/pairs.hpp"
 
 #include "../broadphase/columns.hpp"
+#include "../broadphase/key_sort.hpp"
 #include "../broadphase/tree.hpp"
 #include "../collide/manifold.hpp"
 #include "../data/parallel.hpp"
@@ -37,9 +38,11 @@ struct PairBuffer {
     static constexpr std::uint32_t size = max_lanes > 1 ? 64 : 1;
     Core& core;
     float dt;
-    std::uint64_t keys[size] = {};
-    std::uint32_t pairs[size][2] = {};
     std::uint32_t count = 0;
+    std::uint64_t keys[size];
+    std::uint32_t pairs[size][2];
+
+    PairBuffer(Core& of, float time) : core(of), dt(time) {}  // clears no room
 
     void push(std::uint32_t shape_1, std::uint32_t shape_2) {
         if constexpr (size == 1) return add_pair(core, shape_1, shape_2, dt);
@@ -55,33 +58,6 @@ struct PairBuffer {
         count = 0;
     }
 };
-
-// A least-significant-digit radix sort. It is stable, so equal keys stay in the order of their slots.
-std::uint32_t* sort_by_key(std::uint32_t* keys, std::uint32_t* order, std::uint32_t* keys2, std::uint32_t* order2, std::uint32_t n, std::uint32_t* counts) {
-    for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
-    for (std::uint32_t shift = 0; shift < 32; shift += sort_digit_bits) {
-        std::memset(counts, 0, sort_digits * 4);
-        for (std::uint32_t i = 0; i < n; ++i) ++counts[keys[i] >> shift & (sort_digits - 1)];
-        std::uint32_t sum = 0;
-        for (std::uint32_t d = 0; d < sort_digits; ++d) {
-            const std::uint32_t c = counts[d];
-            counts[d] = sum;
-            sum += c;
-        }
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const std::uint32_t to = counts[keys[i] >> shift & (sort_digits - 1)]++;
-            keys2[to] = keys[i];
-            order2[to] = order[i];
-        }
-        std::uint32_t* k = keys;
-        keys = keys2;
-        keys2 = k;
-        std::uint32_t* o = order;
-        order = order2;
-        order2 = o;
-    }
-    return order;
-}
 
 Columns take_columns(Arena& arena, std::uint32_t n) {
     Columns c;
@@ -149,7 +125,7 @@ struct Moving {
     Columns all;
     Columns moved;
     const MovingShape* shapes;
-    const std::uint32_t* order;  // by place in `all`: which shape in motion
+    const KeyedItem* order;  // by place in `all`: which shape in motion
     bool along_x;
     float dt, fall;
 
@@ -160,8 +136,8 @@ struct Moving {
 
     // For bodies that move together, an overlap of the boxes of their ways means little.
     bool may_meet(std::uint32_t place_1, std::uint32_t place_2) const {
-        const MovingShape& a = shapes[order[place_1]];
-        const MovingShape& b = shapes[order[place_2]];
+        const MovingShape& a = shapes[number_of(order[place_1])];
+        const MovingShape& b = shapes[number_of(order[place_2])];
         if (a.body == b.body) return false;
         if ((!a.leaves && !b.leaves) || meet(a.box, b.box)) return true;
         if (!may_meet_on(a.box, a.way, b.box, b.way, fall)) return false;
@@ -185,20 +161,18 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
 
     // The boxes are sorted along the longer side of the box around all of them.
     const bool along_x = bounds.upper.x - bounds.lower.x >= bounds.upper.y - bounds.lower.y;
-    std::uint32_t* keys = arena.take<std::uint32_t>(n);
-    std::uint32_t* keys2 = arena.take<std::uint32_t>(n);
-    std::uint32_t* order = arena.take<std::uint32_t>(n);
-    std::uint32_t* order2 = arena.take<std::uint32_t>(n);
-    std::uint32_t* counts = arena.take<std::uint32_t>(sort_digits);
+    KeyedItem* keys = arena.take<KeyedItem>(n);
+    KeyedItem* spare = sorts_by_digits ? arena.take<KeyedItem>(n) : nullptr;
+    std::uint32_t* counts = sorts_by_digits ? arena.take<std::uint32_t>(sort_digits) : nullptr;
     for (std::uint32_t i = 0; i < n; ++i) {
         const Aabb box = box_along_way(core, shapes[i]);
-        keys[i] = sort_key(along_x ? box.lower.x : box.lower.y);
+        keys[i] = keyed(sort_key(along_x ? box.lower.x : box.lower.y), i);
     }
-    const std::uint32_t* sorted = sort_by_key(keys, order, keys2, order2, n, counts);
+    const KeyedItem* sorted = sort_by_key(keys, spare, n, counts);
 
     Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, along_x, dt, fall_in(core, dt)};
     for (std::uint32_t i = 0; i < n; ++i) {
-        const MovingShape& moving_shape = shapes[sorted[i]];
+        const MovingShape& moving_shape = shapes[number_of(sorted[i])];
         const Aabb box = box_along_way(core, moving_shape);
         const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
         const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
@@ -290,13 +264,13 @@ void find_moved_pairs(Core& core, float dt) {
     Arena arena = core.arena();
     const Moving moving = sorted_columns(core, arena, dt);
     const Columns& moved = moving.moved;
-    PairBuffer out{core, dt};
+    PairBuffer out(core, dt);
     scan_all(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count) : nullptr}, moving);
 
     const Tree tree{&core.state->tree, core.tree};
     for (std::uint32_t i = 0; i < moved.count && !is_over(core); ++i) {
         const std::uint32_t shape = moved.shape[i];
-        const MovingShape& moving_shape = moving.shapes[moving.order[moved.place[i]]];
+        const MovingShape& moving_shape = moving.shapes[number_of(moving.order[moved.place[i]])];
         const Aabb box = moving.box(i);
         if (is_clear(core.poses[moving_shape.body], box)) continue;
         tree_query(tree, box, [&](std::uint32_t other) {

@@ -92,9 +92,9 @@ struct ContactBlock : BodyPair<L> {
     }
 };
 
-/// The normal rows. Returns the sum of their impulses so far.
+/// The normal rows.
 template <class L, class Lanes>
-ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
+ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F mass = s.ma + s.mb;
@@ -102,7 +102,6 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
     // How far the two surfaces moved apart along n is the row's Jacobian times the bodies' motion. `moved` is the part that is the same for both points.
     const F turned = s.dqb - s.dqa;
     const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
-    F total = zero;
     const std::uint32_t points = r.two_points ? 2 : 1;
     std::uint32_t i = r.two_points >> 1;
     F lean = zero;  // N s, of what the points' impulses differ by; none in lanes of one point
@@ -117,26 +116,31 @@ ISLET_PART typename L::F solve_normals(ContactBlock<L>& s, ContactRows<L::width>
         const F normal_mass = L::load(p.normal_mass);
         const F old = L::load(p.normal_impulse);
         const F speed = vn + (s.wb * rnb - s.wa * rna);
-        F delta;
+        F less;  // N s, of impulse
         if (sweep.biased) {
             // Shapes that are apart may close the gap within the substep, but no faster. Shapes that overlap are pushed apart softly.
             const auto apart = separation > zero;
             const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
             const F mass_scale = select(apart, L::splat(1.0f), sweep.mass_scale);
-            delta = zero - normal_mass * (mass_scale * speed + bias) - select(apart, zero, sweep.impulse_scale) * (old + lean);
+            less = normal_mass * (mass_scale * speed + bias) + select(apart, zero, sweep.impulse_scale) * (old + lean);
         } else {
-            delta = zero - normal_mass * (speed + max(separation, zero) * sweep.inv_h);
+            less = normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         }
-        const F lambda = lanes.pick(max(old + delta, zero), old);
-        delta = lanes.pick(lambda - old, zero);
+        const F lambda = lanes.pick(max(old - less, zero), old);
+        const F delta = lanes.pick(lambda - old, zero);
         L::store(p.normal_impulse, lambda);
         if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
         s.sum_n = s.sum_n + delta;
-        total = total + lambda;
         vn = vn + mass * delta;
         s.spin_by_normal(rna, rnb, delta);
     }
-    return total;
+}
+
+/// The sum of a block's normal impulses so far.
+template <class L>
+ISLET_PART typename L::F normal_impulses_of(const ContactRows<L::width>& r) {
+    const auto first = L::load(r.points[0].normal_impulse);
+    return r.two_points ? first + L::load(r.points[1].normal_impulse) : first;
 }
 
 /// The friction rows, with the normal impulses just found.
@@ -165,12 +169,12 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
 
 /// The rolling row: wb - wa = 0, bounded by the sum of the normal impulses.
 template <class L, class Lanes>
-ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F normal_impulses, const Lanes& lanes) {
+ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, const Lanes& lanes) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F old = L::load(r.rolling_impulse);
     const F resistance = L::load(r.rolling_resistance);
-    const F bound = select(resistance > zero, resistance * normal_impulses, zero);  // 0 * inf would be NaN if a normal impulse has overflowed
+    const F bound = select(resistance > zero, resistance * normal_impulses_of<L>(r), zero);  // 0 * inf would be NaN if a normal impulse has overflowed
     const F lambda = lanes.pick(max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound), old);
     const F delta = lanes.pick(lambda - old, zero);
     L::store(r.rolling_impulse, lambda);
@@ -178,22 +182,20 @@ ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, type
     s.wb = s.wb + s.ib * delta;
 }
 
-/// One pass over all rows of a block. Returns the sum of the normal impulses.
+/// One pass over all rows of a block.
 template <class L, class Lanes>
-ISLET_PART typename L::F solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
-    using F = typename L::F;
+ISLET_PART void solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
     s.sum_n = s.sum_t = L::splat(0.0f);
-    const F normal_impulses = solve_normals<L>(s, r, sweep, lanes);
+    solve_normals<L>(s, r, sweep, lanes);
     solve_friction<L>(s, r, lanes);
-    if (r.is_special()) solve_rolling<L>(s, r, normal_impulses, lanes);
+    if (r.is_special()) solve_rolling<L>(s, r, lanes);
     s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
-    return normal_impulses;
 }
 
 /// The lanes whose impulses the last pass changed by more than a little.
 template <class L>
-ISLET_PART auto has_changed(const ContactBlock<L>& s, typename L::F normal_impulses) {
-    const auto small = L::splat(settled_share) * normal_impulses;
+ISLET_PART auto has_changed(const ContactBlock<L>& s, const ContactRows<L::width>& r) {
+    const auto small = L::splat(settled_share) * normal_impulses_of<L>(r);
     return s.sum_n * s.sum_n + s.sum_t * s.sum_t > small * small;
 }
 
@@ -203,25 +205,30 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
     const SweepLanes<L> sweep(numbers);
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
-        ContactBlock<L> s(bodies, r);
         // A contact that lands is solved again at once, alone, until a pass changes little.
         if constexpr (W == 1) {
-            for (std::uint32_t more = r.extra_passes[0];; --more) {
-                const float normal_impulses = solve_rows<L>(s, r, sweep, AllLanes{});
-                if (more == 0 || !has_changed<L>(s, normal_impulses)) break;
-                if (more != r.extra_passes[0]) continue;
+            std::uint32_t passes = 1;
+            for (;;) {
                 // Bodies are read anew, as land() does for several lanes: if an impulse overflows, the speed of a static body becomes NaN, which is not
                 // kept.
+                ContactBlock<L> s(bodies, r);
+                bool changes = false;
+                for (std::uint32_t left = passes; left > 0; --left) {
+                    solve_rows<L>(s, r, sweep, AllLanes{});
+                    changes = r.extra_passes[0] != 0 && has_changed<L>(s, r);
+                    if (!changes) break;
+                }
                 s.scatter(bodies, r.body_a, r.body_b);
-                s.gather(bodies, r.body_a, r.body_b);
+                if (!changes || passes != 1) break;
+                passes = r.extra_passes[0];
             }
-            s.scatter(bodies, r.body_a, r.body_b);
         } else {
-            const auto normal_impulses = solve_rows<L>(s, r, sweep, AllLanes{});
+            ContactBlock<L> s(bodies, r);
+            solve_rows<L>(s, r, sweep, AllLanes{});
             s.scatter(bodies, r.body_a, r.body_b);
             std::uint64_t landing = 0;  // not 0 if any lane lands
             std::memcpy(&landing, r.extra_passes, W);
-            if (landing != 0) land(bodies, r, L::bits(has_changed<L>(s, normal_impulses)), numbers);
+            if (landing != 0) land(bodies, r, L::bits(has_changed<L>(s, r)), numbers);
         }
         if (!sweep.biased && r.two_points) r.two_points ^= 3;  // the next substep begins with the other point
     }
@@ -243,8 +250,8 @@ void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, 
         ContactBlock<L> s(bodies, r);
         auto mask = L::load(lands) > L::splat(0.0f);
         for (std::uint32_t pass = 0; pass < most && L::bits(mask) != 0; ++pass) {
-            const auto normal_impulses = solve_rows<L>(s, r, sweep, MaskedLanes<decltype(mask)>{mask});
-            mask = mask & has_changed<L>(s, normal_impulses);
+            solve_rows<L>(s, r, sweep, MaskedLanes<decltype(mask)>{mask});
+            mask = mask & has_changed<L>(s, r);
         }
         s.scatter(bodies, r.body_a, r.body_b);
     }

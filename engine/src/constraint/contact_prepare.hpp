@@ -70,9 +70,9 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
 template <class L>
 struct LaneManifolds {
     using F = typename L::F;
-    F frame[8];    // normal, offset, rotations of A and B when the manifold was made
-    F points[8];   // anchors, normal impulses, tangent impulses
-    F surface[4];  // rolling impulse, separations, friction
+    typename L::template Columns<8> frame;    // normal, offset, rotations of A and B when the manifold was made
+    typename L::template Columns<8> points;   // anchors, normal impulses, tangent impulses
+    typename L::template Columns<4> surface;  // rolling impulse, separations, friction
 
     ISLET_LANE LaneManifolds(const ContactManifold* manifolds, const std::uint32_t* contact) {
         const float* words = reinterpret_cast<const float*>(manifolds);
@@ -101,7 +101,7 @@ struct MotionSince {
     F cb, sb;  // and B
 
     ISLET_LANE MotionSince(const LaneManifolds<L>& m, const Pose* poses, const std::uint32_t* body_a, const std::uint32_t* body_b) {
-        F a[4], b[4];  // centre, cosine, sine
+        typename L::template Columns<4> a, b;  // centre, cosine, sine
         L::template gather4<pose_words>(reinterpret_cast<const float*>(poses), body_a, a);
         L::template gather4<pose_words>(reinterpret_cast<const float*>(poses), body_b, b);
         const F one = L::splat(1.0f);
@@ -168,7 +168,7 @@ ISLET_PART typename L::F prepare_rolling(ContactRows<L::width>& r, const BodyPai
 template <class L>
 ISLET_PART typename L::F normal_gain(const PrepareInput& in, const ContactRows<L::width>& r, LaneVec<typename L::F> n) {
     using F = typename L::F;
-    F a[8], b[8];
+    typename L::template Columns<8> a, b;
     L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_a, a);
     L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_b, b);
     return dot(n, LaneVec<F>{b[4], b[5]} - LaneVec<F>{a[4], a[5]}) * L::splat(in.numbers.inv_h);

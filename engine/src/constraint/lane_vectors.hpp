@@ -82,18 +82,24 @@ ISLET_LANE LaneVec<typename L::F> turn(typename L::F d, LaneVec<typename L::F> v
     return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
-/// Writes four words back to each of two bodies. Those that cannot be pushed (`ma`, `mb`: inverse masses of 0) are only ever read: constraints of one
-/// colour share them, and may be solved on several threads.
-template <class L>
-ISLET_LANE void scatter_pushed(float* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b, typename L::F ma, typename L::F mb,
-                               const typename L::F out_a[4], const typename L::F out_b[4]) {
+/// Writes four words back to each of two bodies, from the word `first` on. Those that cannot be pushed (`ma`, `mb`: inverse masses of 0) are only ever read:
+/// constraints of one colour share them, and may be solved on several threads. The fourth word is as it was.
+template <class L, std::uint32_t first>
+ISLET_LANE void scatter_pushed(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b, typename L::F ma, typename L::F mb,
+                               const typename L::F (&out_a)[4], const typename L::F (&out_b)[4]) {
     constexpr std::uint32_t words = sizeof(SolverBody) / 4;
-    if (L::width > 1 && L::positive(min(ma, mb)) == (1u << L::width) - 1) {
-        L::template scatter4<words>(bodies, body_a, out_a);
-        L::template scatter4<words>(bodies, body_b, out_b);
+    float* const base = reinterpret_cast<float*>(bodies) + first;
+    if constexpr (L::width == 1) {
+        float* const a = base + words * body_a[0];
+        float* const b = base + words * body_b[0];
+        if (ma > 0) a[0] = out_a[0], a[1] = out_a[1], a[2] = out_a[2];
+        if (mb > 0) b[0] = out_b[0], b[1] = out_b[1], b[2] = out_b[2];
+    } else if (L::positive(min(ma, mb)) == (1u << L::width) - 1) {
+        L::template scatter4<words>(base, body_a, out_a);
+        L::template scatter4<words>(base, body_b, out_b);
     } else {
-        L::template scatter4_where<words>(L::positive(ma), bodies, body_a, out_a);
-        L::template scatter4_where<words>(L::positive(mb), bodies, body_b, out_b);
+        L::template scatter4_where<words>(L::positive(ma), base, body_a, out_a);
+        L::template scatter4_where<words>(L::positive(mb), base, body_b, out_b);
     }
 }
 
@@ -109,7 +115,7 @@ struct BodyPair {
 
     ISLET_PART void gather(const SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) {
         constexpr std::uint32_t words = sizeof(SolverBody) / 4;
-        F a[8], b[8];
+        typename L::template Columns<8> a, b;
         L::template gather8<words>(reinterpret_cast<const float*>(bodies), body_a, a);
         L::template gather8<words>(reinterpret_cast<const float*>(bodies), body_b, b);
         va = {a[0], a[1]};
@@ -129,7 +135,7 @@ struct BodyPair {
     ISLET_PART void scatter(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
         const F out_a[4] = {va.x, va.y, wa, ma};
         const F out_b[4] = {vb.x, vb.y, wb, mb};
-        scatter_pushed<L>(reinterpret_cast<float*>(bodies), body_a, body_b, ma, mb, out_a, out_b);
+        scatter_pushed<L, 0>(bodies, body_a, body_b, ma, mb, out_a, out_b);
     }
     /// Adds what warm starting does to the velocities: an impulse on B and its opposite on A, and an angular impulse on each, A turned against its own. (Before
     /// the first substep the words of dp and dq hold warm_v and warm_w.)
@@ -138,7 +144,7 @@ struct BodyPair {
         const LaneVec<F> warm_va = dpa - ma * impulse, warm_vb = dpb + mb * impulse;
         const F out_a[4] = {warm_va.x, warm_va.y, dqa - ia * turning_a, ia};
         const F out_b[4] = {warm_vb.x, warm_vb.y, dqb + ib * turning_b, ib};
-        scatter_pushed<L>(reinterpret_cast<float*>(bodies) + 4, body_a, body_b, ma, mb, out_a, out_b);
+        scatter_pushed<L, 4>(bodies, body_a, body_b, ma, mb, out_a, out_b);
     }
 };
 

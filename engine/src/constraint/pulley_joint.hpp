@@ -62,7 +62,7 @@ struct RopeSide {
     F t;
 
     ISLET_LANE RopeSide(const SolverBody* bodies, const std::uint32_t* slots, LaneVec<F> arm, const RopeRows<L::width>& rows) {
-        F b[8];
+        typename L::template Columns<8> b;
         L::template gather8<sizeof(SolverBody) / 4>(reinterpret_cast<const float*>(bodies), slots, b);
         v = {b[0], b[1]};
         w = b[2];
@@ -123,7 +123,7 @@ ISLET_LANE_SHARED void solve(SolverBody* bodies, PulleyRows<L::width>& r, const 
     b.store(r.b);
     const F out_a[4] = {a.v.x, a.v.y, a.w, a.inv_mass};
     const F out_b[4] = {b.v.x, b.v.y, b.w, b.inv_mass};
-    scatter_pushed<L>(reinterpret_cast<float*>(bodies), r.ends.body_a, r.ends.body_b, a.inv_mass, b.inv_mass, out_a, out_b);
+    scatter_pushed<L, 0>(bodies, r.ends.body_a, r.ends.body_b, a.inv_mass, b.inv_mass, out_a, out_b);
 }
 
 template <std::uint32_t W>

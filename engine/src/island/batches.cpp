@@ -48,6 +48,7 @@ struct ContactList {
     std::uint32_t words = 0;                   // of the set of awake contacts, in a part
     std::uint32_t first[max_plan_parts] = {};  // contact of each part
     std::uint32_t end[max_plan_parts] = {};
+    std::uint32_t colors[max_plan_parts] = {};  // bits of those that a part's contacts may have
 
     std::uint32_t parts() const { return has_threads ? parts_with_threads : 1; }
 
@@ -71,13 +72,16 @@ ContactList list_contacts(const Core& core, Plan& plan, Arena& temporary) {
     }
     for_ranges(core, awake.word_count, list.words, [&](std::uint32_t first, std::uint32_t end) {
         const std::uint32_t part = first / list.words;
-        std::uint32_t at = list.first[part];
+        std::uint32_t at = list.first[part], colors = 0;
         awake.for_each_in(first, end, [&](std::uint32_t i) {
             const ContactManifold& m = core.manifolds[i];
             if ((m.flags & contact_touching) == 0) return;
-            contacts[at++] = {i, m.body_a, m.body_b, {m.color()}};
+            const std::uint32_t color = m.color();
+            contacts[at++] = {i, m.body_a, m.body_b, {color}};
+            colors |= 1u << color % color_count;
         });
         list.end[part] = at;
+        list.colors[part] = colors;
     });
     for (std::uint32_t p = 0; p < list.parts(); ++p) plan.touching_count += list.end[p] - list.first[p];
     if (has_shock(core.state->solver)) lighten_by_height(core, contacts, list.end[0], plan.lightness);
@@ -107,21 +111,28 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
 
     std::uint32_t block = 0;
     std::uint32_t overflow = 0;
+    std::uint32_t colors = 0;  // that contacts may have
+    for (std::uint32_t p = 0; p < list.parts(); ++p) colors |= list.colors[p];
     const auto lay_out_parts = [&](std::size_t place, std::uint32_t start) {
         for (std::uint32_t p = 0; p < list.parts(); ++p) start = lay_out(next[p * part_size + place], start);
         return start;
     };
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         Batch& batch = plan.batches[b];
-        for (std::uint32_t c = 0; c < color_count; ++c) {
-            batch.first_block[c] = block;
+        std::uint32_t next_color = 0;
+        const auto begin_up_to = [&](std::uint32_t color) {
+            for (; next_color <= color; ++next_color) batch.first_block[next_color] = block;
+        };
+        for (std::uint32_t left = batch.body_count != 0 ? colors : 0; left != 0; left &= left - 1) {
+            const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
+            begin_up_to(c);
             const std::uint32_t end = lay_out_parts(std::size_t{b} * places + c, block * lanes);
             if (end == block * lanes) continue;
             plan.colors |= 1u << c;
             block = (end + lanes - 1) / lanes;
             for (std::uint32_t i = end; i < block * lanes; ++i) plan.contacts[i] = null_index;
         }
-        batch.first_block[color_count] = block;
+        begin_up_to(color_count);
         batch.first_overflow = overflow;
         batch.end_overflow = overflow = lay_out_parts(std::size_t{b} * places + color_count, overflow);
     }
@@ -147,7 +158,9 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
     constexpr std::uint32_t places = (color_count + 1) * joint_kernel_count;                      // per batch
     std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * places);  // by place, as in plan_contacts
     if (!has_joints || plan.joint_count == 0) return;
-    std::memset(next, 0, std::size_t{plan.batch_count} * places * 4);
+    for (std::uint32_t b = 0; b < plan.batch_count; ++b)
+        if (plan.batches[b].body_count != 0) std::memset(next + std::size_t{b} * places, 0, places * 4);
+    std::uint32_t colors = 0;  // that joints have
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) {
         PlannedConstraint& j = joints[k];
         const std::uint32_t color = j.color;
@@ -157,24 +170,26 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
         if (color == no_color) {
             ++plan.overflow_joints;
         } else {
-            plan.colors |= 1u << color;
+            colors |= 1u << color;
         }
     }
+    plan.colors |= colors;
     std::uint32_t at = 0;
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         plan.batches[b].first_run = plan.run_count;
-        for (std::uint32_t place = 0; place < places; ++place) {
-            const std::uint32_t count = lay_out(next[b * places + place], at) - at;
-            if (count == 0) continue;
-            const bool overflow = place < joint_kernel_count;
+        for (std::uint32_t group = 0; plan.batches[b].body_count != 0 && group <= color_count; ++group) {  // without a colour, then colour by colour
+            const bool overflow = group == 0;
+            if (overflow ? plan.overflow_joints == 0 : (colors >> (group - 1) & 1) == 0) continue;
             const std::uint32_t lanes = overflow ? 1 : core.lanes;
-            const std::uint32_t blocks = (count + lanes - 1) / lanes;
-            plan.runs[plan.run_count++] = {.kernel = static_cast<JointKernel>(place % joint_kernel_count),
-                                           .color = overflow ? no_color : place / joint_kernel_count - 1,
-                                           .first = at,
-                                           .blocks = blocks};
-            for (std::uint32_t i = count; i < blocks * lanes; ++i) plan.joints[at + i] = null_index;
-            at += blocks * lanes;
+            for (std::uint32_t kernel = 0; kernel < joint_kernel_count; ++kernel) {
+                const std::uint32_t count = lay_out(next[b * places + group * joint_kernel_count + kernel], at) - at;
+                if (count == 0) continue;
+                const std::uint32_t blocks = (count + lanes - 1) / lanes;
+                plan.runs[plan.run_count++] = {
+                    .kernel = static_cast<JointKernel>(kernel), .color = overflow ? no_color : group - 1, .first = at, .blocks = blocks};
+                for (std::uint32_t i = count; i < blocks * lanes; ++i) plan.joints[at + i] = null_index;
+                at += blocks * lanes;
+            }
         }
         plan.batches[b].end_run = plan.run_count;
     }
@@ -310,7 +325,10 @@ Plan make_plan(const Core& core, Arena& arena) {
     give_slots(core, plan, islands, temporary);
 
     // At least one body of a constraint can be pushed; its batch is the constraint's.
-    const auto batch_of = [&](const PlannedConstraint& c) { return islands.batch_of(sets.parent_of(c.body_a) != null_index ? c.body_a : c.body_b); };
+    const bool one_batch = plan.batch_count == kinematic_batch + 2 && plan.batches[kinematic_batch].body_count == 0;
+    const auto batch_of = [&](const PlannedConstraint& c) {
+        return one_batch ? kinematic_batch + 1 : islands.batch_of(sets.parent_of(c.body_a) != null_index ? c.body_a : c.body_b);
+    };
     plan_contacts(core, plan, contacts, batch_of, temporary);
     plan_joints(core, plan, joints, batch_of, temporary);
     if (plan.has_trees) plan_links(core, plan, islands, temporary);

@@ -39,27 +39,17 @@ struct Lane1 {
     ISLET_LANE static F sqrt(F a) { return detail::sqrt(a); }
     ISLET_LANE static F abs(F a) { return __builtin_fabsf(a); }
 
+    /// n columns of words, one record a lane. The columns of one record are the record itself.
+    template <std::uint32_t n>
+    using Columns = const float*;
     /// Column i of the output is word i of the records at base + stride * index[lane].
     template <std::uint32_t stride>
-    ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
-        const float* p = base + std::size_t{stride} * index[0];
-        for (int i = 0; i < 8; ++i) out[i] = p[i];
+    ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, Columns<8>& out) {
+        out = base + std::size_t{stride} * index[0];
     }
     template <std::uint32_t stride>
-    ISLET_LANE static void gather4(const float* base, const std::uint32_t* index, F out[4]) {
-        const float* p = base + std::size_t{stride} * index[0];
-        for (int i = 0; i < 4; ++i) out[i] = p[i];
-    }
-    /// Writes four columns back to the first four words of each record.
-    template <std::uint32_t stride>
-    ISLET_LANE static void scatter4(float* base, const std::uint32_t* index, const F in[4]) {
-        float* p = base + std::size_t{stride} * index[0];
-        for (int i = 0; i < 4; ++i) p[i] = in[i];
-    }
-    /// The same, only for records whose bit is set.
-    template <std::uint32_t stride>
-    ISLET_LANE static void scatter4_where(std::uint32_t bits, float* base, const std::uint32_t* index, const F in[4]) {
-        if (bits != 0) scatter4<stride>(base, index, in);
+    ISLET_LANE static void gather4(const float* base, const std::uint32_t* index, Columns<4>& out) {
+        out = base + std::size_t{stride} * index[0];
     }
     /// Bit i is set if the comparison is true of lane i.
     ISLET_LANE static std::uint32_t bits(bool mask) { return mask ? 1u : 0u; }
@@ -124,6 +114,8 @@ struct Lane4 {
     }
     ISLET_LANE static F abs(F a) { return reinterpret_cast<F>(reinterpret_cast<i4>(a) & 0x7fffffff); }
 
+    template <std::uint32_t n>
+    using Columns = F[n];
     template <std::uint32_t stride>
     ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
         const float* p[4];
@@ -137,12 +129,14 @@ struct Lane4 {
         for (int i = 0; i < 4; ++i) p[i] = base + std::size_t{stride} * index[i];
         transpose4(load4(p[0]), load4(p[1]), load4(p[2]), load4(p[3]), out);
     }
+    /// Writes four columns back to the first four words of each record.
     template <std::uint32_t stride>
     ISLET_LANE static void scatter4(float* base, const std::uint32_t* index, const F in[4]) {
         f4 r[4];
         transpose4(in[0], in[1], in[2], in[3], r);
         for (int i = 0; i < 4; ++i) store4(base + std::size_t{stride} * index[i], r[i]);
     }
+    /// The same, only for records whose bit is set.
     template <std::uint32_t stride>
     ISLET_LANE static void scatter4_where(std::uint32_t bits, float* base, const std::uint32_t* index, const F in[4]) {
         f4 r[4];
@@ -172,6 +166,8 @@ struct Lane8 {
     ISLET_LANE static F sqrt(F a) { return _mm256_sqrt_ps(a); }
     ISLET_LANE static F abs(F a) { return reinterpret_cast<F>(reinterpret_cast<i8>(a) & 0x7fffffff); }
 
+    template <std::uint32_t n>
+    using Columns = F[n];
     template <std::uint32_t stride>
     ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
         gather4<stride>(base, index, out);

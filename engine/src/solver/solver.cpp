@@ -266,7 +266,8 @@ struct BatchSolve {
     /// Calls work(first block, end block, colour), colour by colour: contacts of one colour share no body that can be pushed.
     template <class Work>
     void over_colors(Work&& work) {
-        for (std::uint32_t c = 0; c < color_count; ++c) {
+        for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
+            const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
             const std::uint32_t begin = batch.first_block[c];
             over(batch.first_block[c + 1] - begin, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { work(begin + first, begin + end, c); });
         }
@@ -288,6 +289,11 @@ struct BatchSolve {
     }
 
     std::uint32_t link_count() const { return has_joints ? batch.link_count : 0; }
+    /// Sweeps would change nothing.
+    bool is_idle() const {
+        const std::uint32_t blocks = batch.first_block[color_count] - batch.first_block[0], runs = batch.end_run - batch.first_run;
+        return (blocks | overflow_count | runs | link_count()) == 0 && !(s.numbers.tolerance > 0);
+    }
 
     void run();
     void prepare();
@@ -330,8 +336,9 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const JointRun& r = s.plan.runs[run];
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
-    if (!s.numbers.is_ordered) ContactKernel<1>::solve(s.bodies, overflow, overflow_count, dynamic);
-    for (std::uint32_t c = 0; c < color_count; ++c) {
+    if (!s.numbers.is_ordered && overflow_count != 0) ContactKernel<1>::solve(s.bodies, overflow, overflow_count, dynamic);
+    for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
+        const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
             over_run(r, [&](const JointRun& part, std::byte* blocks) { solve_joint_run(part, W, s.bodies, blocks, joints); });
@@ -409,6 +416,10 @@ void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
 // Makes so many sweeps, or fewer if the tolerance is reached before.
 template <class K>
 void BatchSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
+    if (is_idle()) {
+        batch.sweeps += most;
+        return;
+    }
     for (std::uint32_t i = 0; i < most; ++i) {
         sweep(dynamic, ground, joints);
         ++batch.sweeps;
@@ -475,7 +486,8 @@ void solve_batches(Solve& s) {
     };
     std::uint32_t largest = 0, narrow = 0;
     std::uint32_t total = 0;  // of blocks: times the number of shares it still is a 32-bit number
-    for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
+    const std::uint32_t first_batch = s.plan.batches[kinematic_batch].body_count == 0 ? kinematic_batch + 1 : kinematic_batch;
+    for (std::uint32_t i = first_batch; i < s.plan.batch_count; ++i) {
         Batch& b = s.plan.batches[i];
         if (is_wide(b)) {
             BatchSolve<K>{s, b, true, rows + b.first_block[0]}.run();
@@ -490,7 +502,7 @@ void solve_batches(Solve& s) {
     const bool take_turns = std::uint64_t{shares} * largest <= s.plan.block_count;
     for_ranges(s.core, shares, 1, [&](std::uint32_t first, std::uint32_t end) {
         std::uint32_t before = 0;
-        for (std::uint32_t i = 0; i < s.plan.batch_count; ++i) {
+        for (std::uint32_t i = first_batch; i < s.plan.batch_count; ++i) {
             Batch& b = s.plan.batches[i];
             if (is_wide(b)) continue;
             const std::uint32_t share = before * shares / total;

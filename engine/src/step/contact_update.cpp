@@ -160,14 +160,14 @@ ISLET_SHARED bool is_deep(const Core& core, const ContactManifold& m) {
 enum class Change : std::uint8_t { none, changes, parts };
 
 // Updates one contact and touches nothing else, so contacts may be updated in any order or in parallel. Changes to shared state are only reported.
-Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32_t& recycled) {
+ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32_t& recycled) {
     ContactManifold& m = core.manifolds[index];
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
     if (((a.flags | b.flags) & pose_moved) != 0) {
         const Contact& c = core.contacts[index];
         if (!meet(core.boxes[c.shape_a], core.boxes[c.shape_b]) && !may_meet(core, c.shape_a, c.shape_b, dt)) return Change::parts;
-        if (has_endless && keeps_from_endless(core, c.shape_a, c.shape_b, dt)) return Change::parts;
+        if (may_be_endless(core.boxes[c.shape_a]) && keeps_from_endless(core, c.shape_a, c.shape_b, dt)) return Change::parts;
     }
     if (has_sensors && (m.flags & contact_sensor) != 0)
         return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
@@ -287,12 +287,13 @@ void update_contacts(Core& core, float dt) {
     std::memset(recycled, 0, std::size_t{range_count(words, update_grain)} * 4);
     for_ranges(core, words, update_grain, [&](std::uint32_t first, std::uint32_t end) {
         std::uint32_t kept = 0;
-        core.awake_contacts.for_each_in(first, end, [&](std::uint32_t i) {
+        const auto update_one = [&](std::uint32_t i) __attribute__((always_inline)) {
             const Change change = update(core, i, dt, fall, kept);
             if (change == Change::none) return;
             changed.set(i);
             if (change == Change::parts) parted.set(i);
-        });
+        };
+        core.awake_contacts.for_each_in(first, end, update_one);
         recycled[first / update_grain] = kept;
     });
     for (std::uint32_t i = 0; i < range_count(words, update_grain); ++i) core.report.recycled_contacts += recycled[i];
