@@ -22,11 +22,17 @@ inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
 /// steps in which to correct what they do to each other.
 inline constexpr std::uint8_t landing_passes = 5;
 
+inline constexpr float deep_corner_from = 0.004f;  // m, of a contact with one point; a corner sinks in easily, and rarely bears a column
+inline constexpr float deep_face_from = 0.02f;     // m, of a contact with two
+
+inline constexpr float most_give = 0.05f;  // m; boxes under hundreds of their own mass stand only because they give way
+
 /// The contacts of a block, their bodies and which points they have. A lane of the padding reads the first lane's contact; it acts on slot 0 with no impulse.
 template <std::uint32_t W>
 struct ContactLanes {
     std::uint32_t contact[W], body_a[W], body_b[W];
     float has_point[2][W];  // 1 or 0
+    float plain[W];         // 1, or 0 if special
 };
 
 /// The next block's manifolds may be anywhere in memory.
@@ -55,6 +61,7 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         r.body_b[i] = is_live ? in.slot_of[m.body_b] : 0;
         lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
         lanes.has_point[1][i] = is_live && m.count() == 2 ? 1.0f : 0.0f;
+        lanes.plain[i] = (m.flags & contact_special) == 0 ? 1.0f : 0.0f;
         two_points |= lanes.has_point[1][i] != 0;
         r.special |= is_live && (m.flags & contact_special) != 0;
         r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
@@ -72,7 +79,7 @@ struct LaneManifolds {
     using F = typename L::F;
     F frame[8];    // normal, offset, rotations of A and B when the manifold was made
     F points[8];   // anchors, normal impulses, tangent impulses
-    F surface[4];  // rolling impulse, separations, friction
+    F surface[4];  // rolling impulse or load, separations, friction
 
     ISLET_LANE LaneManifolds(const ContactManifold* manifolds, const std::uint32_t* contact) {
         const float* words = reinterpret_cast<const float*>(manifolds);
@@ -87,7 +94,8 @@ struct LaneManifolds {
     ISLET_LANE LaneVec<F> anchor(std::uint32_t i) const { return {points[2 * i], points[2 * i + 1]}; }
     ISLET_LANE F normal_impulse(std::uint32_t i) const { return points[4 + i]; }
     ISLET_LANE F tangent_impulse(std::uint32_t i) const { return points[6 + i]; }
-    ISLET_LANE F rolling_impulse() const { return surface[0]; }
+    ISLET_LANE F rolling_impulse() const { return surface[0]; }  // of special contacts
+    ISLET_LANE F load() const { return surface[0]; }             // of the others
     ISLET_LANE F separation(std::uint32_t i) const { return surface[1 + i]; }
     ISLET_LANE F friction() const { return surface[3]; }
 };
@@ -122,9 +130,24 @@ struct PointArms {
     F rta, rna, rtb, rnb;
 };
 
-/// Fills a point's arms and effective masses. `usable` is the relaxation factor, and 0 in lanes without this point.
+/// m, by how much more than they do the shapes of two moving bodies count as overlapping. A soft contact gives way by its load, so loaded shapes would overlap
+/// for good. `give` (m) is the share of that which the load of the last seconds accounts for, so a steady load leaves the shapes little overlap, and how the
+/// contact answers to motion does not change. Where they overlap deeply, as in a crowd, more is undone in each step than by the spring alone. Both points get
+/// the same, since a contact that is stiffer against leaning lets columns swing.
 template <class L>
-ISLET_PART void prepare_point(typename ContactRows<L::width>::Point& p, const BodyPair<L>& s, const PointArms<typename L::F>& r, typename L::F usable) {
+ISLET_PART typename L::F overlap_to_undo(const StepNumbers& n, typename L::F depth, typename L::F give, typename L::F has_two) {
+    using F = typename L::F;
+    const F zero = L::splat(0.0f);
+    const auto two = has_two > zero;
+    const F most = min(L::splat(8.0f) * max(depth, zero), L::splat(most_give));  // a load that is gone pushes no shapes apart
+    const F deep = min(depth - select(two, L::splat(deep_face_from), L::splat(deep_corner_from)), L::splat(1.0f));
+    return min(give, most) + select(two, L::splat(n.deep_face), L::splat(n.deep_corner)) * max(deep, zero);
+}
+
+/// Fills a point's arms and effective masses, and returns k_normal. `usable` is the relaxation factor, and 0 in lanes without this point.
+template <class L>
+ISLET_PART typename L::F prepare_point(typename ContactRows<L::width>::Point& p, const BodyPair<L>& s, const PointArms<typename L::F>& r,
+                                       typename L::F usable) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F mass = s.ma + s.mb;
@@ -134,6 +157,7 @@ ISLET_PART void prepare_point(typename ContactRows<L::width>::Point& p, const Bo
     L::store(p.rna, r.rna);
     L::store(p.normal_mass, select(k_normal > zero, usable / k_normal, zero));
     L::store(p.tangent_mass, select(k_tangent > zero, usable / k_tangent, zero));
+    return k_normal;
 }
 
 /// m/s: the normal velocity that a point will have when the surfaces meet, gravity and forces included. `speed` (m/s) is its normal velocity now, `gain`
@@ -199,16 +223,21 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     const F vn = dot(n, s.vb - s.va);
     const F gain = r.is_bouncy() ? normal_gain<L>(in, r, n) : zero;
     WarmStartSum<F> sum{zero, zero, zero, zero};
+    F give = zero, middle = zero;
+    const F has_two = L::load(lanes.has_point[1]);
     const std::uint32_t points = r.two_points ? 2 : 1;
     for (std::uint32_t i = 0; i < points; ++i) {
         typename ContactRows<L::width>::Point& p = r.points[i];
         const F has_point = L::load(lanes.has_point[i]);
         const F rta = dot(n, m.anchor(i)), rna = cross(m.anchor(i), n);
         const F rtb = rta + rt_ab, rnb = rna + rn_ab;
-        prepare_point<L>(p, s, {rta, rna, rtb, rnb}, has_point * omega);
+        const F k_normal = prepare_point<L>(p, s, {rta, rna, rtb, rnb}, has_point * omega);
 
         const F separation = m.separation(i) + since.along + since.by_turning(rna, rta, rnb, rtb);
         L::store(p.separation, separation);
+        const F share = i == 0 ? L::splat(1.0f) - L::splat(0.5f) * has_two : L::splat(0.5f) * has_two;  // of the contact's load and depth
+        give = give + share * share * k_normal;
+        middle = middle + share * separation;
         const F normal_impulse = has_point * warm * m.normal_impulse(i), tangent_impulse = has_point * warm * m.tangent_impulse(i);
         L::store(p.normal_impulse, normal_impulse);
         L::store(p.tangent_impulse, tangent_impulse);
@@ -217,11 +246,16 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
         sum.turning_a = sum.turning_a + (rna * normal_impulse - rta * tangent_impulse);
         sum.turning_b = sum.turning_b + (rnb * normal_impulse - rtb * tangent_impulse);
         if (r.is_bouncy()) {
-            const F first = select(L::load(lanes.has_point[1]) > zero, min(m.separation(0), m.separation(1)), m.separation(0));
+            const F first = select(has_two > zero, min(m.separation(0), m.separation(1)), m.separation(0));
             L::store(r.approach[i], approach_of<L>(in.numbers, vn + s.wb * rnb - s.wa * rna, separation, gain, m.separation(i) - first));
             L::store(r.peak[i], zero);
         }
     }
+    // Floors are stiff enough, and a special contact does not know its load.
+    const F load = r.is_special() ? select(L::load(lanes.plain) > zero, m.load(), zero) : m.load();
+    const F more =
+        select((s.ma > zero) & (s.mb > zero), overlap_to_undo<L>(in.numbers, zero - middle, L::splat(in.numbers.give_back) * give * load, has_two), zero);
+    for (std::uint32_t i = 0; i < points; ++i) L::store(r.points[i].separation, L::load(r.points[i].separation) - more);
     return sum;
 }
 
