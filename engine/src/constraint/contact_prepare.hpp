@@ -32,7 +32,6 @@ template <std::uint32_t W>
 struct ContactLanes {
     std::uint32_t contact[W], body_a[W], body_b[W];
     float has_point[2][W];  // 1 or 0
-    float plain[W];         // 1, or 0 if special
 };
 
 /// The next block's manifolds may be anywhere in memory.
@@ -61,7 +60,6 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         r.body_b[i] = is_live ? in.slot_of[m.body_b] : 0;
         lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
         lanes.has_point[1][i] = is_live && m.count() == 2 ? 1.0f : 0.0f;
-        lanes.plain[i] = (m.flags & contact_special) == 0 ? 1.0f : 0.0f;
         two_points |= lanes.has_point[1][i] != 0;
         r.special |= is_live && (m.flags & contact_special) != 0;
         r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
@@ -130,24 +128,9 @@ struct PointArms {
     F rta, rna, rtb, rnb;
 };
 
-/// m, by how much more than they do the shapes of two moving bodies count as overlapping. A soft contact gives way by its load, so loaded shapes would overlap
-/// for good. `give` (m) is the share of that which the load of the last seconds accounts for, so a steady load leaves the shapes little overlap, and how the
-/// contact answers to motion does not change. Where they overlap deeply, as in a crowd, more is undone in each step than by the spring alone. Both points get
-/// the same, since a contact that is stiffer against leaning lets columns swing.
+/// Fills a point's arms and effective masses. `usable` is the relaxation factor, and 0 in lanes without this point.
 template <class L>
-ISLET_PART typename L::F overlap_to_undo(const StepNumbers& n, typename L::F depth, typename L::F give, typename L::F has_two) {
-    using F = typename L::F;
-    const F zero = L::splat(0.0f);
-    const auto two = has_two > zero;
-    const F most = min(L::splat(8.0f) * max(depth, zero), L::splat(most_give));  // a load that is gone pushes no shapes apart
-    const F deep = min(depth - select(two, L::splat(deep_face_from), L::splat(deep_corner_from)), L::splat(1.0f));
-    return min(give, most) + select(two, L::splat(n.deep_face), L::splat(n.deep_corner)) * max(deep, zero);
-}
-
-/// Fills a point's arms and effective masses, and returns k_normal. `usable` is the relaxation factor, and 0 in lanes without this point.
-template <class L>
-ISLET_PART typename L::F prepare_point(typename ContactRows<L::width>::Point& p, const BodyPair<L>& s, const PointArms<typename L::F>& r,
-                                       typename L::F usable) {
+ISLET_PART void prepare_point(typename ContactRows<L::width>::Point& p, const BodyPair<L>& s, const PointArms<typename L::F>& r, typename L::F usable) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F mass = s.ma + s.mb;
@@ -157,7 +140,6 @@ ISLET_PART typename L::F prepare_point(typename ContactRows<L::width>::Point& p,
     L::store(p.rna, r.rna);
     L::store(p.normal_mass, select(k_normal > zero, usable / k_normal, zero));
     L::store(p.tangent_mass, select(k_tangent > zero, usable / k_tangent, zero));
-    return k_normal;
 }
 
 /// m/s: the normal velocity that a point will have when the surfaces meet, gravity and forces included. `speed` (m/s) is its normal velocity now, `gain`
@@ -223,21 +205,16 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     const F vn = dot(n, s.vb - s.va);
     const F gain = r.is_bouncy() ? normal_gain<L>(in, r, n) : zero;
     WarmStartSum<F> sum{zero, zero, zero, zero};
-    F give = zero, middle = zero;
-    const F has_two = L::load(lanes.has_point[1]);
     const std::uint32_t points = r.two_points ? 2 : 1;
     for (std::uint32_t i = 0; i < points; ++i) {
         typename ContactRows<L::width>::Point& p = r.points[i];
         const F has_point = L::load(lanes.has_point[i]);
         const F rta = dot(n, m.anchor(i)), rna = cross(m.anchor(i), n);
         const F rtb = rta + rt_ab, rnb = rna + rn_ab;
-        const F k_normal = prepare_point<L>(p, s, {rta, rna, rtb, rnb}, has_point * omega);
+        prepare_point<L>(p, s, {rta, rna, rtb, rnb}, has_point * omega);
 
         const F separation = m.separation(i) + since.along + since.by_turning(rna, rta, rnb, rtb);
         L::store(p.separation, separation);
-        const F share = i == 0 ? L::splat(1.0f) - L::splat(0.5f) * has_two : L::splat(0.5f) * has_two;  // of the contact's load and depth
-        give = give + share * share * k_normal;
-        middle = middle + share * separation;
         const F normal_impulse = has_point * warm * m.normal_impulse(i), tangent_impulse = has_point * warm * m.tangent_impulse(i);
         L::store(p.normal_impulse, normal_impulse);
         L::store(p.tangent_impulse, tangent_impulse);
@@ -246,17 +223,38 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
         sum.turning_a = sum.turning_a + (rna * normal_impulse - rta * tangent_impulse);
         sum.turning_b = sum.turning_b + (rnb * normal_impulse - rtb * tangent_impulse);
         if (r.is_bouncy()) {
-            const F first = select(has_two > zero, min(m.separation(0), m.separation(1)), m.separation(0));
+            const F first = select(L::load(lanes.has_point[1]) > zero, min(m.separation(0), m.separation(1)), m.separation(0));
             L::store(r.approach[i], approach_of<L>(in.numbers, vn + s.wb * rnb - s.wa * rna, separation, gain, m.separation(i) - first));
             L::store(r.peak[i], zero);
         }
     }
-    // Floors are stiff enough, and a special contact does not know its load.
-    const F load = r.is_special() ? select(L::load(lanes.plain) > zero, m.load(), zero) : m.load();
-    const F more =
-        select((s.ma > zero) & (s.mb > zero), overlap_to_undo<L>(in.numbers, zero - middle, L::splat(in.numbers.give_back) * give * load, has_two), zero);
-    for (std::uint32_t i = 0; i < points; ++i) L::store(r.points[i].separation, L::load(r.points[i].separation) - more);
     return sum;
+}
+
+/// Lets the shapes of two moving bodies count as overlapping by more than they do. A soft contact gives way by its load, so loaded shapes would overlap for
+/// good. Most of what the load of the last seconds accounts for is undone; since that load is slow, the contact answers to motion as before. Where the shapes
+/// overlap deeply, as in a crowd, more is undone in each step than by the spring alone. Both points get the same: a contact that is stiffer against leaning
+/// lets columns swing. Floors are stiff enough, and a contact with rolling resistance does not know its load.
+template <class L>
+ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, typename L::F load, const BodyPair<L>& s) {
+    using F = typename L::F;
+    const F zero = L::splat(0.0f), half = L::splat(0.5f);
+    F depth = zero - L::load(r.points[0].separation);
+    F give = L::splat(n.give_back) * load / L::load(r.points[0].normal_mass);
+    F from = L::splat(deep_corner_from), share = L::splat(n.deep_corner);
+    if (r.is_special()) give = select(L::load(r.rolling_resistance) > zero, zero, give);
+    if (r.two_points) {
+        const auto two = L::load(lanes.has_point[1]) > zero;
+        depth = select(two, half * (depth - L::load(r.points[1].separation)), depth);
+        give = select(two, half * give, give);
+        from = select(two, L::splat(deep_face_from), from);
+        share = select(two, L::splat(n.deep_face), share);
+    }
+    const F most = min(L::splat(8.0f) * max(depth, zero), L::splat(most_give));  // a load that is gone pushes no shapes apart
+    const F deep = max(min(depth - from, L::splat(1.0f)), zero);
+    const F more = select(min(s.ma, s.mb) > zero, min(give, most) + share * deep, zero);
+    L::store(r.points[0].separation, L::load(r.points[0].separation) - more);
+    if (r.two_points) L::store(r.points[1].separation, L::load(r.points[1].separation) - more);
 }
 
 template <std::uint32_t W>
@@ -273,6 +271,7 @@ void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
         BodyPair<L> s;
         s.gather(in.bodies, r.body_a, r.body_b);
         WarmStartSum<F> start = prepare_points<L>(in, r, lanes, m, since, s);
+        undo_overlap<L>(in.numbers, r, lanes, m.load(), s);
         if (r.is_special()) {
             const F rolling = prepare_rolling<L>(r, s, in.numbers, m.rolling_impulse());
             start.turning_a = start.turning_a + rolling;

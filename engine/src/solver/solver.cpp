@@ -83,7 +83,7 @@ SolveNumbers choose_numbers(const State& state, float dt) {
         s.biased = soft_sweep(hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
         s.ground = soft_sweep(2.0f * hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
         if (const float undone = s.biased.bias_rate * dt; undone > 1.0e-3f) {
-            n.give_back = load_share * n.h * s.biased.impulse_scale / s.biased.bias_rate;
+            n.give_back = load_share * n.omega * n.h * s.biased.impulse_scale / s.biased.bias_rate;
             n.deep_corner = max(corner_share / undone - 1.0f, 0.0f);
             n.deep_face = max(face_share / undone - 1.0f, 0.0f);
         }
