@@ -58,7 +58,7 @@ SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, floa
 // Of the overlap of moving bodies under a steady load, the share that contacts undo slowly; and the shares of deep overlaps that they undo in a step.
 inline constexpr float load_share = 0.8f;
 inline constexpr float corner_share = 0.95f;
-inline constexpr float face_share = 0.43f;
+inline constexpr float face_share = 0.55f;
 
 SolveNumbers choose_numbers(const State& state, float dt) {
     SolveNumbers s;
