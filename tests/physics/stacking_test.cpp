@@ -236,13 +236,36 @@ TEST(Columns, BearHundredsOfTimesTheWeightOfABox) {
     }
 }
 
-// What docs/solver.md says of five boxes under 300 kg: soft contacts give way by a fifth of a box (of 1 m), to the nearest tenth.
-TEST(Columns, GiveWayByAFifthOfABoxUnderThreeHundredTimesItsMass) {
-    Column column(5, 0, 0, 300);
-    EXPECT_LT(column.sway(slow_build ? 10 : 60), 0.01);
-    for (std::size_t i = 1; i < 5; ++i) {
-        const Vec2 step = column.world->position(column.boxes[i]) - column.world->position(column.boxes[i - 1]);
-        EXPECT_NEAR(1 - double(step.y), 0.2, 0.05) << "box " << i;
+// What docs/solver.md says of five boxes under 300 kg: soft contacts give way by up to a fifth of a box (of 1 m), and by less than a tenth a minute later.
+TEST(Columns, GiveWayByATenthOfABoxUnderThreeHundredTimesItsMass) {
+    const auto widest = [](const Column& column) {
+        double most = 0;
+        for (std::size_t i = 1; i < 5; ++i)
+            most = std::fmax(most, 1 - double(column.world->position(column.boxes[i]).y - column.world->position(column.boxes[i - 1]).y));
+        return most;
+    };
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        Column column(5, 0.001f * static_cast<float>(seed), seed, 300);
+        EXPECT_LT(column.sway(2), fallen);
+        EXPECT_LT(widest(column), 0.2) << "seed " << seed;
+        EXPECT_LT(column.sway(58), fallen);
+        EXPECT_LT(widest(column), 0.1) << "seed " << seed;
+    }
+}
+
+TEST(Columns, SinkByACentimetreInThreeMetresAtMost) {
+    // 8 cm of 30 m and 30 cm of 60 m, from ten starts: nobody sees it. (Springs of 30 Hz alone give way by 0.31 and 1.25 m.)
+    struct Case {
+        int count;
+        double most;
+    };
+    for (const Case& c : {Case{30, 0.08}, Case{60, 0.3}}) {
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            Column column(c.count, 0.0005f * static_cast<float>(seed), seed);
+            EXPECT_LT(column.sway(60), fallen);
+            const std::size_t top = column.boxes.size() - 1;
+            EXPECT_LT(double(column.places[top].y - column.world->position(column.boxes[top]).y), c.most) << c.count << " boxes, seed " << seed;
+        }
     }
 }
 

@@ -325,7 +325,7 @@ void ContactKernel<W>::store(ContactManifold* manifolds, const Rows* rows, std::
                 m.normal_impulse[1] = r.points[1].normal_impulse[i];
                 m.tangent_impulse[1] = r.points[1].tangent_impulse[i];
             }
-            m.rolling_impulse = (m.flags & contact_special) != 0 ? r.rolling_impulse[i] : 0;
+            if ((m.flags & contact_special) != 0) m.rolling_impulse = r.rolling_impulse[i];
         }
         const std::uint32_t sound = L::bits(size_of<L>(r) < L::splat(unsound_impulse));
         if (sound == (1u << W) - 1) continue;

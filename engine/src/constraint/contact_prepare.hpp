@@ -22,6 +22,11 @@ inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
 /// steps in which to correct what they do to each other.
 inline constexpr std::uint8_t landing_passes = 5;
 
+inline constexpr float deep_corner_from = 0.004f;  // m, of a contact with one point; a corner sinks in easily, and rarely bears a column
+inline constexpr float deep_face_from = 0.02f;     // m, of a contact with two
+
+inline constexpr float most_give = 0.05f;  // m; boxes under hundreds of their own mass stand only because they give way
+
 /// The contacts of a block, their bodies and which points they have. A lane of the padding reads the first lane's contact; it acts on slot 0 with no impulse.
 template <std::uint32_t W>
 struct ContactLanes {
@@ -72,7 +77,7 @@ struct LaneManifolds {
     using F = typename L::F;
     typename L::template Columns<8> frame;    // normal, offset, rotations of A and B when the manifold was made
     typename L::template Columns<8> points;   // anchors, normal impulses, tangent impulses
-    typename L::template Columns<4> surface;  // rolling impulse, separations, friction
+    typename L::template Columns<4> surface;  // rolling impulse or load, separations, friction
 
     ISLET_LANE LaneManifolds(const ContactManifold* manifolds, const std::uint32_t* contact) {
         const float* words = reinterpret_cast<const float*>(manifolds);
@@ -87,7 +92,8 @@ struct LaneManifolds {
     ISLET_LANE LaneVec<F> anchor(std::uint32_t i) const { return {points[2 * i], points[2 * i + 1]}; }
     ISLET_LANE F normal_impulse(std::uint32_t i) const { return points[4 + i]; }
     ISLET_LANE F tangent_impulse(std::uint32_t i) const { return points[6 + i]; }
-    ISLET_LANE F rolling_impulse() const { return surface[0]; }
+    ISLET_LANE F rolling_impulse() const { return surface[0]; }  // of special contacts
+    ISLET_LANE F load() const { return surface[0]; }             // of the others
     ISLET_LANE F separation(std::uint32_t i) const { return surface[1 + i]; }
     ISLET_LANE F friction() const { return surface[3]; }
 };
@@ -225,6 +231,32 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     return sum;
 }
 
+/// Lets the shapes of two moving bodies count as overlapping by more than they do. A soft contact gives way by its load, so loaded shapes would overlap for
+/// good. Most of what the load of the last seconds accounts for is undone; since that load is slow, the contact answers to motion as before. Where the shapes
+/// overlap deeply, as in a crowd, more is undone in each step than by the spring alone. Both points get the same: a contact that is stiffer against leaning
+/// lets columns swing. Floors are stiff enough, and a contact with rolling resistance does not know its load.
+template <class L>
+ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, typename L::F load, const BodyPair<L>& s) {
+    using F = typename L::F;
+    const F zero = L::splat(0.0f), half = L::splat(0.5f);
+    F depth = zero - L::load(r.points[0].separation);
+    F give = L::splat(n.give_back) * load / L::load(r.points[0].normal_mass);
+    F from = L::splat(deep_corner_from), share = L::splat(n.deep_corner);
+    if (r.is_special()) give = select(L::load(r.rolling_resistance) > zero, zero, give);
+    if (r.two_points) {
+        const auto two = L::load(lanes.has_point[1]) > zero;
+        depth = select(two, half * (depth - L::load(r.points[1].separation)), depth);
+        give = select(two, half * give, give);
+        from = select(two, L::splat(deep_face_from), from);
+        share = select(two, L::splat(n.deep_face), share);
+    }
+    const F most = min(L::splat(8.0f) * max(depth, zero), L::splat(most_give));  // a load that is gone pushes no shapes apart
+    const F deep = max(min(depth - from, L::splat(1.0f)), zero);
+    const F more = select(min(s.ma, s.mb) > zero, min(give, most) + share * deep, zero);
+    L::store(r.points[0].separation, L::load(r.points[0].separation) - more);
+    if (r.two_points) L::store(r.points[1].separation, L::load(r.points[1].separation) - more);
+}
+
 template <std::uint32_t W>
 void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
     using L = LaneOf<W>;
@@ -239,6 +271,7 @@ void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
         BodyPair<L> s;
         s.gather(in.bodies, r.body_a, r.body_b);
         WarmStartSum<F> start = prepare_points<L>(in, r, lanes, m, since, s);
+        undo_overlap<L>(in.numbers, r, lanes, m.load(), s);
         if (r.is_special()) {
             const F rolling = prepare_rolling<L>(r, s, in.numbers, m.rolling_impulse());
             start.turning_a = start.turning_a + rolling;

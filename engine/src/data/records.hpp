@@ -185,7 +185,10 @@ struct ContactManifold {
     float normal_impulse[2] = {0, 0};
     float tangent_impulse[2] = {0, 0};
 
-    float rolling_impulse = 0;
+    union {
+        float rolling_impulse = 0;  // N m s, of a special contact
+        float load;                 // N, of any other: what it has carried lately
+    };
     float separation[2] = {0, 0};  // m, when the manifold was made
     float friction = 0;
 

@@ -100,6 +100,7 @@ void mix_materials(Core& core, std::uint32_t contact) {
     m.friction = mixed_friction(core, a, b);
     const bool bouncy = has_restitution && mixed_restitution(core, a, b) > 0;
     const bool special = has_surfaces && a.rolling_resistance + b.rolling_resistance + abs(a.tangent_speed) + abs(b.tangent_speed) > 0;
+    if (special != ((m.flags & contact_special) != 0)) m.rolling_impulse = 0;
     const std::uint32_t told = a.flags | b.flags;
     const bool was_one_way = (m.flags & contact_one_way) != 0;
     m.flags = (m.flags & ~static_cast<std::uint32_t>(contact_special | contact_bouncy | contact_hits | contact_asks | contact_one_way)) |

@@ -54,6 +54,7 @@ void ask_pre_solve(Core& core, std::uint32_t index) {
     if (asked.tangent_speed == before.tangent_speed || !check_range(core, asked.tangent_speed, -max_speed_limit, max_speed_limit)) return;
     if (!check_there(core, has_surfaces)) return;
     c.set_own_speed(asked.tangent_speed);
+    if ((m.flags & contact_special) == 0) m.rolling_impulse = 0;
     m.flags |= contact_special;
 }
 

@@ -34,7 +34,16 @@ namespace {
 inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the surfaces may slip before a manifold is made anew
 inline constexpr std::uint32_t update_grain = 4;               // words of 64 contacts that are worth a task
 inline constexpr std::uint32_t clear_grain = 16;               // words of 64 bodies that are worth a task
+inline constexpr float load_rate = 0.07f;                      // 1/s, at which the load of a contact follows the force that it bears
+inline constexpr float most_load = 1.0e28f;                    // N
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
+
+// Lets the load of a contact follow the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load.
+void follow_load(ContactManifold& m, float share, float last_substep) {
+    if ((m.flags & contact_special) != 0 || m.count() == 0 || !(last_substep > 0)) return;
+    m.load += share * ((m.normal_impulse[0] + m.normal_impulse[1]) / last_substep - m.load);
+    if (!(m.load >= 0 && m.load < most_load)) m.load = 0;
+}
 
 // True if one of the two bodies is not dynamic.
 ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return !(min(a.inv_mass, b.inv_mass) > 0); }
@@ -177,6 +186,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
         m.forget_impulses();
         return (m.flags & contact_touching) != 0 ? Change::changes : Change::none;
     }
+    follow_load(m, min(load_rate * dt, 1.0f), core.state->last_substep);
     // Shapes that touch already, and have slipped little, do not come together fast.
     // Bodies that bounce off each other, or that shock propagation takes for lighter, do not look ahead for each other: they would gain energy.
     const bool calm = (m.flags & contact_bouncy) == 0 && !has_shock(core.state->solver);
