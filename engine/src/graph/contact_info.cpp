@@ -42,7 +42,7 @@ bool World::contact_at(std::uint32_t slot, ContactInfo& out) const {
     return true;
 }
 
-std::uint32_t World::contacts(BodyId id, std::span<ContactInfo> out) const {
+std::uint32_t World::contacts(BodyId id, span<ContactInfo> out) const {
     const Core& c = core();
     const std::uint32_t i = find_slot(c, id);
     if (i == null_index) return 0;

@@ -169,10 +169,8 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
             const bool overflow = place < joint_kernel_count;
             const std::uint32_t lanes = overflow ? 1 : core.lanes;
             const std::uint32_t blocks = (count + lanes - 1) / lanes;
-            plan.runs[plan.run_count++] = {.kernel = static_cast<JointKernel>(place % joint_kernel_count),
-                                           .color = overflow ? no_color : place / joint_kernel_count - 1,
-                                           .first = at,
-                                           .blocks = blocks};
+            const auto kernel = static_cast<JointKernel>(place % joint_kernel_count);
+            plan.runs[plan.run_count++] = {kernel, overflow ? no_color : place / joint_kernel_count - 1, at, blocks};
             for (std::uint32_t i = count; i < blocks * lanes; ++i) plan.joints[at + i] = null_index;
             at += blocks * lanes;
         }
