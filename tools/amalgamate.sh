@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Writes the engine as one header and one source.
 #   tools/amalgamate.sh [FOLDER]   islet.hpp, islet.cpp, islet_lcp.cpp, islet.h and islet_c.cpp into FOLDER (build/amalgamation unless given)
-# They need nothing else and no flags but -std=c++20:
+# They need nothing else and no flags but -std=c++20 (or c++17):
 #   g++ -std=c++20 islet.cpp game.cpp
 # islet.hpp holds all the public headers. islet.cpp is the engine, islet_lcp.cpp the matrix solvers, for programs that use them. Programs in C include islet.h
 # and link islet_c.cpp too.
@@ -47,7 +47,7 @@ before=$headers$'\nsrc/exact.hpp\nsrc/math/avx2.hpp'
     flatten "$headers" ''
 } >"$out/islet.hpp.new"
 {
-    head "the engine as one source. Compile it with -std=c++20 beside your program."
+    head "the engine as one source. Compile it with -std=c++20 (or c++17), as your program is."
     flatten src/exact.hpp ''
     printf '\n#include "islet.hpp"\n'
     flatten "$sources" "$before"

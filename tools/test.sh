@@ -157,6 +157,15 @@ check_firmware() {
     results+=("firmware: $([ "$status" -eq 0 ] && echo "the host's hashes, within its limits" || echo 'see above')")
 }
 
+# The sketches for boards, on three emulated processors.
+check_boards() {
+    local status=0
+    say "the sketches for boards"
+    "$root/tools/boards.sh" --check || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("boards: $([ "$status" -eq 0 ] && echo "the sketches keep the host's bits" || echo 'see above')")
+}
+
 # The description of the public headers, from which bindings are made.
 check_description() {
     local status=0
@@ -223,6 +232,8 @@ if $all; then
     check_description
     check_firmware
     lap "firmware"
+    check_boards
+    lap "boards"
     check_targets
     lap "other processors"
     check_by_hand
