@@ -41,10 +41,15 @@ sources=$(listed src -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp')
 lcp=$(listed src/lcp -name '*.cpp')
 before=$headers$'\nsrc/exact.hpp\nsrc/math/avx2.hpp'
 
+# Names of the headers that are macros elsewhere, in Arduino.h and windows.h: they are none inside.
+macros=(abs min max round radians degrees bit sq word)
 {
     head "all the public headers as one."
-    printf '#pragma once\n'
+    printf '#pragma once\n\n'
+    for name in "${macros[@]}"; do printf '#pragma push_macro("%s")\n#undef %s\n' "$name" "$name"; done
     flatten "$headers" ''
+    printf '\n'
+    for name in "${macros[@]}"; do printf '#pragma pop_macro("%s")\n' "$name"; done
 } >"$out/islet.hpp.new"
 {
     head "the engine as one source. Compile it with -std=c++20 (or c++17), as your program is."

@@ -94,7 +94,7 @@ compile_engine() {
 }
 
 # build TARGET [trimmed]: the engine, the board, the sketches.
-build() {
+build() (
     local folder=$work/$1${2:+-$2} sketch source flags engine=$work/$1 without
     use "$1"
     rm -rf "$folder" && mkdir -p "$folder"
@@ -123,7 +123,7 @@ build() {
             "${link[@]/#/-Wl,}" -Wl,--defsym=flash_length=0x80000,--defsym=ram_length=0x40000,--defsym=stack_length=8192 -Wl,--gc-sections \
             -Wl,-Map,"$folder/$sketch.map" -lgcc -o "$folder/$sketch.elf"
     done
-}
+)
 
 # host: what the sketches print there, in C++20.
 host() {
@@ -137,14 +137,23 @@ host() {
     done
 }
 
-say "the host"
-host
+# Two at once: most of the time is work for one core each.
+say "building the sketches"
+host &
+host=$!
+build cortex-m0plus
+wait "$host"
+build cortex-m4f &
+m4f=$!
+build riscv32imc
+wait "$m4f"
+build cortex-m4f trimmed
+
 failed=false
 rows=()
 for target in cortex-m0plus cortex-m4f 'cortex-m4f trimmed' riscv32imc; do
     say "$target"
-    # shellcheck disable=SC2086  # two words
-    build $target
+    use "${target% trimmed}"
     folder=$work/${target// /-}
     for sketch in "${sketches[@]}"; do
         "${run[@]}" "$folder/$sketch.elf" >"$folder/$sketch.txt" 2>&1 &

@@ -23,6 +23,12 @@ grep -q '^url=https://example.com/here$' "$scratch/there/library.properties" || 
 
 python3 "$islet/tests/package/library_manifests.py" "$islet" "$library" || fail "the manifests"
 
+# Where Arduino.h defines macros with names of Islet's, as the stub's does.
+for sketch in "$library"/examples/*/*.ino; do
+    g++ -std=gnu++17 -Wall -Wextra -Werror -fsyntax-only -DSKETCH_FILE="\"$sketch\"" -DSKETCH_NAME='""' -DSKETCH_FRAMES=1 -DSKETCH_SHOWN=1 \
+        -I "$islet/samples/boards/stub" -I "$library/src" "$islet/samples/boards/stub/stub.cpp" || fail "$sketch does not compile"
+done
+
 # The CMake files, with functions of ESP-IDF's and Zephyr's names that look whether the files are there.
 cat >"$scratch/check.cmake" <<'END'
 function(idf_component_register)

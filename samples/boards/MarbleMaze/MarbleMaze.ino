@@ -14,7 +14,7 @@ static uint32_t frames, wins;
 /// The acceleration that the sensor feels, m/s^2, from registers 0x3b to 0x3e: two numbers of 16 bits, 16384 for the acceleration of gravity.
 static Vec2 tilt() {
     Wire.beginTransmission(0x68);
-    Wire.write(0x3b);
+    Wire.write(uint8_t(0x3b));
     Wire.endTransmission();
     Wire.requestFrom(0x68, 4);
     uint8_t bytes[4];
@@ -29,8 +29,8 @@ void setup() {
     Wire.setClock(400000);
     display.begin();
     Wire.beginTransmission(0x68);
-    Wire.write(0x6b);  // the sensor wakes up
-    Wire.write(0);
+    Wire.write(uint8_t(0x6b));  // the sensor wakes up
+    Wire.write(uint8_t(0));
     Wire.endTransmission();
 
     world = &storage.create();
