@@ -2,7 +2,7 @@
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
 #   tools/test.sh --all        the same once more with clang and sanitizers, and five minutes of fuzzing under them; hashes of unoptimised code, on
-#                              other processors and of the firmware in microcontrollers, both emulated; the engine compiled by hand and in a fresh tree; pages played in
+#                              other processors, and of the firmware and the sketches in microcontrollers, all emulated; the engine compiled by hand and in a fresh tree; pages played in
 #                              a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk, SDL, Xvfb, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr,
