@@ -30,6 +30,38 @@ for picture in queries snapshots recording memory lcp step folders; do
     "$build/tools/pictures/islet-pictures" "$picture" >"$folder/$picture.svg"
 done
 
+# displays PICTURE PROGRAM FRAME...: what sketches for boards send to a display, side by side. A character of their text is two dots.
+displays() {
+    local picture=$1
+    shift
+    while [ $# -gt 0 ]; do
+        "$build/samples/boards/$1" | awk -v frame="$2" '/^frame / { on = $2 == frame; next } /[a-zA-Z]/ { on = 0 } on' | sed 's/^/=/'
+        echo next
+        shift 2
+    done | awk '
+        function put(from, to, y) { path = path sprintf("M%d %dh%dv1h-%dz", x0 + from, y0 + y, to - from, to - from) }
+        function row(line, y, both, upper,    x, c, from) {
+            from = -1
+            for (x = 0; x <= 128; ++x) {
+                c = substr(line, x + 1, 1)
+                if (c != "" && index(both upper, c)) { if (from < 0) from = x }
+                else if (from >= 0) { put(from, x, y); from = -1 }
+            }
+        }
+        BEGIN { x0 = y0 = 6 }
+        /^=/ { line = substr($0, 2); row(line, y, ":", "\047"); row(line, y + 1, ":", "."); y += 2; next }
+        {
+            panels = panels sprintf("<rect x=\"%d\" y=\"2\" width=\"136\" height=\"72\" rx=\"3\" fill=\"#10151c\"/>\n", x0 - 4)
+            x0 += 142
+            y = 0
+        }
+        END {
+            printf "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d 76\" width=\"%d\" shape-rendering=\"crispEdges\">\n", x0 - 4, 2 * (x0 - 4)
+            printf "%s<path fill=\"#bfe3ff\" d=\"%s\"/>\n</svg>\n", panels, path
+        }' >"$folder/$picture.svg"
+}
+displays boards balls 70 marble_maze 100 robot_arm 100
+
 compare=$build/tools/compare/islet-compare
 if [ -x "$compare" ]; then
     "$compare" bridge --svg "$folder/compare.svg" >/dev/null 2>&1

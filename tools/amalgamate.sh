@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Writes the engine as one header and one source.
 #   tools/amalgamate.sh [FOLDER]   islet.hpp, islet.cpp, islet_lcp.cpp, islet.h and islet_c.cpp into FOLDER (build/amalgamation unless given)
-# They need nothing else and no flags but -std=c++20:
+# They need nothing else and no flags but -std=c++20 (or c++17):
 #   g++ -std=c++20 islet.cpp game.cpp
 # islet.hpp holds all the public headers. islet.cpp is the engine, islet_lcp.cpp the matrix solvers, for programs that use them. Programs in C include islet.h
 # and link islet_c.cpp too.
@@ -41,13 +41,18 @@ sources=$(listed src -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp')
 lcp=$(listed src/lcp -name '*.cpp')
 before=$headers$'\nsrc/exact.hpp\nsrc/math/avx2.hpp'
 
+# Names of the headers that are macros elsewhere, in Arduino.h and windows.h: they are none inside.
+macros=(abs min max round radians degrees bit sq word)
 {
     head "all the public headers as one."
-    printf '#pragma once\n'
+    printf '#pragma once\n\n'
+    for name in "${macros[@]}"; do printf '#pragma push_macro("%s")\n#undef %s\n' "$name" "$name"; done
     flatten "$headers" ''
+    printf '\n'
+    for name in "${macros[@]}"; do printf '#pragma pop_macro("%s")\n' "$name"; done
 } >"$out/islet.hpp.new"
 {
-    head "the engine as one source. Compile it with -std=c++20 beside your program."
+    head "the engine as one source. Compile it with -std=c++20 (or c++17), as your program is."
     flatten src/exact.hpp ''
     printf '\n#include "islet.hpp"\n'
     flatten "$sources" "$before"

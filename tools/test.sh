@@ -2,7 +2,7 @@
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
 #   tools/test.sh --all        the same once more with clang and sanitizers, and four minutes of fuzzing under them; hashes of unoptimised code, on
-#                              other processors and of the firmware in microcontrollers, both emulated; the engine compiled by hand and in a fresh tree; pages played in
+#                              other processors, and of the firmware and the sketches in microcontrollers, all emulated; the engine compiled by hand and in a fresh tree; pages played in
 #                              a browser, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk, SDL, Xvfb, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr,
@@ -169,6 +169,15 @@ check_firmware() {
     results+=("firmware: $([ "$status" -eq 0 ] && echo "the host's hashes, within its limits" || echo 'see above')")
 }
 
+# The sketches for boards, on three emulated processors.
+check_boards() {
+    local status=0
+    say "the sketches for boards"
+    "$root/tools/boards.sh" --check || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("boards: $([ "$status" -eq 0 ] && echo "the sketches keep the host's bits" || echo 'see above')")
+}
+
 # The description of the public headers, from which bindings are made.
 check_description() {
     local status=0
@@ -235,6 +244,8 @@ if $all; then
     check_description
     check_firmware
     lap "firmware"
+    check_boards
+    lap "boards"
     check_targets
     lap "other processors"
     check_by_hand

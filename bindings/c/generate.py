@@ -56,12 +56,12 @@ LEFT_OUT = {
     "abs(float)": "C has fabsf",
     "clamp(float, float, float)": "C has fminf and fmaxf",
     "is_finite(float)": "C has isfinite",
-    "StaticWorld::get()": "islet_create_world returns the world",
+    "StaticWorldOf::get()": "islet_create_world returns the world",
     "all_bodies(const World &)": "a range; islet_world_body_at and islet_world_capacity make the same loop",
     "all_shapes(const World &)": "islet_world_shape_at",
     "all_joints(const World &)": "islet_world_joint_at",
     "all_contacts(const World &)": "islet_world_contact_at",
-    "StaticWorld::create(const WorldDef &)": "a template; islet_create_world takes a static array",
+    "StaticWorldOf::create(const WorldDef &)": "a template; islet_create_world takes a static array",
     "lcp::*": "the matrix solvers are a library of their own, which has no C interface yet",
 }
 
@@ -111,7 +111,7 @@ class Api:
             self.all = json.load(file)
         self.constants = [c for c in self.all["constants"] if c.get("namespace") != "lcp"]
         self.enums = [e for e in self.all["enums"] if e.get("namespace") != "lcp"]
-        self.structs = {s["name"]: s for s in self.all["structs"] if s.get("namespace") != "lcp" and s["name"] not in ("World", "StaticWorld", "IslandProblem")}
+        self.structs = {s["name"]: s for s in self.all["structs"] if s.get("namespace") != "lcp" and s["name"] not in ("World", "StaticWorld", "StaticWorldOf", "IslandProblem")}
         self.callbacks = {c["name"]: c for c in self.all["callbacks"]}
         self.pointers = {f"const {name} *": name for name in self.structs}  # fields that point to one or several
         self.enum_types = {e["name"]: e["type"] for e in self.enums}

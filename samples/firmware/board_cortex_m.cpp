@@ -24,7 +24,7 @@ std::uint32_t semihosting(std::uint32_t operation, const void* argument) {
 volatile std::uint32_t& hardware(std::uint32_t address) { return *reinterpret_cast<volatile std::uint32_t*>(address); }
 
 constexpr std::uint32_t systick_control = 0xe000e010u, systick_reload = 0xe000e014u, systick_value = 0xe000e018u;
-constexpr std::uint32_t coprocessor_access = 0xe000ed88u;
+constexpr std::uint32_t configuration_control = 0xe000ed14u, coprocessor_access = 0xe000ed88u;
 constexpr std::uint32_t systick_mask = 0x00ffffffu;
 
 std::uint64_t ticks;         // since start
@@ -48,7 +48,7 @@ void calibrate() {
     count_ticks();
     const auto before = static_cast<std::uint32_t>(ticks);
     std::uint32_t n = calibration_loops;
-    __asm__ volatile("1: subs %0, %0, #1\n bne 1b" : "+r"(n) : : "cc");
+    __asm__ volatile(".syntax unified\n1: subs %0, %0, #1\n bne 1b" : "+r"(n) : : "cc");
     count_ticks();
     const std::uint32_t taken = static_cast<std::uint32_t>(ticks) - before;
     instructions_per_tick = (256 * 2 * calibration_loops + taken / 2) / taken;
@@ -86,6 +86,9 @@ extern "C" {
 #if defined(__ARM_FP)
     hardware(coprocessor_access) = hardware(coprocessor_access) | 0xfu << 20;
     __asm__ volatile("dsb\n isb" : : : "memory");
+#endif
+#if defined(__ARM_ARCH_6M__)
+    hardware(configuration_control) = hardware(configuration_control) | 1u << 3;  // a word that is not aligned is a fault, as on a Cortex-M0+
 #endif
     calibrate();
     leave(static_cast<std::uint32_t>(firmware::run()));

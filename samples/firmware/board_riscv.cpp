@@ -44,7 +44,11 @@ std::uint64_t instructions() {
 
 std::size_t stack_used() { return painted_stack_used(); }
 
-void disturb_floats(bool on) { __asm__ volatile("csrw frm, %0" : : "r"(on ? 1u : 0u)); }  // 1: round towards zero
+void disturb_floats([[maybe_unused]] bool on) {
+#if defined(__riscv_flen)
+    __asm__ volatile("csrw frm, %0" : : "r"(on ? 1u : 0u));  // 1: round towards zero
+#endif
+}
 
 }  // namespace firmware
 
@@ -65,7 +69,9 @@ extern "C" {
     __asm__ volatile(
         "la sp, image_stack_top\n"
         "la t0, fault\n csrw mtvec, t0\n"
+#if defined(__riscv_flen)
         "li t0, 0x2000\n csrs mstatus, t0\n fscsr zero\n"
+#endif
         "j begin");
 }
 }

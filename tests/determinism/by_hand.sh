@@ -2,7 +2,8 @@
 # The engine without CMake, and under flags that ruin results elsewhere: each build comes to the golden hashes, or is refused with its sentence.
 #   tests/determinism/by_hand.sh [WORK_FOLDER]
 # First, by each compiler, file by file as docs/using-islet.md says, with all objects in one folder; then with flags of the user's own, many files as one (build.sh).
-# The scenes and the program are built once a compiler, with exact flags: only what the engine is compiled with differs. Prints one line per build, as they end; exit
+# The scenes and the program are built once a compiler, with exact flags: only what the engine is compiled with differs. The engine of some rows is C++17; their
+# scenes, which are C++20, take its spans. Prints one line per build, as they end; exit
 # status 1 if one is not as it must be. What is missing is left out by name. Takes five minutes of processor time.
 set -euo pipefail
 
@@ -70,29 +71,34 @@ quickly() {
     done
 }
 
-# build_user COMPILER: the scenes and the program.
+# build_user COMPILER [FLAG...]: the scenes and the program.
 build_user() {
-    local user=$work/user-$1
+    local user
+    user=$work/user-$(tr -d ' ' <<<"$*")
     command -v "$1" >/dev/null || return 0
-    build_scenes "$user" "$processor" "$1" &&
-        "$1" -std=c++20 -O1 -ffp-contract=off -I "$root/engine/include" -I "$root/samples" -c "$root/tests/determinism/hashes.cpp" -o "$user/program.o"
+    build_scenes "$user" "$processor" "$@" &&
+        "$1" -std=c++20 -O1 -ffp-contract=off "${@:2}" -I "$root/engine/include" -I "$root/samples" -c "$root/tests/determinism/hashes.cpp" -o "$user/program.o"
 }
 
-# link_and_run FOLDER COMPILER: prints what the program ends with.
+own_span=-DISLET_STD_SPAN=0
+
+# link_and_run FOLDER STANDARD COMPILER: prints what the program ends with.
 link_and_run() {
-    local user=$work/user-$2
-    "$2" "$1"/*.o "$user"/*.o -pthread -o "$1/hashes" || return
+    local user=$work/user-$3
+    [ "$2" = -std=c++20 ] || user=$work/user-g++$own_span
+    "$3" "$1"/*.o "$user"/*.o -pthread -o "$1/hashes" || return
     "$1/hashes" "$root/tests/determinism/golden.txt" --most-steps 60 --lanes 1,4,8 "${scenes[@]}" 2>&1 | tail -n 1
 }
 
-# check WANTED NAME HOW COMPILER FLAG...: HOW is as_manual or quickly.
+# check WANTED NAME HOW COMPILER FLAG...: HOW is as_manual or quickly. C++20, unless a flag names a standard.
 check() {
-    local wanted=$1 name=$2 how=$3 compiler=$4 folder=$work/$2 result='' status=0
+    local wanted=$1 name=$2 how=$3 compiler=$4 folder=$work/$2 result='' status=0 standard=-std=c++20 flag
     shift 3
+    for flag in "$@"; do case $flag in -std=*) standard=$flag ;; esac done
     is_there "$name" "$compiler" || return 0
     rm -rf "$folder" && mkdir -p "$folder"
-    "$how" "$folder" "$1" -std=c++20 "${@:2}" >"$work/$name.log" 2>&1 || status=$?
-    if [ "$status" -eq 0 ]; then result=$(link_and_run "$folder" "$compiler" 2>>"$work/$name.log") || status=$?; fi
+    "$how" "$folder" "$1" "$standard" "${@:2}" >"$work/$name.log" 2>&1 || status=$?
+    if [ "$status" -eq 0 ]; then result=$(link_and_run "$folder" "$standard" "$compiler" 2>>"$work/$name.log") || status=$?; fi
     result=${result:-$(first_complaint "$work/$name.log")}
     judge "$wanted" "$status" "$result"
     report "$name" "$*" "$result"
@@ -156,6 +162,7 @@ board() {
 
 (
     for compiler in g++ clang++; do { build_user "$compiler" || touch "$work/failed"; } >"$work/user-$compiler.log" 2>&1 & done
+    { build_user g++ "$own_span" || touch "$work/failed"; } >"$work/user-own-span.log" 2>&1 &
     wait
 )
 # The longest first.
@@ -163,7 +170,7 @@ for compiler in g++ clang++; do row check same "by-hand-$compiler" as_manual "$c
 row board cortex-m4f-softfp -mfloat-abi=softfp -O2
 row check same fast-g++ quickly g++ -O3 -march=native -ffast-math
 for compiler in g++ clang++; do
-    row check same "small-$compiler" quickly "$compiler" -Os
+    row check same "cpp17-$compiler" quickly "$compiler" -Os -std=gnu++17
     row check same "unsigned-$compiler" quickly "$compiler" -O2 -funsigned-char
     row check same "fma-$compiler" quickly "$compiler" -O2 -mfma
 done

@@ -43,13 +43,14 @@ try() {
     'window '*) is_left_out build/release/samples/window || ! command -v xvfb-run || xvfb-run --auto-servernum build/release/samples/window "${words[@]:1}" --frames 2 ;;
     build/release/*) is_left_out "${words[0]}" || eval "$command" ;;
     ./tools/run.sh*) has_options tools/run.sh && islet run "${words[1]-hello}" ;;  # first_command_test.sh runs it in a fresh tree
-    ./tools/test.sh* | ./tools/footprint.sh*) has_options "${words[@]}" ;;
+    ./tools/test.sh* | ./tools/footprint.sh* | ./tools/boards.sh*) has_options "${words[@]}" ;;
     'cmake --preset release'*) grep -q '"name": "release"' "$root/CMakePresets.json" ;;
     # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.
     'cmake -S samples/firmware'*) [ -e "$(sed -n 's/.*toolchain "$PWD\/\([^"]*\)".*/\1/p' <<<"$command")" ] ;;
     'cmake --build build/m4'*) ;;
     # tests/package/install_test.sh does that.
     'cmake --install build/release'* | 'cpack --config build/release'*) grep -q '"$cmake" --install' "$root/tests/package/install_test.sh" ;;
+    ./tools/package.sh*) "$root/tools/package.sh" Islet && [ -s Islet/library.properties ] ;;
     # tests/package/one_file_test.sh compiles what the first writes as the second does.
     ./tools/amalgamate.sh*) eval "$command" && [ -s "${words[1]}/islet.cpp" ] ;;
     'g++ -std=c++20 islet.cpp '*) grep -q '"$compiler" -std=c++20 islet.cpp hello.cpp' "$root/tests/package/one_file_test.sh" ;;

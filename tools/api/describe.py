@@ -277,8 +277,18 @@ class Reader:
                 self.constants.append(described(child, entry))
             elif child.kind in (Kind.FUNCTION_DECL, Kind.FUNCTION_TEMPLATE):
                 self.function(child, None, space)
-            elif child.kind not in (Kind.STATIC_ASSERT, Kind.UNEXPOSED_DECL):
+            elif child.kind not in (Kind.STATIC_ASSERT, Kind.UNEXPOSED_DECL, Kind.USING_DECLARATION):  # using std::span
                 self.left_out.append(f"{child.kind} {child.spelling}")
+
+
+def name_members(structs):
+    """Gives the members of a default their names, where the header lists values only: C++17 has no names there. (Not where all are alike, as in a vector.)"""
+    fields_of = {s["name"]: s["fields"] for s in structs}
+    for struct in structs:
+        for field in struct["fields"]:
+            inner = fields_of.get(field["type"], [])
+            if isinstance(field.get("default"), list) and len({f["type"] for f in inner}) > 1:
+                field["default"] = {f["name"]: value for f, value in zip(inner, field["default"])}
 
 
 def describe():
@@ -290,6 +300,7 @@ def describe():
         sys.exit("libclang does not read the headers:\n" + "\n".join(faults))
     reader = Reader()
     reader.read(unit.cursor)
+    name_members(reader.structs)
     if reader.left_out:
         sys.exit("declarations of a kind that is not described: " + "; ".join(reader.left_out))
     with open(os.path.join(HEADERS, "islet", "version.hpp"), encoding="utf-8") as file:

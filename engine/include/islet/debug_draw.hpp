@@ -1,7 +1,7 @@
 // DebugDraw: draws a world through functions of yours, as polygons, circles, capsules, lines, points and texts.
 //
 //     DebugDraw draw;
-//     draw.polygon = [](std::span<const Vec2> corners, float radius, const DrawStyle& style, void* window) { ... };
+//     draw.polygon = [](span<const Vec2> corners, float radius, const DrawStyle& style, void* window) { ... };
 //     draw.segment = ...;
 //     draw.context = &window;
 //     draw.contacts = true;
@@ -12,10 +12,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "islet/geometry.hpp"
 #include "islet/math.hpp"
+#include "islet/span.hpp"
 
 ISLET_API_BEGIN
 namespace islet {
@@ -91,7 +91,7 @@ enum class BodyColors : std::uint8_t {
 struct DebugDraw {
     /// A convex polygon, counter-clockwise, rounded by `radius` (>= 0) around its corners. The first edge is always the same edge of the shape, so a mark
     /// on it shows how the shape turns.
-    void (*polygon)(std::span<const Vec2> corners, float radius, const DrawStyle& style, void* context) = nullptr;
+    void (*polygon)(span<const Vec2> corners, float radius, const DrawStyle& style, void* context) = nullptr;
     /// `axis` is a unit vector that turns with the circle.
     void (*circle)(Vec2 center, float radius, Vec2 axis, const DrawStyle& style, void* context) = nullptr;
     /// All points within `radius` of a line.

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
+#include "islet/span.hpp"
 #include "islet/version.hpp"
 #include "islet/visibility.hpp"
 
@@ -38,11 +38,11 @@ struct FormatInfo {
 
 /// Tells the kind and format of a snapshot, a delta or a recording from its first bytes, whatever version wrote it: 8 bytes are enough for the first two, 64
 /// for a recording. Takes any bytes, at any alignment, and has no errors.
-FormatInfo read_format(std::span<const std::byte> bytes);
+FormatInfo read_format(span<const std::byte> bytes);
 
 /// Writes a sentence that names the kind, its format, and the version and format that would read it, such as "This is a snapshot of format 3; Islet 0.2.0 reads
 /// format 4." `out` gets as much as there is room for, with a zero at its end. Returns the length of the whole sentence without the zero, at most 120.
-std::size_t describe_format(const FormatInfo& info, std::span<char> out);
+std::size_t describe_format(const FormatInfo& info, span<char> out);
 
 }  // namespace islet
 ISLET_API_END

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "islet/math.hpp"
+#include "islet/span.hpp"
 
 ISLET_API_BEGIN
 namespace islet {
@@ -76,7 +76,7 @@ struct MassData {
 /// The convex hull of up to max_polygon_vertices points in any order. It begins with the leftmost point (if there are several, the lowest). Duplicates (closer
 /// than 0.005 m) and collinear points (standing out by less than 0.0005 m) are dropped. The result depends on the set of points, not on their order. Returns
 /// count 0 if fewer than 3 points remain, if there are more than 8 points given, or if a coordinate is not finite or above 1e7 m.
-Hull compute_hull(std::span<const Vec2> points);
+Hull compute_hull(span<const Vec2> points);
 /// Polygon from a hull; count 0 if the hull has fewer than 3 points or is not convex, or if radius is negative or not finite.
 Polygon make_polygon(const Hull& hull, float radius = 0);
 /// Axis-aligned box of half-width hx and half-height hy (metres, > 0; count 0 otherwise), centred on the body's origin.

@@ -17,9 +17,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "islet/lcp.hpp"
+#include "islet/span.hpp"
 #include "islet/types.hpp"
 
 ISLET_API_BEGIN
@@ -75,11 +75,11 @@ struct IslandProblem {
     /// Sparse, symmetric and positive semi-definite, but for friction; its rows are `rows`.
     lcp::Problem<float> lcp = {};
     /// x of the last step, scaled to a substep of length h: the warm start. You may write to it.
-    std::span<float> impulses = {};
+    span<float> impulses = {};
     /// Joints by ascending slot, then contacts by ascending slot; within one, in the order the engine's sweep visits them.
-    std::span<const IslandRow> rows = {};
+    span<const IslandRow> rows = {};
     /// By ascending slot.
-    std::span<const IslandBody> bodies = {};
+    span<const IslandBody> bodies = {};
 };
 
 }  // namespace islet

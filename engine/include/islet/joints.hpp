@@ -31,7 +31,7 @@ namespace islet {
 struct JointId {
     std::uint32_t index1 = 0;
     std::uint32_t generation = 0;
-    friend bool operator==(const JointId&, const JointId&) = default;
+    ISLET_EQUAL_IF(JointId, a.index1 == b.index1 && a.generation == b.generation)
     friend constexpr bool operator<(JointId a, JointId b) { return a.index1 != b.index1 ? a.index1 < b.index1 : a.generation < b.generation; }
     explicit constexpr operator bool() const { return index1 != 0; }
 };
@@ -137,10 +137,10 @@ struct WeldJointDef {
 /// A wheel (B) on a sprung strut along A's x axis.
 struct WheelJointDef {
     JointBase base = {};
-    JointSpring spring = {.enable = true, .hertz = 4, .damping_ratio = 0.7f};  ///< of the strut
-    JointLimit limit = {};                                                     ///< of the strut
-    JointMotor motor = {};                                                     ///< turns the wheel
-    float friction = 0;                                                        ///< N m, >= 0: resists the wheel's turning
+    JointSpring spring = {true, 4, 0.7f};  ///< of the strut; by default 4 Hz, damping ratio 0.7
+    JointLimit limit = {};                 ///< of the strut
+    JointMotor motor = {};                 ///< turns the wheel
+    float friction = 0;                    ///< N m, >= 0: resists the wheel's turning
 };
 
 /// Drives B relative to A: to a velocity, or, where a frequency is given, to the pose in which frame B lies on frame A. With velocity 0 it is the

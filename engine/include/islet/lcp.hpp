@@ -14,8 +14,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
+#include "islet/span.hpp"
 #include "islet/version.hpp"
 #include "islet/visibility.hpp"
 
@@ -34,16 +34,16 @@ inline constexpr std::uint32_t max_block_rows = 6;
 /// All entries, row after row: rows * rows of them.
 template <class T>
 struct DenseMatrix {
-    std::span<const T> values = {};
+    span<const T> values = {};
 };
 
 /// Compressed sparse rows: row i has the entries values[k] in columns[k] for row_starts[i] <= k < row_starts[i + 1]. Within a row the columns ascend, each
 /// at most once.
 template <class T>
 struct SparseMatrix {
-    std::span<const std::uint32_t> row_starts = {};  ///< rows + 1 of them, the first 0, the last values.size()
-    std::span<const std::uint32_t> columns = {};
-    std::span<const T> values = {};
+    span<const std::uint32_t> row_starts = {};  ///< rows + 1 of them, the first 0, the last values.size()
+    span<const std::uint32_t> columns = {};
+    span<const T> values = {};
 };
 
 /// Views of the caller's numbers; q.size() is the number of rows. Give one of the matrices and leave the other empty.
@@ -51,14 +51,14 @@ template <class T>
 struct Problem {
     DenseMatrix<T> dense = {};
     SparseMatrix<T> sparse = {};
-    std::span<const T> q = {};
+    span<const T> q = {};
     /// Lower bounds, -infinity allowed; empty: all 0.
-    std::span<const T> lo = {};
+    span<const T> lo = {};
     /// Upper bounds, infinity allowed; empty: all infinity. For a row with friction: its coefficient, finite and at least 0.
-    std::span<const T> hi = {};
+    span<const T> hi = {};
     /// Coulomb friction; empty: none. If friction[i] is a row j and not no_row, the bounds of row i are -hi_i x_j and +hi_i x_j, with the newest x_j (0 while
     /// x_j is negative), and lo_i is not used. (If the product overflows, there is no bound.) Row j must have bounds of its own.
-    std::span<const std::uint32_t> friction = {};
+    span<const std::uint32_t> friction = {};
 };
 
 enum class Method : std::uint8_t {
@@ -113,11 +113,11 @@ struct Options {
     /// The residual costs as much as a sweep: pgs and its relatives measure it after every so many iterations, and at the end.
     std::uint32_t check_every = 1;
     /// pgs, psor, symmetric_pgs and nncg: the rows in the order they are visited. A row may be missing (it keeps its value) or come twice. Empty: 0, 1, 2, ...
-    std::span<const std::uint32_t> order = {};
+    span<const std::uint32_t> order = {};
     /// block_pgs: the first row of each block, ascending from 0; a block ends where the next begins. Empty: every row is a block of its own.
-    std::span<const std::uint32_t> blocks = {};
+    span<const std::uint32_t> blocks = {};
     /// If not empty, history[k] becomes the natural residual after iteration k + 1, as far as there is room. (lemke writes none.)
-    std::span<T> history = {};
+    span<T> history = {};
 };
 
 /// How far x is from a solution, in three measures; each is the largest of all rows.
@@ -174,23 +174,23 @@ constexpr std::size_t workspace_bytes(Method method, std::size_t rows) {
 /// history may overlap nothing else; workspace needs no alignment. On statuses from bad_diagonal on, x is as it was; so it is
 /// where lemke ends with ray or singular, unless there is friction.
 template <class T>
-ISLET_API Result<T> solve(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace);
+ISLET_API Result<T> solve(const Problem<T>& problem, const Options<T>& options, span<T> x, span<std::byte> workspace);
 
 /// The same for pgs, psor, symmetric_pgs and red_black alone, others being unsupported: a program that calls this one and not solve need not link the
 /// other methods.
 template <class T>
-ISLET_API Result<T> solve_by_sweeps(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace);
+ISLET_API Result<T> solve_by_sweeps(const Problem<T>& problem, const Options<T>& options, span<T> x, span<std::byte> workspace);
 
 /// How far any x is from a solution. Infinite if solve would refuse the problem, or if x has the wrong size or a number that is not finite.
 template <class T>
-ISLET_API Residuals<T> residuals(const Problem<T>& problem, std::span<const T> x);
+ISLET_API Residuals<T> residuals(const Problem<T>& problem, span<const T> x);
 
-extern template Result<float> solve(const Problem<float>&, const Options<float>&, std::span<float>, std::span<std::byte>);
-extern template Result<double> solve(const Problem<double>&, const Options<double>&, std::span<double>, std::span<std::byte>);
-extern template Result<float> solve_by_sweeps(const Problem<float>&, const Options<float>&, std::span<float>, std::span<std::byte>);
-extern template Result<double> solve_by_sweeps(const Problem<double>&, const Options<double>&, std::span<double>, std::span<std::byte>);
-extern template Residuals<float> residuals(const Problem<float>&, std::span<const float>);
-extern template Residuals<double> residuals(const Problem<double>&, std::span<const double>);
+extern template Result<float> solve(const Problem<float>&, const Options<float>&, span<float>, span<std::byte>);
+extern template Result<double> solve(const Problem<double>&, const Options<double>&, span<double>, span<std::byte>);
+extern template Result<float> solve_by_sweeps(const Problem<float>&, const Options<float>&, span<float>, span<std::byte>);
+extern template Result<double> solve_by_sweeps(const Problem<double>&, const Options<double>&, span<double>, span<std::byte>);
+extern template Residuals<float> residuals(const Problem<float>&, span<const float>);
+extern template Residuals<double> residuals(const Problem<double>&, span<const double>);
 
 }  // namespace islet::lcp
 ISLET_API_END

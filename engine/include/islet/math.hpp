@@ -20,28 +20,28 @@ inline constexpr float pi = 3.14159265358979f;
 struct Vec2 {
     float x = 0;
     float y = 0;
-    friend bool operator==(const Vec2&, const Vec2&) = default;
+    ISLET_EQUAL_IF(Vec2, a.x == b.x && a.y == b.y)
 };
 
 /// A rotation as cosine and sine of its angle; by default the angle is 0. Invariant: c^2 + s^2 = 1 but for rounding.
 struct Rot {
     float c = 1;
     float s = 0;
-    friend bool operator==(const Rot&, const Rot&) = default;
+    ISLET_EQUAL_IF(Rot, a.c == b.c && a.s == b.s)
 };
 
 /// A pose: rotate by q, then move by p (metres).
 struct Transform {
     Vec2 p = {};
     Rot q = {};
-    friend bool operator==(const Transform&, const Transform&) = default;
+    ISLET_EQUAL_IF(Transform, a.p == b.p && a.q == b.q)
 };
 
 /// An axis-aligned box. Valid when lower <= upper on both axes.
 struct Aabb {
     Vec2 lower = {};
     Vec2 upper = {};
-    friend bool operator==(const Aabb&, const Aabb&) = default;
+    ISLET_EQUAL_IF(Aabb, a.lower == b.lower && a.upper == b.upper)
 };
 
 ISLET_INLINE Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }

@@ -11,9 +11,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "islet/geometry.hpp"
+#include "islet/span.hpp"
 #include "islet/types.hpp"
 
 ISLET_API_BEGIN
@@ -34,7 +34,7 @@ ShapeProxy make_proxy(const Segment& segment);
 ShapeProxy make_proxy(const Polygon& polygon);
 ShapeProxy make_proxy(const ChainSegment& segment);
 /// The hull of up to 8 points (one and two are taken as they are, more by compute_hull), grown by radius; count 0 if there is none.
-ShapeProxy make_proxy(std::span<const Vec2> points, float radius = 0);
+ShapeProxy make_proxy(span<const Vec2> points, float radius = 0);
 /// An upright box; count 0 unless lower < upper on both axes.
 ShapeProxy make_proxy(const Aabb& box);
 /// p moved by t; count 0 if the result is not valid.

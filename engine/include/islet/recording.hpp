@@ -18,8 +18,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
+#include "islet/span.hpp"
 #include "islet/types.hpp"
 
 ISLET_API_BEGIN
@@ -40,7 +40,7 @@ struct RecordingInfo {
 /// Reads the header of a recording, and goes through its calls without making them. On an error `out` stays as it was: image_misaligned; not_a_recording;
 /// other_version; truncated_image; corrupt_recording if the header contradicts itself; and the errors of read_snapshot for the recording's first snapshot.
 /// Damaged calls are no error here: the function stops at the first of them, as a replay does.
-Error read_recording(std::span<const std::byte> recording, RecordingInfo& out);
+Error read_recording(span<const std::byte> recording, RecordingInfo& out);
 
 /// How a replay ended.
 enum class ReplayEnd : std::uint8_t {
@@ -64,7 +64,7 @@ class World;
 /// Puts the world into the recording's first state and makes its calls again, up to and including `steps` steps. The world's capacity should be
 /// RecordingInfo::needed, or the recorded one. A recording may be hostile: nothing of it is used unchecked. After each step, a sum shows whether the calls
 /// before it were the recorded ones.
-ReplayResult replay(World& world, std::span<const std::byte> recording, std::uint64_t steps = ~std::uint64_t{0});
+ReplayResult replay(World& world, span<const std::byte> recording, std::uint64_t steps = ~std::uint64_t{0});
 
 }  // namespace islet
 ISLET_API_END

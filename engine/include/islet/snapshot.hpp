@@ -8,9 +8,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "islet/layout.hpp"
+#include "islet/span.hpp"
 #include "islet/types.hpp"
 
 ISLET_API_BEGIN
@@ -37,20 +37,20 @@ struct SnapshotInfo {
 
 /// Reads the header of an image, and nothing else. Errors: not_an_image; other_byte_order; other_version; truncated_image; corrupt_image if the header
 /// contradicts itself.
-Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out);
+Error read_snapshot(span<const std::byte> image, SnapshotInfo& out);
 
 /// The most bytes that delta() can need to lead to an image of this size, whatever image it starts from.
 constexpr std::size_t max_delta_bytes(std::size_t to_bytes) { return detail::delta_header_bytes + detail::image_header_bytes + to_bytes + to_bytes / 8 + 64; }
 
 /// Packs what changed between two images, for sending or for long histories: apply(from, delta) gives `to` again. Returns the bytes written to `out`, or 0
 /// with *error set, if given: the errors of read_snapshot for either image; image_too_small if `out` is too small. `out` must not overlap the images.
-std::size_t delta(std::span<const std::byte> from, std::span<const std::byte> to, std::span<std::byte> out, Error* error = nullptr);
+std::size_t delta(span<const std::byte> from, span<const std::byte> to, span<std::byte> out, Error* error = nullptr);
 
 /// Writes to `out` the image to which `delta` leads from the image `from`. Returns the bytes written, or 0 with *error set, if given: the errors of
 /// read_snapshot, for the image and in the same sense for the delta; corrupt_image also if the delta is hostile; wrong_delta if it starts from another image
 /// than `from`; image_too_small if `out` is too small. After an error `out` holds nothing of use. The result can be trusted no more than the delta: use
 /// World::load for it, unless this program made both. `out` must not overlap `from` or `delta`.
-std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> delta, std::span<std::byte> out, Error* error = nullptr);
+std::size_t apply(span<const std::byte> from, span<const std::byte> delta, span<std::byte> out, Error* error = nullptr);
 
 class World;
 
@@ -58,7 +58,7 @@ class World;
 /// clock, but no recording; the old one stays as it is. `image` is memory that is used during the call only, at least from.snapshot_bytes() bytes. Returns null
 /// with *error set, if given: the errors of World::create for the block and the capacity; image_too_small; image_too_large if the capacity cannot hold what
 /// the world holds; in_step.
-World* copy_world(const World& from, std::span<std::byte> block, const Capacity& capacity, std::span<std::byte> image, Error* error = nullptr);
+World* copy_world(const World& from, span<std::byte> block, const Capacity& capacity, span<std::byte> image, Error* error = nullptr);
 
 }  // namespace islet
 ISLET_API_END

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "islet/geometry.hpp"
 #include "islet/math.hpp"
+#include "islet/span.hpp"
 #include "islet/tasks.hpp"
 
 ISLET_API_BEGIN
@@ -26,7 +26,7 @@ inline constexpr float min_time_step = 1.0e-6f;
 struct BodyId {
     std::uint32_t index1 = 0;      // slot + 1; 0 is null
     std::uint32_t generation = 0;  // of the slot when the id was handed out
-    friend bool operator==(const BodyId&, const BodyId&) = default;
+    ISLET_EQUAL_IF(BodyId, a.index1 == b.index1 && a.generation == b.generation)
     friend constexpr bool operator<(BodyId a, BodyId b) { return a.index1 != b.index1 ? a.index1 < b.index1 : a.generation < b.generation; }
     explicit constexpr operator bool() const { return index1 != 0; }
 };
@@ -35,7 +35,7 @@ struct BodyId {
 struct ShapeId {
     std::uint32_t index1 = 0;
     std::uint32_t generation = 0;
-    friend bool operator==(const ShapeId&, const ShapeId&) = default;
+    ISLET_EQUAL_IF(ShapeId, a.index1 == b.index1 && a.generation == b.generation)
     friend constexpr bool operator<(ShapeId a, ShapeId b) { return a.index1 != b.index1 ? a.index1 < b.index1 : a.generation < b.generation; }
     explicit constexpr operator bool() const { return index1 != 0; }
 };
@@ -48,7 +48,8 @@ struct Capacity {
     std::uint32_t joints = 0;
     std::uint32_t geometries = 0;  ///< Different geometries (equal ones are stored once); 0 means as many as shapes.
     std::uint32_t hits = 0;        ///< Hit events in one step; 0 means an eighth of the contacts, at least 8.
-    friend bool operator==(const Capacity&, const Capacity&) = default;
+    ISLET_EQUAL_IF(Capacity, a.bodies == b.bodies && a.shapes == b.shapes && a.contacts == b.contacts && a.joints == b.joints && a.geometries == b.geometries &&
+                                 a.hits == b.hits)
 };
 
 /// What went wrong in a call. describe(e) returns a sentence that says what was wrong and how to fix it.
@@ -125,7 +126,8 @@ struct Hooks {
     /// Returns the restitution of two shapes, in place of the larger of both. The result is limited to 0 to 1. Called in steps, too.
     float (*mix_restitution)(float restitution_a, std::uint32_t material_a, float restitution_b, std::uint32_t material_b, void* context) = nullptr;
     void* context = nullptr;
-    friend bool operator==(const Hooks&, const Hooks&) = default;
+    ISLET_EQUAL_IF(Hooks, a.filter == b.filter && a.pre_solve == b.pre_solve && a.mix_friction == b.mix_friction && a.mix_restitution == b.mix_restitution &&
+                              a.context == b.context)
 };
 
 /// Reads a clock of yours, which counts up in any unit you like. It must not call the world.
@@ -188,7 +190,13 @@ struct SolverDef {
     float tolerance = 0;            ///< m/s, >= 0. Above 0, a substep ends its biased sweeps, and then its relaxing sweeps, as soon as the residual is at
                                     ///< most this. The islands of one batch (StepReport::batches) end together. Each measurement costs two to three
                                     ///< sweeps.
-    friend bool operator==(const SolverDef&, const SolverDef&) = default;
+    ISLET_EQUAL_IF(SolverDef, a.schedule == b.schedule && a.substeps == b.substeps && a.iterations == b.iterations &&
+                                  a.relax_iterations == b.relax_iterations && a.contact_hertz == b.contact_hertz &&
+                                  a.contact_damping_ratio == b.contact_damping_ratio && a.contact_push_speed == b.contact_push_speed &&
+                                  a.joint_hertz == b.joint_hertz && a.joint_damping_ratio == b.joint_damping_ratio && a.baumgarte == b.baumgarte &&
+                                  a.omega == b.omega && a.warm_start == b.warm_start && a.joint_trees == b.joint_trees &&
+                                  a.joint_tree_load == b.joint_tree_load && a.sweep_order == b.sweep_order && a.block_contacts == b.block_contacts &&
+                                  a.shock == b.shock && a.measure_residual == b.measure_residual && a.tolerance == b.tolerance)
 };
 
 /// What a new world is like.
@@ -254,7 +262,8 @@ struct SurfaceMaterial {
     float rolling_resistance = 0;
     float tangent_speed = 0;
     std::uint32_t id = 0;
-    friend bool operator==(const SurfaceMaterial&, const SurfaceMaterial&) = default;
+    ISLET_EQUAL_IF(SurfaceMaterial, a.friction == b.friction && a.restitution == b.restitution && a.rolling_resistance == b.rolling_resistance &&
+                                        a.tangent_speed == b.tangent_speed && a.id == b.id)
 };
 
 /// What a new shape is like.

@@ -5,9 +5,7 @@
 // CHANGELOG.md lists the changes of each version, and docs/versions.md the formats that each version reads.
 #pragma once
 
-#if (defined(_MSVC_LANG) && _MSVC_LANG < 202002L) || (!defined(_MSVC_LANG) && __cplusplus <= 201703L)
-#error "Islet needs C++20: compile with -std=c++20 (in CMake: target_compile_features(... cxx_std_20))"
-#endif
+#include "islet/standard.hpp"
 
 #define ISLET_VERSION_MAJOR 0
 #define ISLET_VERSION_MINOR 2

@@ -3,11 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "islet/joints.hpp"
 #include "islet/layout.hpp"
 #include "islet/query.hpp"
+#include "islet/span.hpp"
 #include "islet/types.hpp"
 
 ISLET_API_BEGIN
@@ -45,7 +45,7 @@ public:
     /// Makes a world in `block`, which must be aligned to world_alignment and hold at least world_bytes(capacity) bytes. The world then owns all of
     /// it. Returns null, and sets *error if given, if the block, the capacity or the definition breaks a rule, or if the engine was compiled in a way
     /// that changes the bits (inexact_build).
-    static World* create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error = nullptr);
+    static World* create(span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error = nullptr);
 
     World(const World&) = delete;
     World& operator=(const World&) = delete;
@@ -119,17 +119,17 @@ public:
     /// Bytes that save() needs now.
     std::size_t snapshot_bytes() const;
     /// Writes the persistent state to `out`; returns the bytes written, or 0 if it is too small (image_too_small).
-    std::size_t save(std::span<std::byte> out) const;
+    std::size_t save(span<std::byte> out) const;
     /// Takes the world back to an image that this program made. The objects in the image must fit this world's capacity. The capacity of the saved world may
     /// have been another. Only the image's header is checked; the rest is copied as fast as memory allows. The world keeps what belongs to the host: lanes,
     /// hooks, the clock and the task system. There are no events until the next step, and the report holds only the numbers of objects. Touches that had ended
     /// since the last step, because a shape was destroyed, are part of the image: the next step reports them. Returns false and changes nothing on an error:
     /// those of read_snapshot; image_too_large; feature_cut if this build or program lacks a part that the image needs. (A program that neither makes joints
     /// nor calls load does not link joints, so it cannot restore an image with joints.)
-    bool restore(std::span<const std::byte> image);
+    bool restore(span<const std::byte> image);
     /// Like restore, for an image from outside, which may be truncated, corrupt or hostile. Nothing of it is used before all of it is found sound.
     /// Further errors: image_misaligned (see snapshot_alignment); corrupt_image if the checksum does not fit the content; unsound_image.
-    bool load(std::span<const std::byte> image);
+    bool load(span<const std::byte> image);
 
     // -- recordings (recording.hpp) ----------------------------------------------------------------------------------------------
 
@@ -137,34 +137,34 @@ public:
     /// world until the recording stops. With `bodies`, each step also writes a hash of each awake body, four bytes long. Returns false, and records
     /// nothing, if there is no room for the snapshot (recording_full) or the buffer is misaligned (image_misaligned). If there is no more room later, the
     /// recording stops by itself (recording_full) and holds all calls before. A recording that is already running is discarded.
-    bool start_recording(std::span<std::byte> buffer, bool bodies = true);
+    bool start_recording(span<std::byte> buffer, bool bodies = true);
     bool is_recording() const;
     /// Bytes used so far; 0 if nothing is being recorded.
     std::size_t recorded_bytes() const;
     /// Continues the recording in a larger buffer. Returns false, and changes nothing, if the buffer is smaller than recorded_bytes() or misaligned, or if
     /// nothing is being recorded.
-    bool move_recording(std::span<std::byte> buffer);
+    bool move_recording(span<std::byte> buffer);
     /// Ends the recording; returns its bytes, or 0 if nothing is being recorded (not_a_recording).
     std::size_t stop_recording();
 
     // -- events of the last step -----------------------------------------------------------------------------------------------
 
-    std::span<const TouchEvent> begin_touch_events() const;
+    span<const TouchEvent> begin_touch_events() const;
     /// Contacts that ended in the last step, and in calls made since. This list and sensor_end_events() have room for Capacity::contacts events together. If
     /// calls need that room, they remove the events of the last step, so read these events before you make calls.
-    std::span<const TouchEvent> end_touch_events() const;
+    span<const TouchEvent> end_touch_events() const;
     /// Overlaps of sensors that began, and that ended, in the same order as touches. A step reports the overlaps at the poses with which it begins. An overlap
     /// that a call ends is reported at once, and again after the next step.
-    std::span<const SensorEvent> sensor_begin_events() const;
-    std::span<const SensorEvent> sensor_end_events() const;
+    span<const SensorEvent> sensor_begin_events() const;
+    span<const SensorEvent> sensor_end_events() const;
     /// Contacts of shapes with ShapeDef::hit_events whose surfaces came together faster than hit_threshold() and needed an impulse, ordered by slot.
-    std::span<const HitEvent> hit_events() const;
+    span<const HitEvent> hit_events() const;
     /// Bodies that the last step moved (every awake one), ordered by slot.
-    std::span<const BodyId> moved_bodies() const;
+    span<const BodyId> moved_bodies() const;
     /// Bodies that fell asleep in the last step, ordered by slot.
-    std::span<const BodyId> slept_bodies() const;
+    span<const BodyId> slept_bodies() const;
     /// Joints that broke at the end of the last step, ordered by slot.
-    std::span<const JointBreakEvent> broken_joints() const;
+    span<const JointBreakEvent> broken_joints() const;
 
     // -- bodies ----------------------------------------------------------------------------------------------------------------
 
@@ -257,9 +257,9 @@ public:
     std::uint64_t user_data(BodyId body) const;
     void set_user_data(BodyId body, std::uint64_t data);
     /// Writes the body's touching contacts, newest first, as far as they fit; returns how many there are.
-    std::uint32_t contacts(BodyId body, std::span<ContactInfo> out) const;
+    std::uint32_t contacts(BodyId body, span<ContactInfo> out) const;
     /// Writes the ids of the body's shapes, newest first, as far as they fit; returns how many there are.
-    std::uint32_t shapes(BodyId body, std::span<ShapeId> out) const;
+    std::uint32_t shapes(BodyId body, span<ShapeId> out) const;
 
     // -- shapes ----------------------------------------------------------------------------------------------------------------
 
@@ -272,7 +272,7 @@ public:
     ShapeId create_shape(BodyId body, const HalfSpace& half_space, const ShapeDef& def = {});
     /// A chain of ChainSegments through `points` (2 or more; 3 for a loop), which collides on the right of its direction and does not catch at
     /// its inner corners. All or nothing. Returns the number of segments made, and their ids in `out` as far as they fit.
-    std::uint32_t create_chain(BodyId body, std::span<const Vec2> points, bool loop, const ShapeDef& def = {}, std::span<ShapeId> out = {});
+    std::uint32_t create_chain(BodyId body, span<const Vec2> points, bool loop, const ShapeDef& def = {}, span<ShapeId> out = {});
     /// Destroys the shape and its contacts, and computes the body's mass again.
     void destroy_shape(ShapeId shape);
     bool is_valid(ShapeId shape) const;
@@ -280,7 +280,7 @@ public:
     /// Id of the shape in slot 0 <= slot < capacity().shapes; null if the slot is free.
     ShapeId shape_at(std::uint32_t slot) const;
     /// Writes the shape's touching contacts, newest first, as far as they fit; returns how many there are.
-    std::uint32_t contacts(ShapeId shape, std::span<ContactInfo> out) const;
+    std::uint32_t contacts(ShapeId shape, span<ContactInfo> out) const;
 
     BodyId body(ShapeId shape) const;
     ShapeType shape_type(ShapeId shape) const;
@@ -321,7 +321,7 @@ public:
     void set_sensor(ShapeId shape, bool sensor);
     /// Writes the shapes that overlap the sensor, as far as they fit; the shape that came near last comes first. Returns how many there are. Error:
     /// not_a_sensor.
-    std::uint32_t sensor_overlaps(ShapeId sensor, std::span<ShapeId> out) const;
+    std::uint32_t sensor_overlaps(ShapeId sensor, span<ShapeId> out) const;
     /// ShapeDef::sensor_events, hit_events and pre_solve.
     bool sensor_events_enabled(ShapeId shape) const;
     void enable_sensor_events(ShapeId shape, bool enable);
@@ -371,7 +371,7 @@ public:
     /// Id of the joint in slot 0 <= slot < capacity().joints; null if the slot is free.
     JointId joint_at(std::uint32_t slot) const;
     /// Writes the ids of the body's joints, newest first, as far as they fit; returns how many there are.
-    std::uint32_t joints(BodyId body, std::span<JointId> out) const;
+    std::uint32_t joints(BodyId body, span<JointId> out) const;
 
     JointType joint_type(JointId joint) const;
     /// Null for mouse joints.
@@ -463,21 +463,21 @@ public:
     /// Whether the ray meets any shape. Faster than the first shape where many are in the way.
     bool cast_ray_any(Vec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
     /// Writes the hits of the ray, as far as they fit, first ones first; returns how many there are.
-    std::uint32_t cast_ray_all(Vec2 origin, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter = {}) const;
+    std::uint32_t cast_ray_all(Vec2 origin, Vec2 translation, span<QueryHit> out, const QueryFilter& filter = {}) const;
     /// Calls `visit`, unless null, for each hit until `visit` stops the cast (CastVisitor).
     void cast_ray_each(Vec2 origin, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const;
     /// The same for a shape that starts where its proxy stands in the world, and moves by `translation` without turning (islet::cast_shape).
     QueryHit cast_shape(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
     bool cast_shape_any(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
-    std::uint32_t cast_shape_all(const ShapeProxy& shape, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter = {}) const;
+    std::uint32_t cast_shape_all(const ShapeProxy& shape, Vec2 translation, span<QueryHit> out, const QueryFilter& filter = {}) const;
     void cast_shape_each(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const;
 
     /// Writes the shapes whose tight box (aabb) overlaps `box`, as far as they fit; returns how many there are. bad_geometry unless lower <= upper.
-    std::uint32_t overlap_box(const Aabb& box, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
+    std::uint32_t overlap_box(const Aabb& box, span<ShapeId> out, const QueryFilter& filter = {}) const;
     /// The same for shapes that share a point with `shape`, which stands in the world.
-    std::uint32_t overlap_shape(const ShapeProxy& shape, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
+    std::uint32_t overlap_shape(const ShapeProxy& shape, span<ShapeId> out, const QueryFilter& filter = {}) const;
     /// The same for shapes that contain the point; segments contain none.
-    std::uint32_t overlap_point(Vec2 point, std::span<ShapeId> out, const QueryFilter& filter = {}) const;
+    std::uint32_t overlap_point(Vec2 point, span<ShapeId> out, const QueryFilter& filter = {}) const;
     /// Call `visit`, unless null, for each such shape until it returns false.
     void overlap_box_each(const Aabb& box, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
     void overlap_shape_each(const ShapeProxy& shape, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
@@ -488,7 +488,7 @@ public:
     /// Writes the surfaces no farther than `within` (m, 0 to max_translation) from a shape in the world, as far as they fit, and returns how many there are.
     /// The closest come first, beginning with the deepest overlap; equally close ones come in the order of their slots. A chain segment has a surface only on
     /// its outer side. It is left out if the shape is on its inner side, by the mean of the shape's corners or by the direction to the shape's closest point.
-    std::uint32_t surfaces_near(const ShapeProxy& shape, float within, std::span<Surface> out, const QueryFilter& filter = {}) const;
+    std::uint32_t surfaces_near(const ShapeProxy& shape, float within, span<Surface> out, const QueryFilter& filter = {}) const;
 
     // -- islands (island.hpp) ----------------------------------------------------------------------------------------------------
 
@@ -500,7 +500,7 @@ public:
     /// uses the world's scratch memory, so no other call to the world may run at the same time. Extreme masses may give numbers that overflow; lcp::solve then
     /// says not_finite. Returns 0 on an error: null_id; stale_id; no_dynamic_body; bad_time_step of h; in_step; out_of_range if there are more than
     /// lcp::max_rows rows or 2^32 - 1 entries.
-    std::size_t export_island(BodyId body, float h, std::span<std::byte> memory, IslandProblem& out) const;
+    std::size_t export_island(BodyId body, float h, span<std::byte> memory, IslandProblem& out) const;
 
     // -- drawing (debug_draw.hpp) ------------------------------------------------------------------------------------------------
 
@@ -524,28 +524,35 @@ private:
 
 static_assert(sizeof(World) <= detail::host_bytes);
 
-/// A world with its memory inside: for static storage, the stack or a member. There is no world before create() is called.
-template <Capacity C>
-class StaticWorld {
-    static_assert(is_valid(C), "bodies, shapes and contacts must be above 0, and nothing above max_capacity");
+/// A world with its memory inside: for static storage, the stack or a member. There is no world before create() is called. The numbers are those of Capacity.
+template <std::uint32_t bodies, std::uint32_t shapes, std::uint32_t contacts, std::uint32_t joints = 0, std::uint32_t geometries = 0, std::uint32_t hits = 0>
+class StaticWorldOf {
+    static constexpr Capacity capacity = {bodies, shapes, contacts, joints, geometries, hits};
+    static_assert(is_valid(capacity), "bodies, shapes and contacts must be above 0, and nothing above max_capacity");
 
 public:
-    StaticWorld() = default;
-    StaticWorld(const StaticWorld&) = delete;
-    StaticWorld& operator=(const StaticWorld&) = delete;
+    StaticWorldOf() = default;
+    StaticWorldOf(const StaticWorldOf&) = delete;
+    StaticWorldOf& operator=(const StaticWorldOf&) = delete;
 
     /// Creates the world. An earlier world in this memory is lost. If the definition breaks a rule, the world gets the default one, and World::last_error says
     /// what was wrong. If the engine was compiled in a way that changes the bits (inexact_build), the world takes no step.
-    World& create(const WorldDef& def = {}) { return detail::create_static(block_, C, layout, def); }
+    World& create(const WorldDef& def = {}) { return detail::create_static(block_, capacity, layout, def); }
     /// The world that create() has made. Before that there is none.
     World& get() { return *__builtin_launder(reinterpret_cast<World*>(block_)); }
     const World& get() const { return *__builtin_launder(reinterpret_cast<const World*>(block_)); }
-    static constexpr std::size_t bytes = world_bytes(C);
+    static constexpr std::size_t bytes = world_bytes(capacity);
 
 private:
-    static constexpr detail::Layout layout = detail::layout_of(C);
+    static constexpr detail::Layout layout = detail::layout_of(capacity);
     alignas(world_alignment) std::byte block_[bytes];
 };
+
+#if ISLET_CPP20
+/// The same with the numbers by name: StaticWorld<Capacity{.bodies = 64, .shapes = 64, .contacts = 256}>. Needs C++20.
+template <Capacity C>
+class StaticWorld : public StaticWorldOf<C.bodies, C.shapes, C.contacts, C.joints, C.geometries, C.hits> {};
+#endif
 
 }  // namespace islet
 ISLET_API_END

@@ -30,8 +30,9 @@ ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
 }
 
 MassData mass_of(const Core& core, const Shape& shape) {
-    return with_shape(core.geometries[shape.geometry], [&]<class Shape_>(const Shape_& solid) {
-        if constexpr (ShapeRow<Shape_>::kind == ShapeKind::solid && ShapeRow<Shape_>::is_there) return compute_mass(solid, shape.density);
+    return with_shape(core.geometries[shape.geometry], [&](const auto& solid) {
+        using Row = RowOf<decltype(solid)>;
+        if constexpr (Row::kind == ShapeKind::solid && Row::is_there) return compute_mass(solid, shape.density);
         return MassData{};
     });
 }

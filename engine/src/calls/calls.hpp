@@ -46,7 +46,7 @@
     X(create_segment, create_shape, BodyId, Segment, ShapeDef) \
     X(create_polygon, create_shape, BodyId, Polygon, ShapeDef) \
     X(create_chain_segment, create_shape, BodyId, ChainSegment, ShapeDef) \
-    X(create_chain, create_chain, BodyId, std::span<const Vec2>, bool, ShapeDef) \
+    X(create_chain, create_chain, BodyId, span<const Vec2>, bool, ShapeDef) \
     X(destroy_shape, destroy_shape, ShapeId) \
     X(set_circle, set_circle, ShapeId, Circle) \
     X(set_capsule, set_capsule, ShapeId, Capsule) \
@@ -191,5 +191,15 @@ template <class V> constexpr void members(V& v, JointRatchet& a) { v(a.step, a.p
 template <class V> constexpr void members(V& v, AngleJointDef& a) { v(a.base, a.spring, a.limit, a.motor, a.friction, a.ratchet); }
 template <class V> constexpr void members(V& v, GearJointDef& a) { v(a.joint1, a.joint2, a.ratio, a.break_torque, a.user_data); }
 // clang-format on
+
+/// Nothing; only its type counts, to find out what has members.
+struct NoVisit {
+    template <class... T>
+    void operator()(T&...);
+};
+template <class T, class = void>
+inline constexpr bool has_members = false;
+template <class T>
+inline constexpr bool has_members<T, decltype(members(*static_cast<NoVisit*>(nullptr), *static_cast<T*>(nullptr)))> = true;
 
 }  // namespace islet::detail

@@ -47,13 +47,13 @@ private:
     void one(std::uint32_t& a) { word(a); }
     void one(std::int32_t& a) { word(static_cast<std::uint32_t>(a)); }
     void one(std::uint64_t& a) { long_word(a); }
-    void one(std::span<const Vec2>& a) {
+    void one(span<const Vec2>& a) {
         word(static_cast<std::uint32_t>(a.size()));
         for (Vec2 p : a) members(*this, p);
     }
     template <class T>
     void one(T& a) {
-        if constexpr (requires { members(*this, a); }) {
+        if constexpr (has_members<T>) {
             members(*this, a);
         } else {
             word(static_cast<std::uint32_t>(a));  // an enumeration
@@ -112,7 +112,7 @@ void write_call(Core& core, Call call, const void* const* arguments) {
     }
 }
 
-void write_image(Core& core, std::span<const std::byte> image) {
+void write_image(Core& core, span<const std::byte> image) {
     CallWriter writer(core, Call::image);
     writer.long_word(image.size());
     if (core.recording->used % 8 != 0) writer.word(0);
@@ -136,7 +136,7 @@ void write_stepped(World& world) {
 
 }  // namespace detail
 
-bool World::start_recording(std::span<std::byte> buffer, bool bodies) {
+bool World::start_recording(span<std::byte> buffer, bool bodies) {
     Core& c = core();
     if (!check_open(c) || !check_there(c, has_recorder)) return false;
     if (!check(c, reinterpret_cast<std::uintptr_t>(buffer.data()) % recording_alignment == 0, Error::image_misaligned)) return false;
@@ -154,7 +154,7 @@ bool World::is_recording() const { return core().recording != nullptr; }
 
 std::size_t World::recorded_bytes() const { return core().recording != nullptr ? static_cast<std::size_t>(core().recording->used) : 0; }
 
-bool World::move_recording(std::span<std::byte> buffer) {
+bool World::move_recording(span<std::byte> buffer) {
     Core& c = core();
     RecordingHead* head = c.recording;
     if (!check_open(c) || !check(c, head != nullptr, Error::not_a_recording)) return false;

@@ -22,7 +22,7 @@ std::uint32_t body_digest(const Core& core, std::uint32_t body);
 /// Only programs that record link this function: World::start_recording refers to it, and in other programs core.recording is null.
 ISLET_OPTIONAL void write_call(Core& core, Call call, const void* const* arguments);
 /// The same for the image that a world was taken back to.
-ISLET_OPTIONAL void write_image(Core& core, std::span<const std::byte> image);
+ISLET_OPTIONAL void write_image(Core& core, span<const std::byte> image);
 /// The same for the result of a step.
 ISLET_OPTIONAL void write_stepped(World& world);
 

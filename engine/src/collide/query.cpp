@@ -32,7 +32,7 @@ ShapeProxy checked(const ShapeProxy& p) { return is_valid(p) ? p : ShapeProxy{};
 
 }  // namespace
 
-ShapeProxy make_proxy(std::span<const Vec2> points, float radius) {
+ShapeProxy make_proxy(span<const Vec2> points, float radius) {
     if (points.size() == 1) return checked(proxy_of(points[0], radius));
     if (points.size() == 2) return checked(proxy_of(points[0], points[1], radius));
     const Hull hull = compute_hull(points);

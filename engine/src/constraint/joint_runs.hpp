@@ -33,6 +33,11 @@ std::size_t joint_block_bytes(JointKernel kernel) {
 /// What a joint applies lies right behind its ends, so that all kernels share the way there and back; pulleys and gears, which know no such pair of
 /// impulses, go their own.
 constexpr bool has_applied(JointKernel kernel) { return kernel < JointKernel::pulley; }
+/// The same by the type of the rows.
+template <class Rows, class = void>
+inline constexpr bool rows_have_applied = false;
+template <class Rows>
+inline constexpr bool rows_have_applied<Rows, decltype(void(Rows::applied))> = true;
 /// The impulse acts on A along a line of A, where B's anchor is, and not at A's own anchor.
 constexpr bool acts_on_line(JointKernel kernel) { return kernel == JointKernel::slider || kernel == JointKernel::wheel; }
 template <std::uint32_t W>
@@ -94,7 +99,7 @@ void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::
     if constexpr (W > 1) {
         visit_rows<W>(kernel, rows, [&](auto* r) {
             for (std::uint32_t i = 0; i < blocks; ++i) {
-                if constexpr (requires { r->applied; }) {
+                if constexpr (rows_have_applied<std::remove_pointer_t<decltype(r)>>) {
                     JointBodies<L> s = gather<L>(bodies, r[i].ends, r[i].applied);
                     solve<L>(s, JointArms<L>(r[i].ends, s), r[i], sweep);
                     scatter<L>(bodies, r[i].ends, r[i].applied, s);
@@ -109,14 +114,14 @@ void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::
         for (; blocks-- > 0; rows += block_bytes) {
             if (!has_applied(kernel)) {
                 visit_rows<W>(kernel, rows, [&](auto* r) {
-                    if constexpr (!requires { r->applied; }) solve<L>(bodies, *r, sweep);
+                    if constexpr (!rows_have_applied<std::remove_pointer_t<decltype(r)>>) solve<L>(bodies, *r, sweep);
                 });
                 continue;
             }
             JointBodies<L> s = gather<L>(bodies, ends_of<W>(rows), applied_of<W>(rows));
             const JointArms<L> arms(ends_of<W>(rows), s);
             visit_rows<W>(kernel, rows, [&](auto* r) {
-                if constexpr (requires { r->applied; }) solve<L>(s, arms, *r, sweep);
+                if constexpr (rows_have_applied<std::remove_pointer_t<decltype(r)>>) solve<L>(s, arms, *r, sweep);
             });
             scatter<L>(bodies, ends_of<W>(rows), applied_of<W>(rows), s);
         }

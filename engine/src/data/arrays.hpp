@@ -60,7 +60,8 @@ struct Counts {
         if constexpr (per == Per::contact) return contacts;
         if constexpr (per == Per::joint) return joints;
     }
-    friend bool operator==(const Counts&, const Counts&) = default;
+    ISLET_EQUAL_IF(Counts, a.bodies == b.bodies && a.shapes == b.shapes && a.contacts == b.contacts && a.joints == b.joints && a.geometries == b.geometries &&
+                               a.tree_nodes == b.tree_nodes)
 };
 
 inline Counts counts_of(const State& s) {

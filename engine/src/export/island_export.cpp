@@ -33,14 +33,14 @@ struct Pieces {
     explicit Pieces(std::byte* memory) : at(memory + (4 - reinterpret_cast<std::uintptr_t>(memory) % 4) % 4) {}
 
     template <class T>
-    std::span<T> take(std::size_t n) {
+    span<T> take(std::size_t n) {
         T* const first = reinterpret_cast<T*>(at);
         at += n * sizeof(T);
         return {first, n};
     }
 };
 
-float q_of(const IslandRow& row, std::span<const IslandBody> bodies) {
+float q_of(const IslandRow& row, span<const IslandBody> bodies) {
     float q = row.bias;
     for (std::uint32_t i = 0; i < row.end_count; ++i) {
         const RowEnd& end = row.ends[i];
@@ -83,7 +83,7 @@ void write_problem(IslandRows& rows, const IslandLinks& links, const Sizes& size
     for (std::uint32_t i = 0; i < sizes.rows; ++i) q[i] = q_of(made[i], bodies);
     write_matrix(rows, links, starts.data(), columns.data(), values.data());
 
-    out.lcp = {.dense = {}, .sparse = {starts, columns, values}, .q = q, .lo = lo, .hi = hi, .friction = friction};
+    out.lcp = {{}, {starts, columns, values}, q, lo, hi, friction};
     out.impulses = impulses;
     out.rows = made;
     out.bodies = bodies;
@@ -91,7 +91,7 @@ void write_problem(IslandRows& rows, const IslandLinks& links, const Sizes& size
 
 }  // namespace
 
-std::size_t World::export_island(BodyId id, float h, std::span<std::byte> memory, IslandProblem& out) const {
+std::size_t World::export_island(BodyId id, float h, span<std::byte> memory, IslandProblem& out) const {
     const Core& c = core();
     const DefaultFloatMode mode;
     const std::uint32_t body = check_open(c) ? find_slot(c, id) : null_index;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "../math/inlining.hpp"
 #include "islet/geometry.hpp"
@@ -30,7 +29,7 @@ ISLET_INLINE std::uint32_t next(std::uint32_t i, std::uint32_t count) { return i
 
 /// True if every point lies strictly to the left of every edge it is not an end of: convex, counter-clockwise, going round just once,
 /// no two points alike and no three in a line.
-bool is_strictly_convex(std::span<const Vec2> points);
+bool is_strictly_convex(span<const Vec2> points);
 
 ISLET_SHARED bool is_density(float density) { return density >= 0 && is_finite(density); }
 

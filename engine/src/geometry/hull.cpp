@@ -81,7 +81,7 @@ void remove(Loop& loop, std::uint32_t corner) {
 
 namespace detail {
 
-bool is_strictly_convex(std::span<const Vec2> points) {
+bool is_strictly_convex(span<const Vec2> points) {
     const auto count = static_cast<std::uint32_t>(points.size());
     if (count < 3) return false;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -96,7 +96,7 @@ bool is_strictly_convex(std::span<const Vec2> points) {
 
 }  // namespace detail
 
-Hull compute_hull(std::span<const Vec2> points) {
+Hull compute_hull(span<const Vec2> points) {
     if (points.size() < 3 || points.size() > max_polygon_vertices) return {};
     SortedPoints set;
     for (const Vec2 p : points) {

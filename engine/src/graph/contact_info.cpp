@@ -45,7 +45,7 @@ bool World::contact_at(std::uint32_t slot, ContactInfo& out) const {
 namespace {
 
 /// The touching contacts of a body, or with a shape those of this shape alone.
-std::uint32_t list_contacts(const Core& c, std::uint32_t body, std::uint32_t shape, std::span<ContactInfo> out) {
+std::uint32_t list_contacts(const Core& c, std::uint32_t body, std::uint32_t shape, span<ContactInfo> out) {
     std::uint32_t n = 0;
     for_each_contact(c, body, [&](std::uint32_t contact, std::uint32_t) {
         const Contact& of = c.contacts[contact];
@@ -58,7 +58,7 @@ std::uint32_t list_contacts(const Core& c, std::uint32_t body, std::uint32_t sha
 
 }  // namespace
 
-std::uint32_t World::contacts(BodyId id, std::span<ContactInfo> out) const { ISLET_READ(list_contacts(c, i, null_index, out)); }
-std::uint32_t World::contacts(ShapeId id, std::span<ContactInfo> out) const { ISLET_READ(list_contacts(c, c.shapes[i].body, i, out)); }
+std::uint32_t World::contacts(BodyId id, span<ContactInfo> out) const { ISLET_READ(list_contacts(c, i, null_index, out)); }
+std::uint32_t World::contacts(ShapeId id, span<ContactInfo> out) const { ISLET_READ(list_contacts(c, c.shapes[i].body, i, out)); }
 
 }  // namespace islet

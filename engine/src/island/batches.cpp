@@ -185,8 +185,7 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
                 const std::uint32_t count = lay_out(next[b * places + group * joint_kernel_count + kernel], at) - at;
                 if (count == 0) continue;
                 const std::uint32_t blocks = (count + lanes - 1) / lanes;
-                plan.runs[plan.run_count++] = {
-                    .kernel = static_cast<JointKernel>(kernel), .color = overflow ? no_color : group - 1, .first = at, .blocks = blocks};
+                plan.runs[plan.run_count++] = {static_cast<JointKernel>(kernel), overflow ? no_color : group - 1, at, blocks};
                 for (std::uint32_t i = count; i < blocks * lanes; ++i) plan.joints[at + i] = null_index;
                 at += blocks * lanes;
             }

@@ -16,7 +16,7 @@ struct Range {
 
 template <class T>
 Range block_range(const Task<T>& task, std::uint32_t block) {
-    const std::span<const std::uint32_t> starts = task.options.blocks;
+    const span<const std::uint32_t> starts = task.options.blocks;
     if (starts.empty()) return {block, block + 1};
     return {starts[block], block + 1 < starts.size() ? starts[block + 1] : task.rows};
 }

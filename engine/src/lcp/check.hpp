@@ -13,7 +13,7 @@ struct Verdict {
 };
 
 template <class T>
-Verdict check_sizes(const Problem<T>& problem, std::span<const T> x) {
+Verdict check_sizes(const Problem<T>& problem, span<const T> x) {
     const Verdict bad = {Status::bad_size, no_row};
     const std::size_t n = problem.q.size();
     const auto fits = [&](std::size_t size) { return size == 0 || size == n; };
@@ -69,7 +69,7 @@ bool row_is_finite(const Problem<T>& problem, std::uint32_t i, const T* x) {
 
 inline bool takes_order(Method method) { return method == Method::pgs || method == Method::psor || method == Method::symmetric_pgs || method == Method::nncg; }
 
-inline Verdict check_blocks(std::span<const std::uint32_t> blocks, std::size_t rows) {
+inline Verdict check_blocks(span<const std::uint32_t> blocks, std::size_t rows) {
     if (blocks.empty()) return {};
     if (blocks.size() > rows || blocks[0] != 0) return {Status::bad_blocks, 0};
     for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -80,7 +80,7 @@ inline Verdict check_blocks(std::span<const std::uint32_t> blocks, std::size_t r
 }
 
 template <class T>
-Verdict check(const Problem<T>& problem, std::span<const T> x) {
+Verdict check(const Problem<T>& problem, span<const T> x) {
     if (const Verdict v = check_sizes(problem, x); !v.good()) return v;
     const std::uint32_t n = row_count(problem);
     if (n > 0 && problem.dense.values.empty())

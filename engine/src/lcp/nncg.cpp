@@ -17,7 +17,7 @@ namespace {
 /// Puts all swept rows back within their bounds, friction last. A sweep that failed leaves rows where the step along the direction has put them.
 template <class T>
 void undo_step(const Task<T>& task) {
-    const std::span<const std::uint32_t> order = task.options.order;
+    const span<const std::uint32_t> order = task.options.order;
     for (const bool with_friction : {false, true}) {
         for (std::size_t k = 0; k < (order.empty() ? task.size() : order.size()); ++k) {
             const std::uint32_t i = order.empty() ? static_cast<std::uint32_t>(k) : order[k];

@@ -36,7 +36,7 @@ Result<T> run_sweeps(Task<T> task) {
 }
 
 template <class T>
-Result<T> solve_by_sweeps(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace) {
+Result<T> solve_by_sweeps(const Problem<T>& problem, const Options<T>& options, span<T> x, span<std::byte> workspace) {
     if (const Verdict v = check_all(problem, options, x, workspace); !v.good()) return refuse(problem, x, v);
     if (options.method > Method::red_black) return refuse(problem, x, {Status::unsupported, no_row});
     return run_sweeps(Task<T>{problem, options, x.data(), row_count(problem), Workspace(workspace)});
@@ -44,7 +44,7 @@ Result<T> solve_by_sweeps(const Problem<T>& problem, const Options<T>& options, 
 
 template Result<float> run_sweeps(Task<float>);
 template Result<double> run_sweeps(Task<double>);
-template Result<float> solve_by_sweeps(const Problem<float>&, const Options<float>&, std::span<float>, std::span<std::byte>);
-template Result<double> solve_by_sweeps(const Problem<double>&, const Options<double>&, std::span<double>, std::span<std::byte>);
+template Result<float> solve_by_sweeps(const Problem<float>&, const Options<float>&, span<float>, span<std::byte>);
+template Result<double> solve_by_sweeps(const Problem<double>&, const Options<double>&, span<double>, span<std::byte>);
 
 }  // namespace islet::lcp

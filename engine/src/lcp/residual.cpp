@@ -7,13 +7,13 @@
 namespace islet::lcp {
 
 template <class T>
-Residuals<T> residuals(const Problem<T>& problem, std::span<const T> x) {
+Residuals<T> residuals(const Problem<T>& problem, span<const T> x) {
     constexpr T inf = Numbers<T>::infinity;
     if (!check(problem, x).good()) return {inf, inf, inf};
     return all_residuals(problem, x.data());
 }
 
-template Residuals<float> residuals(const Problem<float>&, std::span<const float>);
-template Residuals<double> residuals(const Problem<double>&, std::span<const double>);
+template Residuals<float> residuals(const Problem<float>&, span<const float>);
+template Residuals<double> residuals(const Problem<double>&, span<const double>);
 
 }  // namespace islet::lcp

@@ -5,7 +5,7 @@
 namespace islet::lcp {
 
 template <class T>
-Result<T> solve(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace) {
+Result<T> solve(const Problem<T>& problem, const Options<T>& options, span<T> x, span<std::byte> workspace) {
     if (const Verdict v = check_all(problem, options, x, workspace); !v.good()) return refuse(problem, x, v);
     const Task<T> task = {problem, options, x.data(), row_count(problem), Workspace(workspace)};
     switch (options.method) {
@@ -23,7 +23,7 @@ Result<T> solve(const Problem<T>& problem, const Options<T>& options, std::span<
     return run_sweeps(task);
 }
 
-template Result<float> solve(const Problem<float>&, const Options<float>&, std::span<float>, std::span<std::byte>);
-template Result<double> solve(const Problem<double>&, const Options<double>&, std::span<double>, std::span<std::byte>);
+template Result<float> solve(const Problem<float>&, const Options<float>&, span<float>, span<std::byte>);
+template Result<double> solve(const Problem<double>&, const Options<double>&, span<double>, span<std::byte>);
 
 }  // namespace islet::lcp

@@ -43,7 +43,7 @@ bool solve_row(const Problem<T>& problem, std::uint32_t i, T omega, T divisor, T
 
 /// Sweeps the rows of `order`, or 0, 1, 2, ... if it is empty, forward or back. Returns the row that failed, or no_row.
 template <class T>
-std::uint32_t sweep(const Problem<T>& problem, std::span<const std::uint32_t> order, bool back, T omega, const T* divisors, T* x) {
+std::uint32_t sweep(const Problem<T>& problem, span<const std::uint32_t> order, bool back, T omega, const T* divisors, T* x) {
     const std::size_t count = order.empty() ? problem.q.size() : order.size();
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t place = back ? count - 1 - k : k;

@@ -10,7 +10,7 @@ namespace islet::lcp {
 class Workspace {
 public:
     Workspace() = default;
-    explicit Workspace(std::span<std::byte> bytes) : next_(bytes.data()) {}
+    explicit Workspace(span<std::byte> bytes) : next_(bytes.data()) {}
 
     template <class T>
     T* take(std::size_t count) {
@@ -62,16 +62,16 @@ Result<T> finish(const Task<T>& task, Status status, std::uint32_t row, std::uin
 
 /// Checks the arguments; makes a task of them only if all are right.
 template <class T>
-Verdict check_all(const Problem<T>& problem, const Options<T>& options, std::span<T> x, std::span<std::byte> workspace) {
-    if (const Verdict v = check(problem, std::span<const T>(x)); !v.good()) return v;
+Verdict check_all(const Problem<T>& problem, const Options<T>& options, span<T> x, span<std::byte> workspace) {
+    if (const Verdict v = check(problem, span<const T>(x)); !v.good()) return v;
     if (const Verdict v = check(options, x.size()); !v.good()) return v;
     if (workspace.size() < workspace_bytes<T>(options.method, x.size())) return {Status::too_little_memory, no_row};
     return {};
 }
 
 template <class T>
-Result<T> refuse(const Problem<T>& problem, std::span<T> x, Verdict verdict) {
-    return {verdict.status, verdict.row, 0, residuals(problem, std::span<const T>(x))};
+Result<T> refuse(const Problem<T>& problem, span<T> x, Verdict verdict) {
+    return {verdict.status, verdict.row, 0, residuals(problem, span<const T>(x))};
 }
 
 // The methods, a file each.

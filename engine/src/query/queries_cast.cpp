@@ -101,7 +101,7 @@ bool any_hit(const Core& core, const ShapeProxy& shape, Vec2 translation, const 
     return any;
 }
 
-std::uint32_t all_hits(const Core& core, const ShapeProxy& shape, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter) {
+std::uint32_t all_hits(const Core& core, const ShapeProxy& shape, Vec2 translation, span<QueryHit> out, const QueryFilter& filter) {
     if (queries_are_cut(core)) return 0;
     const DefaultFloatMode mode;
     if (!check_cast(core, shape, translation)) return 0;
@@ -151,7 +151,7 @@ bool World::cast_ray_any(Vec2 origin, Vec2 translation, const QueryFilter& filte
     return check_position(core(), origin) && any_hit(core(), point_proxy(origin), translation, filter);
 }
 
-std::uint32_t World::cast_ray_all(Vec2 origin, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter) const {
+std::uint32_t World::cast_ray_all(Vec2 origin, Vec2 translation, span<QueryHit> out, const QueryFilter& filter) const {
     return check_position(core(), origin) ? all_hits(core(), point_proxy(origin), translation, out, filter) : 0;
 }
 
@@ -163,7 +163,7 @@ QueryHit World::cast_shape(const ShapeProxy& shape, Vec2 translation, const Quer
 
 bool World::cast_shape_any(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter) const { return any_hit(core(), shape, translation, filter); }
 
-std::uint32_t World::cast_shape_all(const ShapeProxy& shape, Vec2 translation, std::span<QueryHit> out, const QueryFilter& filter) const {
+std::uint32_t World::cast_shape_all(const ShapeProxy& shape, Vec2 translation, span<QueryHit> out, const QueryFilter& filter) const {
     return all_hits(core(), shape, translation, out, filter);
 }
 

@@ -35,7 +35,7 @@ struct Overlap {
     }
 };
 
-std::uint32_t count_overlaps(const Overlap& overlap, std::span<ShapeId> out) {
+std::uint32_t count_overlaps(const Overlap& overlap, span<ShapeId> out) {
     if (queries_are_cut(overlap.core)) return 0;
     const DefaultFloatMode mode;
     const Aabb reach = expand(overlap.box, rounding_of(overlap.box));
@@ -81,15 +81,15 @@ bool check_box(const Core& core, const Aabb& box) {
 }  // namespace
 }  // namespace detail
 
-std::uint32_t World::overlap_box(const Aabb& box, std::span<ShapeId> out, const QueryFilter& filter) const {
+std::uint32_t World::overlap_box(const Aabb& box, span<ShapeId> out, const QueryFilter& filter) const {
     return check_box(core(), box) ? count_overlaps({core(), {}, box, filter, Question::box}, out) : 0;
 }
 
-std::uint32_t World::overlap_shape(const ShapeProxy& shape, std::span<ShapeId> out, const QueryFilter& filter) const {
+std::uint32_t World::overlap_shape(const ShapeProxy& shape, span<ShapeId> out, const QueryFilter& filter) const {
     return check_proxy(core(), shape) ? count_overlaps({core(), shape, box_of(shape), filter, Question::shape}, out) : 0;
 }
 
-std::uint32_t World::overlap_point(Vec2 point, std::span<ShapeId> out, const QueryFilter& filter) const {
+std::uint32_t World::overlap_point(Vec2 point, span<ShapeId> out, const QueryFilter& filter) const {
     return check_position(core(), point) ? count_overlaps({core(), point_proxy(point), {point, point}, filter, Question::point}, out) : 0;
 }
 

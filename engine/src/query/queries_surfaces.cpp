@@ -33,7 +33,7 @@ bool face_of_segment(const ShapeProxy& p, const ShapeProxy& segment, Nearest& n)
 
 }  // namespace
 
-std::uint32_t World::surfaces_near(const ShapeProxy& shape, float within, std::span<Surface> out, const QueryFilter& filter) const {
+std::uint32_t World::surfaces_near(const ShapeProxy& shape, float within, span<Surface> out, const QueryFilter& filter) const {
     const Core& c = core();
     if (queries_are_cut(c)) return 0;
     const DefaultFloatMode mode;

@@ -24,7 +24,7 @@ struct Pen {
     void capsule(Vec2 a, Vec2 b, float radius) const {
         if (draw.capsule != nullptr) draw.capsule(a, b, radius, style, draw.context);
     }
-    void polygon(std::span<const Vec2> corners, float radius) const {
+    void polygon(span<const Vec2> corners, float radius) const {
         if (draw.polygon != nullptr) draw.polygon(corners, radius, style, draw.context);
     }
     void text(Vec2 p, const char* words) const {

@@ -51,6 +51,9 @@ struct ShapeRow;
     };
 ISLET_SHAPE_TYPES(ISLET_ROW)
 #undef ISLET_ROW
+/// The row of what has the type Shape or const Shape&.
+template <class Shape>
+using RowOf = ShapeRow<std::remove_const_t<std::remove_reference_t<Shape>>>;
 
 /// Calls visit(shape) with the geometry as what it is.
 template <class Visit>
@@ -65,10 +68,10 @@ template <class Visit>
 }
 
 ISLET_SHARED std::uint32_t rank_of(const Geometry& g) {
-    return with_shape(g, []<class Shape>(const Shape&) { return ShapeRow<Shape>::rank; });
+    return with_shape(g, [](const auto& shape) { return RowOf<decltype(shape)>::rank; });
 }
 inline ShapeKind kind_of(const Geometry& g) {
-    return with_shape(g, []<class Shape>(const Shape&) { return ShapeRow<Shape>::kind; });
+    return with_shape(g, [](const auto& shape) { return RowOf<decltype(shape)>::kind; });
 }
 
 /// The types without end have, besides, aabb_of, reaches and corners_near of their own (below).
@@ -138,8 +141,8 @@ ISLET_SHARED Aabb aabb_of(const Corners& corners, const Transform& t) {
 }
 ISLET_SHARED Aabb aabb_of(const Geometry& g, const Transform& t) {
     if (!is_endless(g)) return aabb_of(corners_of(g), t);
-    return with_shape(g, [&]<class Shape>(const Shape& shape) {
-        if constexpr (ShapeRow<Shape>::kind == ShapeKind::endless) return aabb_of(shape, t);
+    return with_shape(g, [&](const auto& shape) {
+        if constexpr (RowOf<decltype(shape)>::kind == ShapeKind::endless) return aabb_of(shape, t);
         return Aabb{};
     });
 }
@@ -149,16 +152,16 @@ Around around(const Corners& other, const Transform& t);
 /// The corners of a shape; of one without end those of a patch, which go to `room` (4 points): what is around meets the patch as it meets the whole.
 ISLET_SHARED Corners corners_near(const Geometry& g, [[maybe_unused]] const Around& around, [[maybe_unused]] Vec2* room) {
     if (!is_endless(g)) return corners_of(g);
-    return with_shape(g, [&]<class Shape>(const Shape& shape) {
-        if constexpr (ShapeRow<Shape>::kind == ShapeKind::endless) return corners_near(shape, around, room);
+    return with_shape(g, [&](const auto& shape) {
+        if constexpr (RowOf<decltype(shape)>::kind == ShapeKind::endless) return corners_near(shape, around, room);
         return Corners{};
     });
 }
 
 /// False only if what is in the box does not come near a shape without end; its own box says little.
 inline bool reaches_endless(const Geometry& g, const Transform& t, const Aabb& box) {
-    return with_shape(g, [&]<class Shape>(const Shape& shape) {
-        if constexpr (ShapeRow<Shape>::kind == ShapeKind::endless) return reaches(shape, t, box);
+    return with_shape(g, [&](const auto& shape) {
+        if constexpr (RowOf<decltype(shape)>::kind == ShapeKind::endless) return reaches(shape, t, box);
         return true;
     });
 }

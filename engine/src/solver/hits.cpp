@@ -59,7 +59,7 @@ void report_hits(Core& core, const Hit* hits) {
 
 }  // namespace detail
 
-std::span<const HitEvent> World::hit_events() const { return {core().hit_events, core().hit_count}; }
+span<const HitEvent> World::hit_events() const { return {core().hit_events, core().hit_count}; }
 
 float World::hit_threshold() const { return core().state->hit_threshold; }
 

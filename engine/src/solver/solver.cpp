@@ -370,12 +370,12 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     const std::uint32_t* const island_of = s.plan.island_of;
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
         if (island_of[slot] != null_index) s.residuals[island_of[slot]] = 0;
-    const auto try_contacts = [&]<class Kernel>(Kernel, typename Kernel::Rows& r, const SweepNumbers& numbers) {
+    const auto try_contacts = [&](auto kernel, auto& r, const SweepNumbers& numbers) {
         Trial trial(reinterpret_cast<std::byte*>(&r), sizeof r);
         for (const std::uint32_t slot : r.body_a) trial.add(slot);
         for (const std::uint32_t slot : r.body_b) trial.add(slot);
         begin_trial(trial, s.bodies);
-        Kernel::solve(s.bodies, &r, 1, numbers);
+        decltype(kernel)::solve(s.bodies, &r, 1, numbers);
         end_trial(trial, s.bodies, island_of, s.residuals);
     };
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
@@ -549,7 +549,7 @@ void report_residuals(Core& core, const Plan& plan, const float* residuals) {
 }  // namespace
 
 SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
-    Solve s{.core = core, .plan = plan, .numbers = choose_numbers(*core.state, dt)};
+    Solve s{core, plan, choose_numbers(*core.state, dt)};
     s.bodies = arena.take<SolverBody>(plan.slot_count);
     s.motions = arena.take<SolverMotion>(plan.slot_count);
     s.bodies[0] = SolverBody{};

@@ -26,7 +26,7 @@ WorldDef host_settings(const Core& core) {
 
 }  // namespace
 
-World* copy_world(const World& from, std::span<std::byte> block, const Capacity& capacity, std::span<std::byte> image, Error* error) {
+World* copy_world(const World& from, span<std::byte> block, const Capacity& capacity, span<std::byte> image, Error* error) {
     const Core& core = Core::of(from);
     Error problem = core.inside != 0 ? Error::in_step : image.size() < from.snapshot_bytes() ? Error::image_too_small : Error::none;
     World* world = nullptr;

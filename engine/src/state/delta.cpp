@@ -57,7 +57,7 @@ std::uint32_t significant_bytes(std::uint32_t word) { return word == 0 ? 0 : (39
 
 /// Packs groups into a span. Once the span is full, the packer writes nothing more and sets `full`.
 struct Packer {
-    std::span<std::byte> out;
+    span<std::byte> out;
     std::size_t at = 0;
     std::size_t zeros_at = 0;  // where the count of equal groups stands, or 0
     bool full = false;
@@ -98,7 +98,7 @@ struct Packer {
 
 /// Unpacks groups. Bytes beyond the end read as 0, and set `broken`.
 struct Unpacker {
-    std::span<const std::byte> in;
+    span<const std::byte> in;
     std::size_t at = 0;
     std::uint32_t zeros = 0;
     bool broken = false;
@@ -135,7 +135,7 @@ struct Unpacker {
 /// Calls word(old word, place in the new image, number of the word in its group) for each word of the new image behind its header; done() after
 /// each group.
 template <class Word, class Done>
-void for_each_word(std::span<const std::byte> from, const Parts& old_parts, const Parts& new_parts, Word&& word, Done&& done) {
+void for_each_word(span<const std::byte> from, const Parts& old_parts, const Parts& new_parts, Word&& word, Done&& done) {
     for (std::uint32_t p = 0; p < new_parts.count; ++p) {
         const std::byte* old_part = from.data() + old_parts.start[p];
         std::uint32_t in_group = 0;
@@ -153,7 +153,7 @@ std::size_t failed(Error* error, Error why) {
     return 0;
 }
 
-Error read_delta_header(std::span<const std::byte> bytes, DeltaHeader& h) {
+Error read_delta_header(span<const std::byte> bytes, DeltaHeader& h) {
     const Error error = read_head(bytes, delta_magic, sizeof h + sizeof(ImageHeader), h.head);
     if (error != Error::none) return error;
     std::memcpy(&h, bytes.data(), sizeof h);
@@ -162,7 +162,7 @@ Error read_delta_header(std::span<const std::byte> bytes, DeltaHeader& h) {
 
 }  // namespace
 
-std::size_t delta(std::span<const std::byte> from, std::span<const std::byte> to, std::span<std::byte> out, Error* error) {
+std::size_t delta(span<const std::byte> from, span<const std::byte> to, span<std::byte> out, Error* error) {
     if (error != nullptr) *error = Error::none;
     ImageHeader old_header, new_header;
     Error problem = read_header(from, old_header);
@@ -194,7 +194,7 @@ std::size_t delta(std::span<const std::byte> from, std::span<const std::byte> to
     return packer.at;
 }
 
-std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> delta, std::span<std::byte> out, Error* error) {
+std::size_t apply(span<const std::byte> from, span<const std::byte> delta, span<std::byte> out, Error* error) {
     if (error != nullptr) *error = Error::none;
     ImageHeader old_header, new_header;
     Error problem = read_header(from, old_header);
@@ -207,7 +207,7 @@ std::size_t apply(std::span<const std::byte> from, std::span<const std::byte> de
     std::memcpy(&new_header, delta.data() + sizeof h, sizeof new_header);
     if (h.to_length < sizeof new_header) return failed(error, Error::corrupt_image);
     std::memcpy(out.data(), &new_header, sizeof new_header);
-    const std::span<std::byte> image = out.first(static_cast<std::size_t>(h.to_length));
+    const span<std::byte> image = out.first(static_cast<std::size_t>(h.to_length));
     if (read_header(image, new_header) != Error::none) return failed(error, Error::corrupt_image);
 
     Unpacker unpacker{delta, sizeof h + sizeof new_header};

@@ -96,6 +96,11 @@ auto* slots_of(const Core& c) {
     if constexpr (per == Per::joint) return c.joints;
 }
 
+template <class Records, class = void>
+constexpr bool has_generation = false;
+template <class Record>
+constexpr bool has_generation<Record*, decltype(void(Record::generation))> = true;
+
 const char* fault_in_pools(const Core& c, Arena scratch) {
     const State& s = *c.state;
     const char* bad = nullptr;
@@ -104,7 +109,7 @@ const char* fault_in_pools(const Core& c, Arena scratch) {
             if (bad == nullptr) bad = fault_in_geometry_pool(c, scratch);
         } else if constexpr (row.size == one_bit) {
             if (bad == nullptr) bad = fault_in_bits(array, pool_of<row.per>(s), slots_of<row.per>(c));
-        } else if constexpr (row.kept == Kept::saved && requires { array->generation; }) {
+        } else if constexpr (row.kept == Kept::saved && has_generation<std::remove_reference_t<decltype(array)>>) {
             if (bad == nullptr) bad = fault_in_pool(pool_of<row.per>(s), array, static_cast<std::uint32_t>(room_for(row.per, c.capacity)));
         }
     });

@@ -22,7 +22,7 @@ FormatInfo format_by(std::uint32_t magic, std::uint32_t format) {
 }
 
 // By the first two words, which everything that Islet writes begins with: what it is, and its format.
-FormatInfo format_at(std::span<const std::byte> bytes) {
+FormatInfo format_at(span<const std::byte> bytes) {
     std::uint32_t words[2];
     if (bytes.data() == nullptr || bytes.size() < sizeof words) return {};
     __builtin_memcpy(words, bytes.data(), sizeof words);
@@ -35,7 +35,7 @@ FormatInfo format_at(std::span<const std::byte> bytes) {
 
 /// Appends to a text. What finds no room is counted alone.
 struct Sentence {
-    std::span<char> out;
+    span<char> out;
     std::size_t length = 0;
 
     void put(char c) {
@@ -64,7 +64,7 @@ const char* name_of(FormatKind kind) {
 
 }  // namespace
 
-FormatInfo read_format(std::span<const std::byte> bytes) {
+FormatInfo read_format(span<const std::byte> bytes) {
     const FormatInfo info = format_at(bytes);
     if (info.kind != FormatKind::recording || !info.is_readable() || bytes.size() <= sizeof(RecordingHead)) return info;
     FormatInfo snapshot = format_at(bytes.subspan(sizeof(RecordingHead)));
@@ -73,7 +73,7 @@ FormatInfo read_format(std::span<const std::byte> bytes) {
     return snapshot;
 }
 
-std::size_t describe_format(const FormatInfo& info, std::span<char> out) {
+std::size_t describe_format(const FormatInfo& info, span<char> out) {
     Sentence s{out};
     if (info.kind == FormatKind::unknown) {
         s.put("These bytes are nothing that Islet " ISLET_VERSION_STRING " knows");

@@ -15,6 +15,11 @@ using namespace detail;
 
 namespace {
 
+template <class Record, class = void>
+constexpr bool has_user_data = false;
+template <class Record>
+constexpr bool has_user_data<Record, decltype(void(Record::user_data))> = true;
+
 struct Hasher {
     std::uint64_t h = 0x9e3779b97f4a7c15ull;
 
@@ -42,7 +47,7 @@ struct Hasher {
     /// The first `count` elements of an array. User data does not affect the future, so it counts as zeros.
     template <class T>
     void array(const T* items, std::uint32_t count) {
-        if constexpr (requires { items->user_data; }) {
+        if constexpr (has_user_data<T>) {
             for (std::uint32_t i = 0; i < count; ++i) but_data(items + i, offsetof(T, user_data), sizeof(T));
         } else {
             records(items, count);

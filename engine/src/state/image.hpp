@@ -66,13 +66,13 @@ inline std::uint64_t image_length(const ImageHeader& h) {
 }
 
 /// Reads the head of an image or a delta that must be at least `least` bytes long. Returns an error of the head alone: kind, byte order, version or length.
-Error read_head(std::span<const std::byte> bytes, std::uint32_t magic, std::size_t least, ImageHead& head);
+Error read_head(span<const std::byte> bytes, std::uint32_t magic, std::size_t least, ImageHead& head);
 
 /// The same for the whole header of an image, including its counts.
-Error read_header(std::span<const std::byte> image, ImageHeader& h);
+Error read_header(span<const std::byte> image, ImageHeader& h);
 
 /// The checksum of an image or a delta: of all bytes after its head.
-std::uint64_t image_checksum(std::span<const std::byte> bytes);
+std::uint64_t image_checksum(span<const std::byte> bytes);
 
 /// The header of an image of the world as it is now, without checksum.
 ImageHeader header_of(const Core& core);

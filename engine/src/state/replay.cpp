@@ -41,13 +41,13 @@ public:
         return low | std::uint64_t{word()} << 32;
     }
     /// So many bytes, padded to words. Returns none and notes the fault beyond the end.
-    std::span<const std::byte> bytes(std::uint64_t size) {
+    span<const std::byte> bytes(std::uint64_t size) {
         const std::size_t begin = at_;
         if (size > end_ - at_) bad_ = true;
         for (std::uint64_t read = 0; read < size && !bad_; read += 4) word();
-        return bad_ ? std::span<const std::byte>{} : std::span{head_ + begin, static_cast<std::size_t>(size)};
+        return bad_ ? span<const std::byte>{} : span{head_ + begin, static_cast<std::size_t>(size)};
     }
-    std::span<const std::byte> image() {
+    span<const std::byte> image() {
         const std::uint64_t size = long_word();
         if (at_ % 8 != 0) word();
         return bytes(size);
@@ -70,13 +70,13 @@ private:
     void one(std::uint32_t& a) { a = word(); }
     void one(std::int32_t& a) { a = static_cast<std::int32_t>(word()); }
     void one(std::uint64_t& a) { a = long_word(); }
-    void one(std::span<const Vec2>& a) {
+    void one(span<const Vec2>& a) {
         const std::uint32_t count = word();
         a = {reinterpret_cast<const Vec2*>(bytes(std::uint64_t{count} * sizeof(Vec2)).data()), bad_ ? 0 : count};
     }
     template <class T>
     void one(T& a) {
-        if constexpr (requires { members(*this, a); }) {
+        if constexpr (has_members<T>) {
             members(*this, a);
         } else {
             const std::uint32_t w = word();  // an enumeration of a byte
@@ -114,7 +114,7 @@ bool make_call(World& world, CallReader& reader, Call call) {
     }
 }
 
-Error read_head(std::span<const std::byte> recording, RecordingHead& head) {
+Error read_head(span<const std::byte> recording, RecordingHead& head) {
     if (reinterpret_cast<std::uintptr_t>(recording.data()) % recording_alignment != 0) return Error::image_misaligned;
     if (recording.size() < sizeof head) return Error::not_a_recording;
     std::memcpy(&head, recording.data(), sizeof head);
@@ -150,13 +150,13 @@ struct WordCount {
     }
     template <class T>
     constexpr void one(T& a) {
-        if constexpr (requires { members(*this, a); }) {
+        if constexpr (has_members<T>) {
             members(*this, a);
         } else {
             words += sizeof(T) == 8 ? 2 : 1;
         }
     }
-    constexpr void one(std::span<const Vec2>&) { ++words; }  // their number; they follow
+    constexpr void one(span<const Vec2>&) { ++words; }  // their number; they follow
 };
 
 template <class... Args>
@@ -190,7 +190,7 @@ struct Contents {
     Capacity held;
     std::uint64_t bodies = 0, shapes = 0, joints = 0;  // made
 
-    void add(std::span<const std::byte> image) {
+    void add(span<const std::byte> image) {
         SnapshotInfo info;
         if (read_snapshot(image, info) != Error::none) return;
         raise_to(held.bodies, info.used.bodies);
@@ -266,7 +266,7 @@ void compare(World& world, CallReader& reader, std::uint64_t sum, bool bodies, R
 
 }  // namespace
 
-Error read_recording(std::span<const std::byte> recording, RecordingInfo& out) {
+Error read_recording(span<const std::byte> recording, RecordingInfo& out) {
     RecordingHead head;
     const Error error = read_head(recording, head);
     if (error != Error::none) return error;
@@ -281,7 +281,7 @@ Error read_recording(std::span<const std::byte> recording, RecordingInfo& out) {
     return Error::none;
 }
 
-ReplayResult replay(World& world, std::span<const std::byte> recording, std::uint64_t steps) {
+ReplayResult replay(World& world, span<const std::byte> recording, std::uint64_t steps) {
     RecordingHead head;
     const Error error = read_head(recording, head);
     if (error != Error::none) return refused(error, 0);
@@ -308,7 +308,7 @@ ReplayResult replay(World& world, std::span<const std::byte> recording, std::uin
             compare(world, reader, sum, head.bodies != 0, result);
             if (result.end != ReplayEnd::complete) return result;
         } else if (call == Call::image) {
-            const std::span<const std::byte> image = reader.image();
+            const span<const std::byte> image = reader.image();
             if (reader.is_bad() || !world.load(image)) return refused(Error::corrupt_recording, result.steps);
         } else if (!make_call(world, reader, call)) {
             return refused(Error::corrupt_recording, result.steps);

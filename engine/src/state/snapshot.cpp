@@ -46,7 +46,7 @@ ImageHeader header_of(const Core& core) {
     return h;
 }
 
-Error read_head(std::span<const std::byte> bytes, std::uint32_t magic, std::size_t least, ImageHead& head) {
+Error read_head(span<const std::byte> bytes, std::uint32_t magic, std::size_t least, ImageHead& head) {
     std::uint32_t kind = 0;
     if (bytes.size() < sizeof kind || bytes.data() == nullptr) return Error::truncated_image;
     std::memcpy(&kind, bytes.data(), sizeof kind);
@@ -58,7 +58,7 @@ Error read_head(std::span<const std::byte> bytes, std::uint32_t magic, std::size
     return head.length == bytes.size() ? Error::none : Error::truncated_image;
 }
 
-Error read_header(std::span<const std::byte> image, ImageHeader& h) {
+Error read_header(span<const std::byte> image, ImageHeader& h) {
     const Error error = read_head(image, image_magic, sizeof h, h.head);
     if (error != Error::none) return error;
     std::memcpy(&h, image.data(), sizeof h);
@@ -68,7 +68,7 @@ Error read_header(std::span<const std::byte> image, ImageHeader& h) {
     return h.head.length == image_length(h) && fits(h.capacity, h) ? Error::none : Error::corrupt_image;
 }
 
-std::uint64_t image_checksum(std::span<const std::byte> bytes) { return checksum_of(bytes.data() + sizeof(ImageHead), bytes.size() - sizeof(ImageHead)); }
+std::uint64_t image_checksum(span<const std::byte> bytes) { return checksum_of(bytes.data() + sizeof(ImageHead), bytes.size() - sizeof(ImageHead)); }
 
 }  // namespace detail
 
@@ -200,7 +200,7 @@ Core view_of(const Core& world, const ImageHeader& h, const std::byte* image) {
 
 }  // namespace
 
-Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out) {
+Error read_snapshot(span<const std::byte> image, SnapshotInfo& out) {
     ImageHeader h;
     const Error error = read_header(image, h);
     if (error != Error::none) return error;
@@ -216,7 +216,7 @@ Error read_snapshot(std::span<const std::byte> image, SnapshotInfo& out) {
 
 std::size_t World::snapshot_bytes() const { return static_cast<std::size_t>(header_of(core()).head.length); }
 
-std::size_t World::save(std::span<std::byte> out) const {
+std::size_t World::save(span<std::byte> out) const {
     const Core& c = core();
     ImageHeader h = header_of(c);
     if (!check_open(c) || !check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
@@ -228,7 +228,7 @@ std::size_t World::save(std::span<std::byte> out) const {
     return static_cast<std::size_t>(h.head.length);
 }
 
-bool World::restore(std::span<const std::byte> image) {
+bool World::restore(span<const std::byte> image) {
     Core& c = core();
     ImageHeader h;
     const Error error = read_header(image, h);
@@ -240,7 +240,7 @@ bool World::restore(std::span<const std::byte> image) {
     return true;
 }
 
-bool World::load(std::span<const std::byte> image) {
+bool World::load(span<const std::byte> image) {
     Core& c = core();
     ImageHeader h;
     const Error error = read_header(image, h);

@@ -80,9 +80,11 @@ bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
 
 // Calls the narrow-phase function for the types of the two shapes. A has the higher rank, and one of the two is solid.
 Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin) {
-    return with_shape(a, [&]<class A>(const A& shape_a) {
-        return with_shape(b, [&]<class B>(const B& shape_b) -> Manifold {
-            if constexpr (ShapeRow<B>::rank <= ShapeRow<A>::rank && ShapeRow<B>::kind == ShapeKind::solid) return collide(shape_a, shape_b, b_in_a, margin);
+    return with_shape(a, [&](const auto& shape_a) {
+        return with_shape(b, [&](const auto& shape_b) -> Manifold {
+            using A = RowOf<decltype(shape_a)>;
+            using B = RowOf<decltype(shape_b)>;
+            if constexpr (B::rank <= A::rank && B::kind == ShapeKind::solid) return collide(shape_a, shape_b, b_in_a, margin);
             __builtin_unreachable();
         });
     });

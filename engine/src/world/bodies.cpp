@@ -146,7 +146,7 @@ Vec2 World::velocity_at(BodyId id, Vec2 point) const {
     return c.motions[i].v + cross(c.motions[i].w, point - c.poses[i].center);
 }
 
-std::uint32_t World::shapes(BodyId id, std::span<ShapeId> out) const {
+std::uint32_t World::shapes(BodyId id, span<ShapeId> out) const {
     const Core& c = core();
     const std::uint32_t i = find_slot(c, id);
     if (i == null_index) return 0;

@@ -14,7 +14,7 @@ using namespace detail;
 ISLET_DEFINE_CREATE_SHAPE(chain_segment, ChainSegment)
 ISLET_DEFINE_SET_SHAPE(chain_segment, ChainSegment)
 
-std::uint32_t World::create_chain(BodyId id, std::span<const Vec2> points, bool loop, const ShapeDef& def, std::span<ShapeId> out) {
+std::uint32_t World::create_chain(BodyId id, span<const Vec2> points, bool loop, const ShapeDef& def, span<ShapeId> out) {
     Core& c = core();
     note_call<Call::create_chain>(c, id, points, loop, def);
     if (!check_there(c, has_chains)) return 0;

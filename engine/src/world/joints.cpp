@@ -74,7 +74,7 @@ JointId World::joint_at(std::uint32_t slot) const {
     return pool_live(c.state->joint_pool, c.joints, slot) ? c.joint_id(slot) : JointId{};
 }
 
-std::uint32_t World::joints(BodyId id, std::span<JointId> out) const {
+std::uint32_t World::joints(BodyId id, span<JointId> out) const {
     const Core& c = core();
     const std::uint32_t i = find_slot(c, id);
     if (i == null_index) return 0;

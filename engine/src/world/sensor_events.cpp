@@ -10,11 +10,11 @@ namespace islet {
 
 using namespace detail;
 
-std::span<const SensorEvent> World::sensor_begin_events() const { return {core().sensor_begins.events, core().sensor_begins.count}; }
+span<const SensorEvent> World::sensor_begin_events() const { return {core().sensor_begins.events, core().sensor_begins.count}; }
 
-std::span<const SensorEvent> World::sensor_end_events() const { return {core().sensor_ends.events, core().sensor_ends.count}; }
+span<const SensorEvent> World::sensor_end_events() const { return {core().sensor_ends.events, core().sensor_ends.count}; }
 
-std::uint32_t World::sensor_overlaps(ShapeId id, std::span<ShapeId> out) const {
+std::uint32_t World::sensor_overlaps(ShapeId id, span<ShapeId> out) const {
     const Core& c = core();
     const std::uint32_t i = find_slot(c, id);
     if (i == null_index || !check(c, detail::is_sensor(c, i), Error::not_a_sensor)) return 0;

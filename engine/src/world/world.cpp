@@ -30,7 +30,7 @@ using namespace detail;
 
 namespace {
 
-Error check_block(std::span<std::byte> block, std::size_t wanted) {
+Error check_block(span<std::byte> block, std::size_t wanted) {
     if (reinterpret_cast<std::uintptr_t>(block.data()) % world_alignment != 0) return Error::block_misaligned;
     return block.data() == nullptr || block.size() < wanted ? Error::block_too_small : Error::none;
 }
@@ -84,7 +84,7 @@ void point_into(Core& core, std::byte* block, const Layout& l) {
 
 }  // namespace
 
-World* World::create(std::span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error) {
+World* World::create(span<std::byte> block, const Capacity& capacity, const WorldDef& def, Error* error) {
     Layout l{};
     Error problem = islet::is_valid(capacity) ? Error::none : Error::bad_capacity;
     if (problem == Error::none) {
@@ -202,11 +202,11 @@ Error World::last_error() const { return core().last_error; }
 void World::clear_error() { core().last_error = Error::none; }
 std::uint64_t World::step_count() const { return core().state->steps; }
 
-std::span<const TouchEvent> World::begin_touch_events() const { return {core().begin_events, core().begin_count}; }
-std::span<const TouchEvent> World::end_touch_events() const { return {core().end_events, core().end_count}; }
-std::span<const BodyId> World::moved_bodies() const { return {core().moved_events, core().moved_count}; }
-std::span<const BodyId> World::slept_bodies() const { return {core().slept_events, core().slept_count}; }
-std::span<const JointBreakEvent> World::broken_joints() const { return {core().break_events, core().break_count}; }
+span<const TouchEvent> World::begin_touch_events() const { return {core().begin_events, core().begin_count}; }
+span<const TouchEvent> World::end_touch_events() const { return {core().end_events, core().end_count}; }
+span<const BodyId> World::moved_bodies() const { return {core().moved_events, core().moved_count}; }
+span<const BodyId> World::slept_bodies() const { return {core().slept_events, core().slept_count}; }
+span<const JointBreakEvent> World::broken_joints() const { return {core().break_events, core().break_count}; }
 
 std::uint32_t World::contact_count() const { return core().state->contact_pool.count; }
 

@@ -1055,7 +1055,7 @@ typedef struct IsletWheelJointDef {
     uint32_t struct_size;  ///< sizeof(IsletWheelJointDef)
     uint32_t reserved;     ///< 0
     IsletJointBase base;
-    /// of the strut
+    /// of the strut; by default 4 Hz, damping ratio 0.7
     IsletJointSpring spring;
     /// of the strut
     IsletJointLimit limit;
