@@ -12,13 +12,6 @@
 namespace islet::samples {
 namespace {
 
-/// For bodies that are to meet nothing.
-ShapeDef ghost() {
-    ShapeDef material;
-    material.filter.mask = 0;
-    return material;
-}
-
 double energy(const Engine& engine, Vec2 gravity) { return kinetic_energy(engine) + potential_energy(engine, gravity); }
 
 /// The arithmetic-geometric mean of a and b.
