@@ -90,7 +90,7 @@ const std::vector<SceneInfo>& catalogue() {
         steady<make_weighed_stack>("weighed_stack", "the ground feels the weight of a stack", 20),
         steady<make_tall_card_house>("tall_card_house", "a house of cards, seven storeys high, stands for a minute"),
         steady<make_mixed_pile>("mixed_pile", "polygons of three to eight corners settle in a bin"),
-        steady<make_settling_pile>("settling_pile", "500 boxes and discs fall into a bin and fall asleep"),
+        steady<make_settling_pile>("settling_pile", "500 boxes fall into a bin and fall asleep"),
         steady<make_wild_pendulum>("wild_pendulum", "a double pendulum swings over for ten minutes"),
         steady<make_rods_in_space>("rods_in_space", "three hinged rods turn in space for ten minutes"),
         steady<make_spun_rod>("spun_rod", "a hinged rod turns ten times a second"),

@@ -60,7 +60,7 @@ Scene make_wedge_at_wall(int start) {
     add_static(scene, {0, -1}, make_box(20, 1), material);
     const float half = 0.5f * (4 + into);
     add_static(scene, {6, 4 - half}, make_box(1, half), material);
-    const std::size_t wedge = add_dynamic(scene, {2, 0}, polygon_of({{-1, 0}, {1, 0}, {-1, height}}), material);
+    const std::size_t wedge = add_dynamic(scene, {2 - 0.04f * static_cast<float>(start), 0}, polygon_of({{-1, 0}, {1, 0}, {-1, height}}), material);
     scene.bodies[wedge].def.linear_velocity = {5, 0};
 
     // With the pull it hits the wall faster than at 5 m/s: then what counts is how deep it stays.
@@ -94,8 +94,8 @@ Scene make_v_grooves(int start) {
         // Both planks go a metre past the bottom.
         for (const float side : {1.0f, -1.0f})
             add_static(scene, bottom + Vec2{side * (3 * q.c + 0.5f * q.s), 3 * q.s - 0.5f * q.c}, make_box(4, 0.5f), material, side * angle);
-        squares.push_back(add_dynamic(scene, bottom + Vec2{0.05f * static_cast<float>(start - 4), 2.2f}, make_box(0.5f, 0.5f), material,
-                                      0.15f * static_cast<float>(start)));
+        squares.push_back(
+            add_dynamic(scene, bottom + Vec2{0.05f * static_cast<float>(start - 4), 2.2f}, make_box(0.5f, 0.5f), material, 0.15f * static_cast<float>(start)));
     }
 
     const auto deepest = std::make_shared<double>();
@@ -203,7 +203,7 @@ Scene make_landings(int start) {
     lift_def.type = BodyType::kinematic;
     lift_def.linear_velocity = {0, lift_speed};
     // The last one falls on a lift that rises beside the ground. The first falls flat, the last every second time, the others as they come.
-    const SceneGeometry things[] = {make_box(0.5f, 0.5f), make_box(0.5f, 0.5f), make_box(1, 0.05f), regular(3, 0.5f),
+    const SceneGeometry things[] = {make_box(0.5f, 0.5f), make_box(0.5f, 0.5f), make_box(1, 0.05f),  regular(3, 0.5f),
                                     regular(8, 0.5f),     Circle{{}, 0.5f},     make_box(0.5f, 0.5f)};
     constexpr std::size_t count = std::size(things);
     add_static(scene, {-14, -1}, make_box(28, 1));
@@ -274,7 +274,7 @@ Scene make_plates_at_walls(int start) {
             const BodyState plate = engine.body(plates[i]);
             const double face = double(plate.position.x) + double(half_thickness);  // the wall's is at 0
             seen->nearest[i] = std::max(seen->nearest[i], face);
-            if (!seen->stopped[i] && plate.linear_velocity.x < 0.5f * speeds[i]) {
+            if (!seen->stopped[i] && plate.linear_velocity.x < 5) {
                 seen->stopped[i] = true;
                 seen->first[i] = face;
             }

@@ -66,7 +66,7 @@ Scene make_wild_pendulum(int start) {
     const std::shared_ptr<double> gap = watch_gap(scene);
     // What it may swing with is its energy above hanging down. Positions and velocities are half a substep apart: up to 0.7 % of it.
     struct Seen {
-        double before = 0, scale = 0, minute = 0, most = 0;
+        double before = 0, scale = 0, minute = 0, most = 0, least = 0;
     };
     const auto seen = std::make_shared<Seen>();
     const Vec2 gravity = scene.world.gravity;
@@ -81,12 +81,14 @@ Scene make_wild_pendulum(int start) {
         before(engine, step);
         const double gained = (energy(engine, gravity) - seen->before) / seen->scale;
         seen->most = std::max(seen->most, gained);
+        seen->least = std::min(seen->least, gained);
         if (step + 1 == after_a_minute) seen->minute = gained;
     };
     scene.check = [seen, gap](const Engine&) -> std::vector<CheckLine> {
         return {
             wanted_line("double pendulum: energy gained or lost in 60 s (of it)", std::abs(seen->minute), 0.05),
             wanted_line("double pendulum: most energy gained in 10 min (of it)", seen->most, 0.01),
+            at_most("most energy lost (of it)", -seen->least, 0.05),
             at_most("widest gap of a hinge (m)", *gap, 1e-4),
         };
     };
@@ -236,9 +238,7 @@ Scene make_chain_ball_from(int start) {
     Scene scene = make_chain_ball();
     scene.world.gravity = rotate(make_rot(0.05f * static_cast<float>(start)), {0, -10});
     const std::shared_ptr<double> gap = watch_gap(scene);
-    scene.check = [gap](const Engine&) -> std::vector<CheckLine> {
-        return {wanted_line("chain under 1000 x a link: widest gap (m)", *gap, 4e-5)};
-    };
+    scene.check = [gap](const Engine&) -> std::vector<CheckLine> { return {wanted_line("chain under 1000 x a link: widest gap (m)", *gap, 4e-5)}; };
     return scene;
 }
 
@@ -247,9 +247,7 @@ Scene make_joint_grid_from(int start) {
     scene.steps = 300;
     scene.world.gravity = rotate(make_rot(0.02f * static_cast<float>(start)), {0, -10});
     const std::shared_ptr<double> gap = watch_gap(scene);
-    scene.check = [gap](const Engine&) -> std::vector<CheckLine> {
-        return {wanted_line("joint_grid: widest gap in 5 s (m)", *gap, 0.05, 1)};
-    };
+    scene.check = [gap](const Engine&) -> std::vector<CheckLine> { return {wanted_line("joint_grid: widest gap in 5 s (m)", *gap, 0.05, 1)}; };
     return scene;
 }
 

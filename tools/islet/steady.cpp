@@ -43,7 +43,8 @@ SteadyRow& row_of(SteadyTable& table, const Task& task, const CheckLine& line) {
 void enter(SteadyTable& table, const Task& task) {
     for (const CheckLine& line : task.lines) {
         if (task.engine == 0 && !line.pass())
-            table.broken.push_back(fmt::format("{}, start {}: {}: {:.4g}, allowed {:.4g} to {:.4g}", task.scene->name, task.start, line.what, line.value, line.low, line.high));
+            table.broken.push_back(
+                fmt::format("{}, start {}: {}: {:.4g}, allowed {:.4g} to {:.4g}", task.scene->name, task.start, line.what, line.value, line.low, line.high));
         if (!line.wanted) continue;
         SteadyRow& row = row_of(table, task, line);
         SteadyValue& value = row.engines[task.engine];
@@ -57,7 +58,9 @@ void enter(SteadyTable& table, const Task& task) {
 }
 
 /// A number in a column of 9.
-std::string figure(double value) { return value == 0 || (std::abs(value) >= 0.001 && std::abs(value) < 1e5) ? fmt::format("{:.3g}", value) : fmt::format("{:.1e}", value); }
+std::string figure(double value) {
+    return value == 0 || (std::abs(value) >= 0.001 && std::abs(value) < 1e5) ? fmt::format("{:.3g}", value) : fmt::format("{:.1e}", value);
+}
 
 std::string figure_of(const SteadyRow& row, const SteadyValue& value) {
     if (!value.is_known) return "-";
@@ -127,7 +130,8 @@ std::string json_of(const SteadyTable& table) {
     using Json = nlohmann::ordered_json;
     Json list = Json::array();
     for (const SteadyRow& row : table.rows) {
-        Json object = {{"scene", row.scene}, {"what", row.what}, {"starts", row.starts}, {"counts", row.wanted.counts}, {"wanted", row.wanted.most}, {"reached", row.is_reached()}};
+        Json object = {{"scene", row.scene},          {"what", row.what},          {"starts", row.starts},
+                       {"counts", row.wanted.counts}, {"wanted", row.wanted.most}, {"reached", row.is_reached()}};
         for (std::size_t i = 0; i < table.engines.size(); ++i)
             object[table.engines[i]] = row.engines[i].is_known && std::isfinite(row.engines[i].worst) ? Json(row.engines[i].worst) : Json(nullptr);
         list.push_back(std::move(object));

@@ -14,10 +14,10 @@ namespace islet::tools {
 using namespace samples;
 
 struct SteadyOptions {
-    std::vector<const SceneInfo*> scenes;                // each with starts
-    std::vector<const engines::EngineInfo*> engines;     // the first one is judged
-    int most_starts = 1 << 30;                           // of each scene: its first ones
-    unsigned jobs = 1;                                   // runs at a time
+    std::vector<const SceneInfo*> scenes;             // each with starts
+    std::vector<const engines::EngineInfo*> engines;  // the first one is judged
+    int most_starts = 1 << 30;                        // of each scene: its first ones
+    unsigned jobs = 1;                                // runs at a time
 };
 
 /// What an engine came to in one row.
@@ -32,7 +32,7 @@ struct SteadyRow {
     std::string scene, what;
     int starts = 0;  // that have the line
     Wanted wanted;
-    std::vector<SteadyValue> engines;  // in the order of the options
+    std::vector<SteadyValue> engines;                                         // in the order of the options
     bool is_reached() const { return engines.front().worst <= wanted.most; }  // NaN is not
 };
 
