@@ -112,6 +112,8 @@ double potential_energy(const Engine& engine, Vec2 gravity) {
     return sum;
 }
 
+double mechanical_energy(const Engine& engine, Vec2 gravity) { return kinetic_energy(engine) + potential_energy(engine, gravity); }
+
 void momentum(const Engine& engine, double& x, double& y) {
     x = y = 0;
     each_dynamic(engine, [&](const BodyState& s) {

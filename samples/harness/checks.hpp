@@ -38,6 +38,8 @@ double max_speed(const Engine& engine);
 double kinetic_energy(const Engine& engine);
 /// Sum of -m g . x over the dynamic bodies, J.
 double potential_energy(const Engine& engine, Vec2 gravity);
+/// The sum of both, J.
+double mechanical_energy(const Engine& engine, Vec2 gravity);
 /// Sum of m v over the dynamic bodies, kg m/s.
 void momentum(const Engine& engine, double& x, double& y);
 

@@ -21,16 +21,16 @@ double depth_along_faces(const Outline& a, const Outline& b) {
 }
 
 /// A polygon where it is now.
-struct Placed {
+struct PolygonInWorld {
     std::size_t body = 0;
     bool is_dynamic = false;
     Outline outline;
     double left = 0, right = 0, bottom = 0, top = 0;
 };
 
-Placed place(const ScenePolygon& polygon, const Engine& engine) {
+PolygonInWorld polygon_in_world(const ScenePolygon& polygon, const Engine& engine) {
     const BodyState state = engine.body(polygon.body);
-    Placed placed{polygon.body, state.mass > 0, outline_of(polygon.shape, {state.position, make_rot(state.angle)})};
+    PolygonInWorld placed{polygon.body, state.mass > 0, outline_of(polygon.shape, {state.position, make_rot(state.angle)})};
     const auto [low_x, high_x] = std::minmax_element(placed.outline.begin(), placed.outline.end());
     placed.left = (*low_x)[0], placed.right = (*high_x)[0];
     placed.bottom = placed.top = placed.outline.front()[1];
@@ -65,17 +65,17 @@ std::vector<ScenePolygon> polygons_in(const Scene& scene) {
 }
 
 std::vector<Overlap> overlaps_of(const std::vector<ScenePolygon>& polygons, const Engine& engine, double least) {
-    std::vector<Placed> placed;
+    std::vector<PolygonInWorld> placed;
     placed.reserve(polygons.size());
     for (const ScenePolygon& polygon : polygons)
-        if (engine.exists(polygon.body)) placed.push_back(place(polygon, engine));
-    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.left < b.left; });
+        if (engine.exists(polygon.body)) placed.push_back(polygon_in_world(polygon, engine));
+    std::sort(placed.begin(), placed.end(), [](const PolygonInWorld& a, const PolygonInWorld& b) { return a.left < b.left; });
 
     std::vector<Overlap> overlaps;
     for (std::size_t i = 0; i < placed.size(); ++i) {
-        const Placed& a = placed[i];
+        const PolygonInWorld& a = placed[i];
         for (std::size_t k = i + 1; k < placed.size() && placed[k].left < a.right; ++k) {
-            const Placed& b = placed[k];
+            const PolygonInWorld& b = placed[k];
             if (a.body == b.body || !(a.is_dynamic || b.is_dynamic) || b.bottom > a.top || b.top < a.bottom) continue;
             if (const double depth = overlap_of(a.outline, b.outline); depth > least) overlaps.push_back({a.body, b.body, depth});
         }

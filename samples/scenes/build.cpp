@@ -24,8 +24,9 @@ std::size_t add_static(Scene& scene, Vec2 position, const SceneGeometry& geometr
     return add_body(scene, body, {{geometry, def}});
 }
 
-ShapeDef ghost() {
+ShapeDef ghost(float density) {
     ShapeDef material;
+    material.density = density;
     material.filter.mask = 0;
     return material;
 }

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <string>
 
 #include "benchmark_doll.hpp"
@@ -37,12 +36,11 @@ std::shared_ptr<double> watch_gap(Scene& scene, std::size_t first, std::size_t e
 
 std::shared_ptr<double> watch_gap(Scene& scene) { return watch_gap(scene, 0, scene.joints.size()); }
 
-double energy(const Engine& engine, Vec2 gravity) { return kinetic_energy(engine) + potential_energy(engine, gravity); }
-
 /// A rod of 1 m from `from` at an angle, and where it ends.
-Vec2 add_rod(Scene& scene, Vec2 from, double angle) {
-    const Vec2 along = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
-    add_dynamic(scene, from + 0.5f * along, make_box(0.5f, 0.04f), ghost(), static_cast<float>(angle));
+Vec2 add_rod(Scene& scene, Vec2 from, float angle) {
+    const Rot q = make_rot(angle);
+    const Vec2 along = {q.c, q.s};
+    add_dynamic(scene, from + 0.5f * along, make_box(0.5f, 0.04f), ghost(), angle);
     return from + along;
 }
 
@@ -52,11 +50,12 @@ Vec2 add_rod(Scene& scene, Vec2 from, double angle) {
 
 Scene make_wild_pendulum(int start) {
     constexpr int after_a_minute = 3600;
-    constexpr double right = 0.5 * std::numbers::pi, degree = std::numbers::pi / 180;
+    constexpr float right = 0.5f * pi, degree = pi / 180;
     Scene scene = hinged("wild_pendulum", 36000, {{-3.6f, -2.4f}, {3.6f, 2.4f}});
     std::size_t previous = add_body(scene, {}, {});
     Vec2 at = {0, 0};
-    for (const double degrees : {90 + 0.7 * (start - 5), 172 + 1.1 * (start - 5)}) {  // from hanging down
+    const float n = static_cast<float>(start - 5);
+    for (const float degrees : {90 + 0.7f * n, 172 + 1.1f * n}) {  // from hanging down
         const Vec2 from = at;
         at = add_rod(scene, from, degrees * degree - right);
         const std::size_t rod = scene.bodies.size() - 1;
@@ -73,13 +72,13 @@ Scene make_wild_pendulum(int start) {
     scene.before_step = [seen, gravity](Engine& engine, int step) {
         if (step > 0) return;
         *seen = {};
-        seen->before = energy(engine, gravity);
+        seen->before = mechanical_energy(engine, gravity);
         const double hanging = -10 * (0.5 * double(engine.body(1).mass) + 1.5 * double(engine.body(2).mass));
         seen->scale = seen->before - hanging;
     };
     scene.after_step = [seen, gravity, before = scene.after_step](const Engine& engine, int step) {
         before(engine, step);
-        const double gained = (energy(engine, gravity) - seen->before) / seen->scale;
+        const double gained = (mechanical_energy(engine, gravity) - seen->before) / seen->scale;
         seen->most = std::max(seen->most, gained);
         seen->least = std::min(seen->least, gained);
         if (step + 1 == after_a_minute) seen->minute = gained;
@@ -97,11 +96,11 @@ Scene make_wild_pendulum(int start) {
 
 Scene make_rods_in_space(int start) {
     constexpr float turn = 10;  // rad/s
-    const double bend = 0.1 + 0.25 * start;
+    const float bend = 0.1f + 0.25f * static_cast<float>(start);
     Scene scene = hinged("rods_in_space", 586 * 60, {{-2.5f, -1.7f}, {5, 3.3f}});
     scene.world.gravity = {0, 0};
     Vec2 at = {0, 0}, middle = {0, 0};
-    for (const double angle : {0.0, bend, -0.7 * bend}) {
+    for (const float angle : {0.0f, bend, -0.7f * bend}) {
         const Vec2 from = at;
         at = add_rod(scene, from, angle);
         const std::size_t rod = scene.bodies.size() - 1;
@@ -143,11 +142,11 @@ Scene make_spun_rod(int start) {
     const auto before = std::make_shared<double>();
     const Vec2 gravity = scene.world.gravity;
     scene.before_step = [before, gravity](Engine& engine, int step) {
-        if (step == 0) *before = energy(engine, gravity);
+        if (step == 0) *before = mechanical_energy(engine, gravity);
     };
     scene.check = [before, gap, gravity](const Engine& engine) -> std::vector<CheckLine> {
         return {
-            wanted_line("rod at 60 rad/s: energy gained or lost in 20 s (of it)", std::abs(energy(engine, gravity) / *before - 1), 0.01),
+            wanted_line("rod at 60 rad/s: energy gained or lost in 20 s (of it)", std::abs(mechanical_energy(engine, gravity) / *before - 1), 0.01),
             wanted_line("rod at 60 rad/s: gap of its hinge (m)", *gap, 0.001),
         };
     };
@@ -211,18 +210,20 @@ Scene make_hung_net(int start) {
 
 Scene make_whirled_doll(int start) {
     constexpr Bone held[] = {Bone::torso, Bone::hip, Bone::head, Bone::lower_left_arm, Bone::lower_right_leg};
-    constexpr float weights = 50;
+    constexpr float pull = 50 * 10;                                                               // m/s^2, of the doll as a whole
     const float rate = 15 + static_cast<float>(start), phase = 0.6f * static_cast<float>(start);  // rad/s, rad
-    Scene scene = hinged("whirled_doll", 600, {{-4, -3}, {4, 4}});
+    Scene scene = hinged("whirled_doll", 600, {{-4, -4}, {4, 4}});
     const Placed doll = add_prefab(scene, make_benchmark_doll({.position = {0, -1}, .friction_torque = 0.5f, .hertz = 0}));
     const std::size_t bone = doll.first_body + static_cast<std::size_t>(held[start % 5]);
     scene.traced = {bone};
-    // A force that turns: what it pulls goes around in circles of a / w^2, 1 to 2 m.
+    // A force that turns: what it pulls goes around in circles of a / w^2, about 1 to 2 m, if it sets out at a / w.
+    const Rot first = make_rot(phase);
+    for (std::size_t i = 0; i < bone_count; ++i) scene.bodies[doll.first_body + i].def.linear_velocity = pull / rate * Vec2{first.s, -first.c};
     scene.before_step = [=, dt = scene.dt](Engine& engine, int step) {
         double mass = 0;
         for (std::size_t i = 0; i < bone_count; ++i) mass += double(engine.body(doll.first_body + i).mass);
         const Rot q = make_rot(std::remainder(phase + rate * dt * static_cast<float>(step), 2 * pi));
-        engine.apply_force(bone, static_cast<float>(10 * mass) * (weights * Vec2{q.c, q.s} + Vec2{0, 1}));
+        engine.apply_force(bone, static_cast<float>(mass) * (pull * Vec2{q.c, q.s} + Vec2{0, 10}));
     };
     const std::shared_ptr<double> gap = watch_gap(scene);
     scene.check = [gap](const Engine& engine) -> std::vector<CheckLine> {

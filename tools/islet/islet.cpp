@@ -1,5 +1,5 @@
 // The headless runner: lists the scenes, runs one, prints what happened, and says by its exit status whether the scene's check passed. Or it
-// times scenes, in Islet and in other engines.
+// times scenes, in Islet and in other engines, or runs those that show how steady an engine is from all their starts.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>

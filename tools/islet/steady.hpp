@@ -15,14 +15,14 @@ using namespace samples;
 
 struct SteadyOptions {
     std::vector<const SceneInfo*> scenes;             // each with starts
-    std::vector<const engines::EngineInfo*> engines;  // the first one is judged
+    std::vector<const engines::EngineInfo*> engines;  // the first one is judged, and runs the benchmark scenes alone
     int most_starts = 1 << 30;                        // of each scene: its first ones
     unsigned jobs = 1;                                // runs at a time
 };
 
 /// What an engine came to in one row.
 struct SteadyValue {
-    bool is_known = false;  // false: the engine cannot build the scene
+    bool is_known = false;  // false: the engine cannot build the scene, or it takes too long there
     double worst = 0;       // of all starts; of a line that counts, how many failed
     int failed = 0;         // starts in which the line broke its scene's check
 };
