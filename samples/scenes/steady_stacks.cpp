@@ -217,7 +217,7 @@ Scene make_settling_pile(int start) {
     };
     scene.check = [last, dt = double(scene.dt)](const Engine& engine) -> std::vector<CheckLine> {
         return {
-            wanted_line("a pile of 500 boxes sleeps after (s)", dt * *last, 12),
+            wanted_line("a pile of 500 boxes sleeps after (s)", dt * *last, 11, 15),
             at_most("bodies outside the bin", double(count_outside(engine, {{-10, 0}, {10, 30}})), 0),
         };
     };
