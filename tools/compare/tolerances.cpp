@@ -299,7 +299,7 @@ const std::vector<Tolerance>& tolerances() {
          .energy_drift = 0.001,
          .energy_gain = 0.001,
          .penetration = 0.005,
-         .reason = "boxes meet the ground after 25 steps; a rebound within the step or at its end is up to 6 m/s times 1/60 s apart, 0.1 m, and then grows no more"},
+         .reason = "boxes meet the ground after 25 steps; a rebound within the step or at its end is up to 6 m/s times 1/60 s, 0.1 m, apart"},
         {.scene = "joint_grid",
          .steps = 30,
          .rms_position = 0.3,

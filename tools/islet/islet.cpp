@@ -332,7 +332,8 @@ struct CommandLine {
     CLI::App* replay = app.add_subcommand("replay", "makes the calls of a recording again; exit status 1 if a step comes out differently");
     CLI::App* bench =
         app.add_subcommand("bench", "times scenes in several engines, taken in turns: medians, and how many times Islet's time");
-    CLI::App* steady = app.add_subcommand("steady", "runs scenes from many starts and prints the worst of what is wanted of them; exit status 1 if a check failed");
+    CLI::App* steady =
+        app.add_subcommand("steady", "runs scenes from many starts and prints the worst beside what is wanted; exit status 1 if a check failed");
     bool list_json = false;
     std::string scene_name;
     RunCommand command;
