@@ -24,6 +24,7 @@ scene sensors sensors 70
 scene impulses cairn 240 --draw shapes,contacts,impulses
 scene islands cairn 240 --draw shapes,islands
 scene chain_ball chain_ball 150
+scene v_grooves v_grooves 120
 scene swing "$root/samples/scenes/swing.json" 120
 
 for picture in queries snapshots recording memory lcp step folders; do

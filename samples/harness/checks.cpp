@@ -112,6 +112,8 @@ double potential_energy(const Engine& engine, Vec2 gravity) {
     return sum;
 }
 
+double mechanical_energy(const Engine& engine, Vec2 gravity) { return kinetic_energy(engine) + potential_energy(engine, gravity); }
+
 void momentum(const Engine& engine, double& x, double& y) {
     x = y = 0;
     each_dynamic(engine, [&](const BodyState& s) {
@@ -120,11 +122,28 @@ void momentum(const Engine& engine, double& x, double& y) {
     });
 }
 
+double angular_momentum(const Engine& engine) {
+    double sum = 0;
+    each_dynamic(engine, [&](const BodyState& s) {
+        const double moment = double(s.center.x) * double(s.linear_velocity.y) - double(s.center.y) * double(s.linear_velocity.x);
+        sum += double(s.mass) * moment + double(s.inertia) * double(s.angular_velocity);
+    });
+    return sum;
+}
+
 CheckLine near_line(std::string what, double value, double expected, double tolerance) {
     return {std::move(what), value, expected - tolerance, expected + tolerance};
 }
 
 CheckLine at_most(std::string what, double value, double high) { return {std::move(what), value, 0, high}; }
+
+CheckLine wanted_line(std::string what, double value, double most, double known) {
+    return {std::move(what), value, 0, std::max(most, known), Wanted{.most = most}};
+}
+
+CheckLine wanted_none(std::string what, bool failed, bool may_fail) {
+    return {std::move(what), failed ? 1.0 : 0.0, 0, may_fail ? 1.0 : 0.0, Wanted{.counts = true}};
+}
 
 std::vector<CheckLine> count_lines(const Engine& engine, std::size_t bodies, std::size_t shapes, std::size_t contacts, std::size_t joints) {
     const EngineCounts counts = engine.counts();

@@ -52,6 +52,8 @@ public:
     virtual std::optional<StepProfile> profile() const { return std::nullopt; }
     /// Deepest overlap of two shapes now (m, >= 0), as the engine itself sees it.
     virtual double max_penetration() const = 0;
+    /// What contacts press on the body with, N: along their normals, in the last substep. None if the engine does not say.
+    virtual std::optional<Vec2> contact_force(std::size_t) const { return std::nullopt; }
 
     virtual std::size_t create_body(const SceneBody& body) = 0;
     virtual void destroy_body(std::size_t index) = 0;
@@ -117,6 +119,7 @@ public:
     EngineCounts counts() const override;
     std::optional<StepProfile> profile() const override;
     double max_penetration() const override;
+    std::optional<Vec2> contact_force(std::size_t index) const override;
     std::size_t create_body(const SceneBody& body) override;
     void destroy_body(std::size_t index) override;
     void set_velocity(std::size_t index, Vec2 linear, float angular) override;

@@ -39,6 +39,7 @@ struct IsletEngine::Impl {
     std::unique_ptr<Block> block;
     World* world = nullptr;
     Capacity capacity;
+    float substep = 1;  // s, of the last step
     std::vector<BodyId> bodies;  // by scene index; so are the joints
     std::vector<JointId> joints;
 };
@@ -126,6 +127,19 @@ double IsletEngine::max_penetration() const {
     return deepest;
 }
 
+std::optional<Vec2> IsletEngine::contact_force(std::size_t index) const {
+    const World& w = world();
+    const BodyId body = impl_->bodies[index];
+    std::vector<ContactInfo> contacts(w.contacts(body, {}));
+    w.contacts(body, contacts);
+    Vec2 force = {0, 0};
+    for (const ContactInfo& contact : contacts) {
+        const float side = w.body(contact.shape_a) == body ? -1.0f : 1.0f;
+        for (std::uint32_t i = 0; i < contact.point_count; ++i) force += (side * contact.points[i].normal_impulse / impl_->substep) * contact.normal;
+    }
+    return force;
+}
+
 void IsletEngine::set_velocity(std::size_t index, Vec2 linear, float angular) {
     world().set_linear_velocity(impl_->bodies[index], linear);
     world().set_angular_velocity(impl_->bodies[index], angular);
@@ -185,6 +199,9 @@ std::size_t IsletEngine::snapshot_bytes() const {
     return world().snapshot_bytes();
 }
 
-void IsletEngine::step(float dt) { world().step(dt); }
+void IsletEngine::step(float dt) {
+    world().step(dt);
+    impl_->substep = dt / static_cast<float>(world().solver().substeps);
+}
 
 }  // namespace islet::samples

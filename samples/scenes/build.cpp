@@ -24,6 +24,13 @@ std::size_t add_static(Scene& scene, Vec2 position, const SceneGeometry& geometr
     return add_body(scene, body, {{geometry, def}});
 }
 
+ShapeDef ghost(float density) {
+    ShapeDef material;
+    material.density = density;
+    material.filter.mask = 0;
+    return material;
+}
+
 std::size_t add_floor(Scene& scene, float half_width, const ShapeDef& def) {
     return add_static(scene, {0, -1}, make_box(half_width, 1), def);
 }

@@ -13,6 +13,9 @@ std::size_t add_body(Scene& scene, const BodyDef& def, std::vector<SceneShape> s
 std::size_t add_dynamic(Scene& scene, Vec2 position, const SceneGeometry& geometry, const ShapeDef& def = {}, float angle = 0);
 std::size_t add_static(Scene& scene, Vec2 position, const SceneGeometry& geometry, const ShapeDef& def = {}, float angle = 0);
 
+/// For bodies that are to meet nothing.
+ShapeDef ghost(float density = 1);
+
 /// A static box 2 m thick, 2 * half_width wide, its top at y = 0.
 std::size_t add_floor(Scene& scene, float half_width, const ShapeDef& def = {});
 

@@ -14,6 +14,8 @@ struct SceneInfo {
     const char* group;        // basics, stacks, benchmark, ...
     const char* description;  // one line
     Scene (*make)();
+    Scene (*make_start)(int start) = nullptr;  // if it has several starts: start 0 to starts - 1, each for the table of `islet steady`
+    int starts = 0;
 };
 
 /// All scenes, grouped, in the catalogue's order.

@@ -10,16 +10,6 @@
 #include "scenes.hpp"
 
 namespace islet::samples {
-namespace {
-
-ShapeDef ghost(float density) {
-    ShapeDef material;
-    material.density = density;
-    material.filter.mask = 0;
-    return material;
-}
-
-}  // namespace
 
 Scene make_scissor_lift() {
     constexpr int stages = 4, measured_step = 300;

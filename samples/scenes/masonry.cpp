@@ -10,9 +10,10 @@
 
 namespace islet::samples {
 
-Scene make_card_house() {
-    constexpr int storeys = 5;
-    constexpr float half_length = 0.5f, half_thickness = 0.02f, lean = 20 * pi / 180, pitch = 2 * half_length + 0.01f;
+Scene make_card_house() { return make_card_house_of(5, 20 * pi / 180); }
+
+Scene make_card_house_of(int storeys, float lean) {
+    constexpr float half_length = 0.5f, half_thickness = 0.02f, pitch = 2 * half_length + 0.01f;
     Scene scene;
     scene.name = "card_house";
     scene.world.enable_sleep = false;

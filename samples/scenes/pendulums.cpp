@@ -12,15 +12,6 @@
 namespace islet::samples {
 namespace {
 
-/// For bodies that are to meet nothing.
-ShapeDef ghost() {
-    ShapeDef material;
-    material.filter.mask = 0;
-    return material;
-}
-
-double energy(const Engine& engine, Vec2 gravity) { return kinetic_energy(engine) + potential_energy(engine, gravity); }
-
 /// The arithmetic-geometric mean of a and b.
 double common_mean(double a, double b) {
     for (int i = 0; i < 20; ++i) {
@@ -76,7 +67,7 @@ Scene make_pendulum() {
     // T = 2 pi sqrt(I / (m g d)) / M(1, cos(a / 2)), M the arithmetic-geometric mean, I about the hinge: the complete elliptic integral.
     scene.check = [swings, gravity = scene.world.gravity, start = scene.bodies](const Engine& engine) {
         std::vector<CheckLine> lines;
-        double least = 0, now = energy(engine, gravity), at_start = 0;
+        double least = 0, now = mechanical_energy(engine, gravity), at_start = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const BodyState bob = engine.body(i + 1);
             const double d = double(length), g = -double(gravity.y), inertia = double(bob.inertia) + double(bob.mass) * d * d;
@@ -121,7 +112,7 @@ Scene make_double_pendulum() {
     const auto seen = std::make_shared<Seen>();
     scene.after_step = [seen, gravity = scene.world.gravity](const Engine& engine, int step) {
         if (step == 0) *seen = {};
-        const double now = energy(engine, gravity);
+        const double now = mechanical_energy(engine, gravity);
         seen->most = std::max(seen->most, now);
         seen->least = std::min(seen->least, now);
         seen->gap = std::max(seen->gap, double(engine.max_joint_error().linear));
@@ -167,7 +158,7 @@ Scene make_chain_ball() {
     scene.after_step = [seen, ball, gravity = scene.world.gravity](const Engine& engine, int step) {
         if (step == 0) *seen = {};
         seen->gap = std::max(seen->gap, double(engine.max_joint_error().linear));
-        seen->most = std::max(seen->most, energy(engine, gravity));
+        seen->most = std::max(seen->most, mechanical_energy(engine, gravity));
         seen->reach = std::max(seen->reach, double(length(engine.body(ball).center)));
     };
     // At the bottom the chain bears three times the ball's weight, m g and m v^2 / r = 2 m g. For a solver that knows two bodies at a time the worst case:

@@ -22,6 +22,8 @@ Scene make_pyramid();
 Scene make_vertical_stack();
 Scene make_dominoes();
 Scene make_card_house();
+/// So many storeys, its cards leaning so far from upright (rad).
+Scene make_card_house_of(int storeys, float lean);
 Scene make_arch();
 Scene make_mass_ratio();
 Scene make_confined();

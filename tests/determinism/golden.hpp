@@ -71,9 +71,13 @@ inline bool write(const std::string& path, const Table& table) {
 inline std::vector<Checkpoint> checkpoints_of(const Table& table, const samples::SceneInfo& info) {
     for (const Entry& entry : table)
         if (entry.scene == info.name) return entry.checkpoints;
-    // Large scenes take 10 to 30 ms a step: their far point is chosen so that the first impacts are past.
+    // Large scenes take 10 to 30 ms a step: their far point is chosen so that the first impacts are past. Those of the group steady are many, run for
+    // minutes, and consist of what other scenes have too: so many steps of so many bodies are enough.
     const bool large = std::string(info.group) == "benchmark";
-    const int whole = info.make().steps, far = std::min(whole, large ? 110 : 1200), near = std::min(far, large ? 10 : 60);
+    const samples::Scene scene = info.make();
+    int most = large ? 110 : 1200;
+    if (std::string(info.group) == "steady") most = std::clamp(20'000 / static_cast<int>(scene.bodies.size()), 10, 300);
+    const int far = std::min(scene.steps, most), near = std::min(far, large ? 10 : 60);
     std::vector<Checkpoint> points = {{near, 0}};
     if (far > near) points.push_back({far, 0});
     return points;

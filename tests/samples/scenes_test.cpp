@@ -1,7 +1,7 @@
 // The whole catalogue: every scene runs on Islet for its steps and keeps what its own check states in numbers.
 //
-// Builds with asserts or sanitizers run the benchmark scenes, which are several times slower there, for 40 steps and ask only what does not
-// depend on the steps: how many bodies and shapes there are, and that every number is finite.
+// Builds with asserts or sanitizers run the benchmark scenes, which are several times slower there, for 40 steps, and the steady ones, which last for
+// minutes, for 120. They ask only what does not depend on the steps: how many bodies and shapes there are, and that every number is finite.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,6 +21,7 @@ using samples::Scene;
 using samples::SceneInfo;
 
 bool is_large(const SceneInfo& info) { return std::string(info.group) == "benchmark"; }
+bool is_long(const SceneInfo& info) { return std::string(info.group) == "steady"; }
 
 class EveryScene : public testing::TestWithParam<SceneInfo> {};
 
@@ -30,8 +31,8 @@ TEST_P(EveryScene, KeepsItsCheck) {
     EXPECT_EQ(scene.name, GetParam().name);
     IsletEngine engine;
     engine.load(scene);
-    const bool cut_short = slow_build && is_large(GetParam());
-    const int steps = cut_short ? std::min(scene.steps, 40) : scene.steps;
+    const bool cut_short = slow_build && (is_large(GetParam()) || is_long(GetParam()));
+    const int steps = cut_short ? std::min(scene.steps, is_large(GetParam()) ? 40 : 120) : scene.steps;
     for (int i = 0; i < steps; ++i) {
         engine.advance(scene, i, scene.dt);
         ASSERT_EQ(engine.world().report().dropped_contacts, 0u) << "step " << i;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/overlap.hpp"
 #include "physics/measure.hpp"
 #include "support/random.hpp"
 
@@ -14,33 +15,9 @@ namespace islet::test {
 
 inline constexpr double most_overlap = 0.01;  // m: what a user does not see; twice the slop that contacts keep
 
-using Corner = std::array<double, 2>;
-using Outline = std::vector<Corner>;
-
-/// A polygon's corners in the world, counter-clockwise.
-inline Outline hull_in_world(const Polygon& p, const Transform& pose) {
-    Outline hull;
-    for (std::uint32_t i = 0; i < p.count; ++i) {
-        const double x = double(p.vertices[i].x), y = double(p.vertices[i].y), c = double(pose.q.c), s = double(pose.q.s);
-        hull.push_back({double(pose.p.x) + c * x - s * y, double(pose.p.y) + s * x + c * y});
-    }
-    return hull;
-}
-
-/// How far `b` would have to move to leave the half-planes of a's faces; negative where they are apart along one of them.
-inline double depth_along_faces(const Outline& a, const Outline& b) {
-    double least = 1e9;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        const Corner &p = a[i], &q = a[(i + 1) % a.size()];
-        const double nx = q[1] - p[1], ny = p[0] - q[0], length = std::hypot(nx, ny);
-        double deepest = -1e9;
-        for (const Corner& c : b) deepest = std::fmax(deepest, -(nx * (c[0] - p[0]) + ny * (c[1] - p[1])) / length);
-        least = std::fmin(least, deepest);
-    }
-    return least;
-}
-
-inline double overlap_of(const Outline& a, const Outline& b) { return std::fmin(depth_along_faces(a, b), depth_along_faces(b, a)); }
+using samples::overlap_of;
+using samples::Outline;
+using samples::outline_of;
 
 /// A world of static or turning pieces and of polygons that are thrown at them.
 struct Site {
@@ -76,9 +53,9 @@ struct Site {
     /// Every pair of a thrown polygon and a piece.
     void look() {
         std::vector<Outline> fixed;
-        for (const Piece& p : pieces) fixed.push_back(hull_in_world(p.shape, world->transform(p.body)));
+        for (const Piece& p : pieces) fixed.push_back(outline_of(p.shape, world->transform(p.body)));
         for (std::size_t i = 0; i < thrown.size(); ++i) {
-            const Outline hull = hull_in_world(thrown[i].shape, world->transform(thrown[i].body));
+            const Outline hull = outline_of(thrown[i].shape, world->transform(thrown[i].body));
             const bool slow = length(world->linear_velocity(thrown[i].body)) < 1;  // m/s
             for (std::size_t k = 0; k < fixed.size(); ++k) {
                 const double overlap = overlap_of(fixed[k], hull);

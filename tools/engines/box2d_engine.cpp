@@ -175,6 +175,21 @@ double Box2dEngine::max_penetration() const {
     return double(deepest);
 }
 
+std::optional<Vec2> Box2dEngine::contact_force(std::size_t index) const {
+    b2Body* const body = impl_->bodies.at(index);
+    Vec2 force = {0, 0};
+    for (const b2ContactEdge* edge = body->GetContactList(); edge != nullptr; edge = edge->next) {
+        b2Contact& contact = *edge->contact;
+        if (!contact.IsTouching()) continue;
+        b2WorldManifold manifold;
+        contact.GetWorldManifold(&manifold);
+        const float side = contact.GetFixtureA()->GetBody() == body ? -1.0f : 1.0f;
+        for (int i = 0; i < contact.GetManifold()->pointCount; ++i)
+            force += (side * contact.GetManifold()->points[i].normalImpulse / substep_) * from_b2(manifold.normal);
+    }
+    return force;
+}
+
 void Box2dEngine::set_velocity(std::size_t index, Vec2 linear, float angular) {
     b2Body& body = *impl_->bodies.at(index);
     body.SetLinearVelocity(to_b2(linear));

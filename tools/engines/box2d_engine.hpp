@@ -41,6 +41,7 @@ public:
     std::size_t body_slots() const override;
     samples::EngineCounts counts() const override;
     double max_penetration() const override;
+    std::optional<Vec2> contact_force(std::size_t index) const override;
     std::size_t create_body(const samples::SceneBody& body) override;
     void destroy_body(std::size_t index) override;
     void set_velocity(std::size_t index, Vec2 linear, float angular) override;

@@ -19,6 +19,7 @@ std::unique_ptr<Engine> make_islet() { return std::make_unique<samples::IsletEng
 #ifdef ISLET_BOX2D
 // With the skin outside, as its users make shapes, and without continuous collision, which is to its advantage (README.md).
 std::unique_ptr<Engine> make_box2d() { return std::make_unique<Box2dEngine>(Box2dOptions{.skin = Skin::outside, .continuous = false, .nearest = true}); }
+std::unique_ptr<Engine> make_exact_box2d() { return std::make_unique<Box2dEngine>(Box2dOptions{.nearest = true}); }
 #endif
 
 #ifdef ISLET_CHIPMUNK
@@ -29,12 +30,12 @@ std::unique_ptr<Engine> make_chipmunk() { return std::make_unique<ChipmunkEngine
 
 const std::vector<EngineInfo>& registry() {
     static const std::vector<EngineInfo> list = {
-        {"islet", lacks_nothing, make_islet},
+        {"islet", lacks_nothing, make_islet, make_islet},
 #ifdef ISLET_BOX2D
-        {"box2d", box2d_lacks_even_nearest, make_box2d},
+        {"box2d", box2d_lacks_even_nearest, make_box2d, make_exact_box2d},
 #endif
 #ifdef ISLET_CHIPMUNK
-        {"chipmunk", chipmunk_lacks, make_chipmunk},
+        {"chipmunk", chipmunk_lacks, make_chipmunk, make_chipmunk},
 #endif
     };
     return list;

@@ -13,6 +13,7 @@ struct EngineInfo {
     const char* name;                             // short and without spaces, as a command line names it
     std::string (*lacks)(const samples::Scene&);  // why it cannot build the scene: a sentence; empty if it can
     std::unique_ptr<samples::Engine> (*make)();   // set up as its users have it
+    std::unique_ptr<samples::Engine> (*make_exact)() = nullptr;  // the same, but shapes are as large as the scene says, and fast bodies are followed if it can
 };
 
 const std::vector<EngineInfo>& registry();

@@ -1,5 +1,5 @@
 // The headless runner: lists the scenes, runs one, prints what happened, and says by its exit status whether the scene's check passed. Or it
-// times scenes, in Islet and in other engines.
+// times scenes, in Islet and in other engines, or runs those that show how steady an engine is from all their starts.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,6 +28,7 @@
 #include "report.hpp"
 #include "runner.hpp"
 #include "scene_file.hpp"
+#include "steady.hpp"
 #include "svg.hpp"
 
 namespace {
@@ -38,6 +40,7 @@ enum ExitStatus { ok = 0, check_failed = 1, wrong_usage = 2, interrupted = 130 }
 struct RunCommand {
     std::string scene, csv_path, svg_path, html_path, recording_path;
     std::vector<std::string> draw;  // names of layers
+    std::optional<int> start;       // of a scene that has several
     RunOptions options;
     std::uint64_t memory_limit = islet::tools::usual_memory_limit;
     bool json = false;
@@ -53,6 +56,13 @@ struct ReplayCommand {
 struct BenchCommand {
     std::vector<std::string> scenes, engines;
     BenchOptions options;
+    bool json = false, quick = false;
+};
+
+struct SteadyCommand {
+    std::vector<std::string> scenes, engines;
+    std::optional<int> starts;
+    unsigned jobs = 0;
     bool json = false, quick = false;
 };
 
@@ -114,6 +124,15 @@ NamedScene scene_named(const std::string& name) {
     return info != nullptr ? NamedScene{info->make(), true} : NamedScene{};
 }
 
+/// Puts another start of the scene in its place. What is wrong with that, if something is.
+std::string choose_start(Scene& scene, const std::string& name, int start) {
+    const SceneInfo* const info = is_file(name) ? nullptr : find_scene(name);
+    if (info == nullptr || info->make_start == nullptr) return fmt::format("'{}' has one start only", name);
+    if (start >= info->starts) return fmt::format("'{}' has starts 0 to {}", name, info->starts - 1);
+    scene = info->make_start(start);
+    return {};
+}
+
 int write_scene_file(const std::string& name) {
     const NamedScene named = scene_named(name);
     if (!named.is_found) return unknown_scene(name);
@@ -133,6 +152,9 @@ void warn_of_dropped(const RunResult& result, bool is_in_file) {
 int run_scene(const RunCommand& command) {
     NamedScene named = scene_named(command.scene);
     if (!named.is_found) return unknown_scene(command.scene);
+    if (command.start) {
+        if (const std::string why = choose_start(named.scene, command.scene, *command.start); !why.empty()) return wrong(why);
+    }
     if (const std::string why = beyond_memory_limit(capacity_of(named.scene), command.memory_limit); !why.empty())
         return wrong(fmt::format("'{}': {}", command.scene, why));
     // Opened before the run, so that a wrong path does not cost one.
@@ -267,6 +289,36 @@ int run_bench(const BenchCommand& command) {
     return interrupted;
 }
 
+int run_steady_table(const SteadyCommand& command) {
+    SteadyOptions options;
+    for (const std::string& name : command.scenes) {
+        const SceneInfo* info = find_scene(name);
+        if (info == nullptr) return unknown_scene(name);
+        if (info->make_start == nullptr) return wrong(fmt::format("'{}' is no row of this table: it has one start only", name));
+        add_once(options.scenes, *info);
+    }
+    for (const std::string& name : command.engines) {
+        const islet::engines::EngineInfo* info = islet::engines::find_engine(name);
+        if (info == nullptr) return unknown_engine(name);
+        add_once(options.engines, *info);
+    }
+    if (command.scenes.empty()) options.scenes = scenes_with_starts();
+    if (command.engines.empty()) options.engines.push_back(&islet::engines::registry().front());
+    if (command.quick) options.most_starts = 1;
+    if (command.starts) options.most_starts = *command.starts;
+    options.jobs = command.jobs != 0 ? command.jobs : std::max(1u, std::thread::hardware_concurrency());
+
+    std::optional<ProgressBar> bar;
+    const SteadyTable table = run_steady(options, [&bar](int done, int total) {
+        if (!bar) bar.emplace(total, "run", 10);
+        bar->update(done);
+    });
+    if (bar) bar->clear();
+    fmt::print("{}", command.json ? json_of(table) : table_of(table));
+    for (const std::string& line : table.broken) fmt::print(stderr, "islet: {}\n", line);
+    return table.broken.empty() ? ok : check_failed;
+}
+
 void limit_memory(CLI::App& command, std::uint64_t& limit) {
     command.add_option("--memory-limit", limit, "the most bytes that the world may take, such as 500MB or 4GB; 2GB if not given")->transform(CLI::AsSizeValue(true));
 }
@@ -280,11 +332,14 @@ struct CommandLine {
     CLI::App* replay = app.add_subcommand("replay", "makes the calls of a recording again; exit status 1 if a step comes out differently");
     CLI::App* bench =
         app.add_subcommand("bench", "times scenes in several engines, taken in turns: medians, and how many times Islet's time");
+    CLI::App* steady =
+        app.add_subcommand("steady", "runs scenes from many starts and prints the worst beside what is wanted; exit status 1 if a check failed");
     bool list_json = false;
     std::string scene_name;
     RunCommand command;
     BenchCommand bench_command;
     ReplayCommand replay_command;
+    SteadyCommand steady_command;
 
     CommandLine() {
         app.require_subcommand(1);
@@ -293,6 +348,7 @@ struct CommandLine {
         RunOptions& o = command.options;
         run->add_option("scene", command.scene, "name of the scene, or of a file with one that ends in .json")->required();
         scene->add_option("scene", scene_name, "name of the scene")->required();
+        run->add_option("--start", command.start, "which start, from 0, of a scene that has several: see `islet steady`")->check(CLI::Range(0, 1'000'000));
         run->add_option("--steps", o.steps, "steps to take; the scene's own if not given")->check(CLI::Range(0, 100'000'000));
         run->add_option("--dt", o.dt, "length of a step, s")->check(CLI::Range(1e-6, 1.0))->check(finite_number);
         run->add_option("--substeps", o.substeps, "substeps of a step")->check(CLI::Range(1, 64));
@@ -339,6 +395,14 @@ struct CommandLine {
         bench->add_option("--repeat", b.repeat, "runs of each engine, of which the medians are taken")->check(CLI::Range(1, 100))->excludes(quick);
         bench->add_option("--steps", b.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(1, 100'000))->excludes(quick);
         bench->add_flag("--json", bench_command.json, "print a JSON list; its profile is Islet's stages in ms, of all steps together");
+
+        SteadyCommand& s = steady_command;
+        steady->add_option("scene", s.scenes, "names of scenes; all that have several starts if none is given");
+        steady->add_option("--engine", s.engines, "an engine, once or more: the first is judged, the others are put beside it; islet if not given");
+        CLI::Option* const one = steady->add_flag("--quick", s.quick, "one start of each scene");
+        steady->add_option("--starts", s.starts, "so many starts of each scene; all if not given")->check(CLI::Range(1, 1'000'000))->excludes(one);
+        steady->add_option("--jobs", s.jobs, "runs at a time; as many as there are processors if not given")->check(CLI::Range(1u, 256u));
+        steady->add_flag("--json", s.json, "as a JSON list");
     }
 };
 
@@ -349,6 +413,7 @@ int execute(CommandLine& line) {
     }
     if (line.scene->parsed()) return write_scene_file(line.scene_name);
     if (line.replay->parsed()) return replay_recording(line.replay_command);
+    if (line.steady->parsed()) return run_steady_table(line.steady_command);
     return line.bench->parsed() ? run_bench(line.bench_command) : run_scene(line.command);
 }
 

@@ -145,7 +145,7 @@ std::string catalogue_table() {
 std::string catalogue_json() {
     Json list = Json::array();
     for (const SceneInfo& info : catalogue())
-        list.push_back({{"name", info.name}, {"group", info.group}, {"description", info.description}});
+        list.push_back({{"name", info.name}, {"group", info.group}, {"description", info.description}, {"starts", std::max(1, info.starts)}});
     return list.dump(2) + "\n";
 }
 

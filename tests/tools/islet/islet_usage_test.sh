@@ -24,6 +24,19 @@ if [ -e /dev/full ]; then
 fi
 expect_no_room run hello
 
+# Starts of scenes that have several, and the table of them all.
+expect 0 'check passed' run flat_bounce --start 3
+expect 2 "'flat_bounce' has starts 0 to 9" run flat_bounce --start 10
+expect 2 "'hello' has one start only" run hello --start 1
+expect 0 '  2 .* reached' steady flat_bounce --starts 2
+expect 0 '2 of 2 reached' steady flat_bounce --quick --jobs 1
+expect 0 '"reached": true' steady flat_bounce --quick --json
+expect 2 "'hello' is no row" steady hello
+expect 2 'near names: flat_bounce' steady flat_bounse
+expect 2 'there are: islet' steady flat_bounce --engine newton
+expect 2 'excludes' steady flat_bounce --quick --starts 2
+expect_no_room steady flat_bounce --quick
+
 "$program" scene pyramid >"$scratch/pyramid.json"
 expect 0 "$("$program" run pyramid --json | grep '"hash"')" run "$scratch/pyramid.json" --json
 expect 0 'bodies        4' run "$(dirname "$0")/../../../samples/scenes/swing.json" --svg "$scratch/swing.svg"
