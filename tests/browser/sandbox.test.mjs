@@ -289,6 +289,16 @@ describe('the sandbox', {concurrency: 2}, () => {
         }
     });
 
+    test('says what is missing where there is no WebAssembly', async () => {
+        const context = await browser.newContext(desktop);
+        const page = await context.newPage();
+        await page.addInitScript(() => delete globalThis.WebAssembly);
+        await page.goto(server.address);
+        await page.waitForSelector('#message:visible');
+        assert.equal(await page.locator('#message').textContent(), 'The engine did not start. There is no WebAssembly here, which the engine needs.');
+        await context.close();
+    });
+
     test('is dark where the system is, and still where motion is not wanted', async () => {
         for (const colorScheme of ['light', 'dark']) {
             await withPage('hello', {...desktop, colorScheme, reducedMotion: 'reduce'}, async (page) => {

@@ -39,7 +39,8 @@ const imports = {
 // -- loading --------------------------------------------------------------------------------------------------------------------------
 
 // (module (func (result v128) i32.const 0 i8x16.splat))
-export const hasSimd = WebAssembly.validate(new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11]));
+const with_simd = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11];
+export const hasSimd = typeof WebAssembly !== 'undefined' && WebAssembly.validate(new Uint8Array(with_simd));
 
 let source = () => { // gives the WebAssembly, with SIMD or without
     throw new IsletError('notLoaded', 'This build has no WebAssembly of its own: call load({wasm}) first.');
@@ -59,6 +60,7 @@ export function load({wasm: given, simd = hasSimd, imports: more = {}} = {}) {
 }
 
 async function start(given, simd, imported) {
+    if (typeof WebAssembly === 'undefined') throw new IsletError('notLoaded', 'There is no WebAssembly here, which the engine needs.');
     let what = await (given ?? source(simd));
     if (typeof what === 'string' || what instanceof URL) what = await read(what);
     let instance;

@@ -91,7 +91,9 @@ export function setWasm(exports) {
 export function allocate(bytes) {
     const at = wasm.malloc(bytes) >>> 0;
     if (U8.length === 0) seeMemory();
-    if (at === 0) throw new IsletError('blockTooSmall', `There is no memory for ${bytes} bytes: make smaller worlds, or destroy() those that are no longer needed.`);
+    if (at === 0) {
+        throw new IsletError('blockTooSmall', `There is no memory for ${bytes} bytes: make smaller worlds, or destroy() those that are no longer needed.`);
+    }
     return at;
 }
 

@@ -14,7 +14,8 @@ test('the examples run', async () => {
     const printed = [], drawn = [];
     const AsyncFunction = (async () => {}).constructor;
     const program = blocks.join('\n').replace(/^import .*\n/, '');
-    await new AsyncFunction('Islet', 'IsletError', 'console', 'draw', program)(Islet, IsletError, {log: (...words) => printed.push(words.join(' '))}, (...pose) => drawn.push(pose));
+    const run = new AsyncFunction('Islet', 'IsletError', 'console', 'draw', program);
+    await run(Islet, IsletError, {log: (...words) => printed.push(words.join(' '))}, (...pose) => drawn.push(pose));
     assert.equal(printed[0], 'the crate rests at (0.000, 1.500)');
     assert.match(printed[1], /^The time step/);
     assert.deepEqual(drawn.map(([slot, , y]) => [slot, Math.round(10 * y)]), [[0, 0], [1, 15]]);

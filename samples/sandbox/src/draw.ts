@@ -180,13 +180,13 @@ export class Painter {
         context.setTransform(1, 0, 0, 1, 0, 0);
         context.fillStyle = this.colors.contact;
         context.beginPath();
-        const count = world.contactCount(), capacity = world.capacity().contacts;
+        const half = 1.5 * ratio, count = world.contactCount(), capacity = world.capacity().contacts;
         for (let slot = 0, found = 0; slot < capacity && found < count; ++slot) {
             const contact = world.contactAt(slot, this.contact);
             if (contact === undefined) continue;
             this.contact = contact;
             ++found;
-            for (const {point} of contact.points) context.rect(left + point.x * scale - 1.5 * ratio, bottom - point.y * scale - 1.5 * ratio, 3 * ratio, 3 * ratio);
+            for (const {point} of contact.points) context.rect(left + point.x * scale - half, bottom - point.y * scale - half, 2 * half, 2 * half);
         }
         context.fill();
     }

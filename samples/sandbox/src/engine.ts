@@ -69,8 +69,8 @@ export class Running {
         this.world = Islet.World.at((hook, context) => exports.sandbox_load(place, scene.index, more, hook, context), report);
         this.timeStep = exports.sandbox_time_step(place);
         this.hasScript = exports.sandbox_has_script(place) !== 0;
-        const [left, bottom, right, top] = new Float32Array(exports.memory.buffer, exports.sandbox_view(place), 4) as unknown as [number, number, number, number];
-        this.view = {left, bottom, right, top};
+        const view = new Float32Array(exports.memory.buffer, exports.sandbox_view(place), 4);
+        this.view = {left: view[0]!, bottom: view[1]!, right: view[2]!, top: view[3]!};
     }
     get step() {
         return exports.sandbox_step_index(this.place);

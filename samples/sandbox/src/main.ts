@@ -171,7 +171,10 @@ interface Knob {
     apply(world: World): void;
 }
 
-function makeKnob(name: string, low: number, high: number, by: number, unit: string, read: (world: World) => number, write: (world: World, value: number) => void): Knob {
+type Read = (world: World) => number;
+type Write = (world: World, value: number) => void;
+
+function makeKnob(name: string, low: number, high: number, by: number, unit: string, read: Read, write: Write): Knob {
     const row = document.createElement('div');
     row.className = 'knob';
     const label = document.createElement('label');
@@ -461,7 +464,7 @@ try {
         frame(now);
     });
 } catch (error) {
-    say(typeof WebAssembly === 'undefined' ? 'This browser has no WebAssembly, which the engine needs.' : `The engine did not start: ${(error as Error).message}`);
+    say(`The engine did not start. ${(error as Error).message}`);
     clearTimeout(silence);
     throw error;
 }
