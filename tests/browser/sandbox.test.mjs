@@ -1,6 +1,8 @@
 // Plays with the sandbox (samples/sandbox) in a real browser, as a person would, from a server of files on this machine.
 // Environment: CHROMIUM, the browser; SANDBOX, the built folder.
 import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
 import {after, before, describe, test} from 'node:test';
 import {chromium} from 'playwright-core';
 import {serve} from './serve.mjs';
@@ -168,6 +170,23 @@ describe('the sandbox', {concurrency: 2}, () => {
         });
     });
 
+    test('a ball that is put where a box was taken back looks like a ball', async () => {
+        await withPage('hello', desktop, async (page) => {
+            await reach(page, 20);
+            await pause(page);
+            const pictures = [];
+            for (const tool of ['2', '3']) {
+                await page.keyboard.press('ArrowLeft'); // the box of the first time is gone
+                await page.keyboard.press(tool);
+                await page.mouse.click(900, 250);
+                await settle(page);
+                pictures.push(await pictureOf(page));
+                await page.keyboard.press('ArrowRight');
+            }
+            assert.ok(pictures[0] !== pictures[1]);
+        });
+    });
+
     test('gravity turns around, and back', async () => {
         await withPage('hello', desktop, async (page) => {
             await reach(page, 150);
@@ -286,6 +305,20 @@ describe('the sandbox', {concurrency: 2}, () => {
                 await page.tap('#play');
                 await page.waitForFunction(() => document.getElementById('play').textContent === 'Play', undefined, {timeout: 5000});
             });
+        }
+    });
+
+    test('everyone can use its controls, as far as axe can tell', async () => {
+        const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+        for (const colorScheme of ['light', 'dark']) {
+            const context = await browser.newContext({...desktop, colorScheme, bypassCSP: true}); // axe is none of the page's scripts
+            const page = await context.newPage();
+            await page.goto(server.address);
+            await page.click('#settings');
+            await page.evaluate(axe);
+            const found = await page.evaluate(async () => (await window.axe.run()).violations.map(({id, help, nodes}) => [id, help, nodes.map(({target}) => target)]));
+            assert.deepEqual(found, []);
+            await context.close();
         }
     });
 

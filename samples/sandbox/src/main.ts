@@ -109,6 +109,7 @@ function look(place: number) {
     if (looking < 0) history.keep(running.world, running.step);
     looking = Math.max(0, Math.min(place, history.length - 1));
     running.goTo(history.stepAt(looking), history.imageAt(looking));
+    painter.forget(); // what comes next may get the ids of what is gone
 }
 
 function setPlaying(to: boolean) {
