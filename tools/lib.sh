@@ -71,6 +71,18 @@ need_windows_tools() {
     need wine command_exists wine
 }
 
+# What builds WebAssembly.
+need_wasm_tools() {
+    need clang-16 command_exists clang++-16
+    need lld-16 command_exists wasm-ld-16
+    need wasi-libc path_exists /usr/include/wasm32-wasi
+    need libc++-16-dev-wasm32 path_exists /usr/lib/llvm-16/lib/wasm32-wasi
+    need libclang-rt-16-dev-wasm32 path_exists /usr/lib/llvm-16/lib/clang/16/lib/wasi
+    need python3 command_exists python3
+    need nodejs command_exists node
+    need npm command_exists npm
+}
+
 # What builds for other processors, and runs that.
 need_emulators() {
     need g++-12-multilib path_exists /usr/lib/gcc/x86_64-linux-gnu/12/32
@@ -80,11 +92,7 @@ need_emulators() {
     need g++-s390x-linux-gnu command_exists s390x-linux-gnu-g++
     need qemu-user command_exists qemu-aarch64
     need_windows_tools
-    need clang-16 command_exists clang++-16
-    need lld-16 command_exists wasm-ld-16
-    need wasi-libc path_exists /usr/include/wasm32-wasi
-    need libc++-16-dev-wasm32 path_exists /usr/lib/llvm-16/lib/wasm32-wasi
-    need libclang-rt-16-dev-wasm32 path_exists /usr/lib/llvm-16/lib/clang/16/lib/wasi
+    need_wasm_tools
 }
 
 # Installs everything that need found missing.

@@ -154,7 +154,7 @@ measure_coverage() {
 check_scripts() {
     say "checking the scripts"
     local scripts=() status=0
-    mapfile -t scripts < <(find "$root/tools" "$root/tests" "$root/docs" "$root/.ci" -name '*.sh' -o -path '*/.ci/run')
+    mapfile -t scripts < <(find "$root"/{tools,tests,docs,bindings,samples,.ci} -name node_modules -prune -o \( -name '*.sh' -o -path '*/.ci/run' \) -print)
     (cd "$root" && shellcheck --external-sources "${scripts[@]}") || status=$?
     [ "$status" -eq 0 ] || failed=true
     results+=("scripts: $([ "$status" -eq 0 ] && echo clean || echo 'shellcheck complains') (${#scripts[@]} files)")
@@ -214,12 +214,14 @@ check_first_command() {
     results+=("first command: $([ "$status" -eq 0 ] && echo 'a fresh tree builds and draws a scene' || echo 'see above')")
 }
 
-# What drives the browser, in the versions that package-lock.json names; fetched once.
+# What drives the browser and what builds the sandbox, in the versions that package-lock.json names; fetched once.
 fetch_browser_driver() {
-    local folder=$root/tests/browser
-    [ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ] && return
-    say "fetching the browser's driver"
-    (cd "$folder" && npm ci --no-audit --no-fund) >&2
+    local folder
+    for folder in "$root/tests/browser" "$root/samples/sandbox"; do
+        [ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ] && continue
+        say "fetching what $folder needs"
+        (cd "$folder" && npm ci --no-audit --no-fund) >&2
+    done
 }
 
 if $coverage; then

@@ -44,7 +44,10 @@ try() {
     'islet '* | 'rollback '*) eval "$command" ;;
     'window '*) is_left_out build/release/samples/window || ! command -v xvfb-run || xvfb-run --auto-servernum build/release/samples/window "${words[@]:1}" --frames 2 ;;
     build/release/*) is_left_out "${words[0]}" || eval "$command" ;;
-    ./tools/run.sh*) has_options tools/run.sh && islet run "${words[1]-hello}" ;;  # first_command_test.sh runs it in a fresh tree
+    './tools/run.sh --web'*) has_options tools/run.sh --web ;;  # tests/browser/sandbox.test.mjs plays with what it builds
+    'npm install '*) grep -q "\"name\": \"${words[2]}\"" bindings/js/package.json ;;
+    ./bindings/js/build.sh | ./samples/sandbox/build.sh) [ -x "$command" ] ;;  # tests/CMakeLists.txt runs both
+    './tools/run.sh'*) has_options tools/run.sh && islet run "${words[1]-hello}" ;;  # first_command_test.sh runs it in a fresh tree
     ./tools/test.sh* | ./tools/footprint.sh* | ./tools/boards.sh*) has_options "${words[@]}" ;;
     'cmake --preset release'*) grep -q '"name": "release"' "$root/CMakePresets.json" ;;
     # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.

@@ -22,7 +22,7 @@ names_of() {
 known=$(mktemp)
 trap 'rm -f "$known"' EXIT
 {
-    find "$root"/{engine,bindings,samples,tools,tests,docs} -name node_modules -prune -o -type f ! -name '*.md' ! -name '*.svg' ! -path '*/tests/docs/*' -print
+    find "$root"/{engine,bindings,samples,tools,tests,docs} \( -name node_modules -o -name dist \) -prune -o -type f ! -name '*.md' ! -name '*.svg' ! -path '*/tests/docs/*' -print
     find "$root" -maxdepth 1 -type f ! -name '*.md'
 } | tee >(words >"$known.paths") | xargs -d '\n' cat | words >"$known"
 sort -u -o "$known" "$known" "$known.paths"

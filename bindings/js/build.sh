@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Builds the package @islet/engine in bindings/js/dist: the engine and the C interface as WebAssembly, with SIMD and without, and the JavaScript for it.
+#   bindings/js/build.sh
+# What was compiled stays in build/js, for programs that add code of their own (samples/sandbox).
+# Needs clang-16, lld-16, wasi-libc, libc++-16-dev-wasm32, Python and Node.js; tools/lib.sh installs them (need_wasm_tools).
+set -euo pipefail
+
+root=$(cd "$(dirname "$0")/../.." && pwd)
+here=$root/bindings/js
+dist=$here/dist
+work=$root/build/js
+# shellcheck source=tests/determinism/build.sh
+. "$root/tests/determinism/build.sh"
+# shellcheck source=bindings/js/wasm.sh
+. "$here/wasm.sh"
+
+# What stands in no folder of the engine but is read by it all the same makes everything new.
+newest=$(find "$root"/engine/{include,src} "$root"/bindings/{c,js} "$root/bindings/api.json" -path "$dist" -prune -o -path '*/node_modules' -prune -o \
+    -path '*/test/*' -prune -o -path '*/__pycache__' -prune -o -type f -newer "$dist/made" -print -quit 2>/dev/null || echo all)
+if [ -z "$newest" ] && [ -e "$dist/made" ] && [ -e "$work/simd/cold.o" ]; then exit 0; fi
+rm -rf "$dist"
+mkdir -p "$dist" "$work"
+touch "$work/began"
+"$here/generate.py" "$work/made"
+
+# What every step runs is compiled for speed, the rest for size: as fast as all for speed, and a quarter smaller.
+hot='/src/(math|geometry|collide|broadphase|constraint|island|solver|step)/'
+sources=$(find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp' | sort)
+grep -E "$hot" <<<"$sources" | as_one "$work/hot.cpp"
+grep -vE "$hot" <<<"$sources" | as_one "$work/cold.cpp"
+find "$root/bindings/c/src" "$here/src" "$work/made" -name '*.cpp' ! -name 'layouts.cpp' | sort | as_one "$work/c.cpp"
+# make NAME FLAG...
+make_one() {
+    local name=$1 folder=$work/$1
+    shift
+    mkdir -p "$folder"
+    wasm_compile "$@" -O2 -c "$work/hot.cpp" -o "$folder/hot.o"
+    wasm_compile "$@" -Oz -c "$work/cold.cpp" -o "$folder/cold.o"
+    wasm_compile "$@" -Oz -c "$work/c.cpp" -o "$folder/c.o"
+    wasm_link "$work/made/exports.txt" -nostartfiles "$folder"/{hot,cold,c}.o -o "$folder/islet.wasm"
+}
+wasm_compile -fsyntax-only "$work/made/layouts.cpp"
+wasm_compile -fsyntax-only "$root/bindings/c/src/layouts.cpp"
+make_one plain &
+plain=$!
+make_one simd -msimd128
+wait "$plain"
+
+cp "$work/plain/islet.wasm" "$dist/islet.wasm"
+cp "$work/simd/islet.wasm" "$dist/islet-simd.wasm"
+cp "$here"/src/*.js "$here"/src/*.d.ts "$work"/made/{calls,functions}.js "$work/made/types.d.ts" "$dist"
+{
+    printf '// Made by bindings/js/build.sh: islet.wasm and islet-simd.wasm, packed by gzip.\n'
+    for name in plain:islet withSimd:islet-simd; do
+        printf "export const %s = '%s';\n" "${name%%:*}" "$(gzip -9 -n -c "$dist/${name#*:}.wasm" | base64 --wrap=0)"
+    done
+} >"$dist/wasm.js"
+touch -r "$work/began" "$dist/made"

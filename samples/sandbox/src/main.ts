@@ -1,0 +1,471 @@
+// The sandbox: the scenes of the catalogue, to drag, throw, pause and rewind.
+import {IsletError, Running, makeBox, prove, scenes, start, type BodyId, type JointId, type SceneInfo, type World} from './engine';
+import {History} from './history';
+import {Painter, type Camera} from './draw';
+
+const first_scene = 'mixer';
+const more_bodies = 300; // to throw in
+const drag_mark = 0xd7a6; // userData of the joint that drags
+const drag_acceleration = 200; // m/s^2, of a dragged body at most
+
+const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+const canvas = find<HTMLCanvasElement>('world');
+const timeline = find<HTMLInputElement>('timeline');
+const painter = new Painter(canvas);
+const camera: Camera = {x: 0, y: 5, scale: 50};
+
+let running: Running;
+let history: History;
+let playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+let speed = 1;
+let owed = 0; // s of the world that are still to be stepped
+let looking = -1; // the moment of the history that is shown; -1: the present
+let stepTime = 0; // ms, a running mean
+let follows = true; // the camera shows the whole scene, whatever the size of the window
+
+// -- scenes -----------------------------------------------------------------------------------------------------------------------------
+
+function load(scene: SceneInfo) {
+    running?.end();
+    letGo();
+    running = new Running(scene, more_bodies, (error) => say(error.message));
+    const bodies = running.world.bodyCount();
+    history = new History(running.timeStep, bodies > 2500 ? 30 : 6);
+    painter.forget();
+    [owed, looking, stepTime, follows] = [0, -1, 0, true];
+    for (const knob of knobs) knob.begin(running.world);
+    find('description').textContent = scene.description;
+    find<HTMLSelectElement>('scene').value = scene.name;
+    find('proof').textContent = '';
+    timeline.disabled = running.hasScript;
+    say('');
+    document.documentElement.dataset.scene = scene.name;
+    if (location.hash.slice(1) !== scene.name) window.history.replaceState(null, '', `#${scene.name}`);
+}
+
+function listScenes() {
+    const groups = new Map<string, HTMLOptGroupElement>();
+    for (const {name, group, description} of scenes) {
+        const option = new Option(name.replaceAll('_', ' '), name);
+        option.title = description;
+        let place = groups.get(group);
+        if (place === undefined) {
+            groups.set(group, (place = document.createElement('optgroup')));
+            place.label = group;
+            find('scene').append(place);
+        }
+        place.append(option);
+    }
+}
+
+function sceneOfAddress(): SceneInfo {
+    const name = decodeURIComponent(location.hash.slice(1)) || first_scene;
+    return scenes.find((scene) => scene.name === name) ?? scenes.find((scene) => scene.name === first_scene)!;
+}
+
+// -- time -------------------------------------------------------------------------------------------------------------------------------
+
+/// Runs what changes the world; what the engine says against it is shown.
+function attempt(run: () => void) {
+    try {
+        run();
+    } catch (error) {
+        if (!(error instanceof IsletError)) throw error;
+        say(error.message);
+    }
+}
+
+function advance() {
+    resume();
+    if (!running.hasScript) history.keep(running.world, running.step);
+    const began = performance.now();
+    attempt(() => running.advance());
+    stepTime += (performance.now() - began - stepTime) * (stepTime === 0 ? 1 : 0.1);
+}
+
+/// What is shown becomes the present, and what came after it never was.
+function resume() {
+    if (looking < 0) return;
+    history.cutAfter(looking);
+    looking = -1;
+    for (const knob of knobs) knob.apply(running.world);
+    dropDrags(running.world);
+}
+
+/// The joint of a drag that ended since has come back too.
+function dropDrags(world: World) {
+    const {joints} = world.capacity();
+    for (let slot = 0; slot < joints; ++slot) {
+        const joint = world.jointAt(slot);
+        if (joint !== 0 && world.jointUserData(joint) === drag_mark) world.destroyJoint(joint);
+    }
+    dragged = 0;
+}
+
+function look(place: number) {
+    if (running.hasScript || history.length === 0) return;
+    setPlaying(false);
+    // The present is a moment too.
+    if (looking < 0) history.keep(running.world, running.step);
+    looking = Math.max(0, Math.min(place, history.length - 1));
+    running.goTo(history.stepAt(looking), history.imageAt(looking));
+    painter.forget(); // what comes next may get the ids of what is gone
+}
+
+function setPlaying(to: boolean) {
+    playing = to;
+    owed = 0;
+    find('play').textContent = to ? 'Pause' : 'Play';
+}
+
+let before = 0;
+function frame(now: number) {
+    const passed = Math.min(0.1, Math.max(0, (now - before) / 1000));
+    before = now;
+    if (playing) {
+        owed += passed * speed;
+        const until = performance.now() + 14; // a scene that takes longer runs slower than it should
+        while (owed >= running.timeStep) {
+            owed -= running.timeStep;
+            advance();
+            if (performance.now() > until) owed = 0;
+        }
+    }
+    if (follows) showAll();
+    painter.draw(running.world, camera);
+    tell();
+    requestAnimationFrame(frame);
+}
+
+// -- what the page says -----------------------------------------------------------------------------------------------------------------
+
+let silence: ReturnType<typeof setTimeout> | undefined;
+function say(sentence: string) {
+    const message = find('message');
+    message.textContent = sentence;
+    message.hidden = sentence === '';
+    clearTimeout(silence);
+    if (sentence !== '') silence = setTimeout(() => say(''), 5000);
+}
+
+function tell() {
+    const {world, timeStep} = running, {step} = running;
+    const data = document.documentElement.dataset;
+    data.step = String(step);
+    find('status').textContent = `${world.bodyCount()} bodies · ${stepTime.toFixed(stepTime < 1 ? 2 : 1)} ms a step`;
+    const last = Math.max(0, history.length - 1);
+    timeline.max = String(last);
+    const place = looking < 0 ? last : looking;
+    if (Number(timeline.value) !== place) timeline.value = String(place);
+    const back = looking < 0 ? 0 : (history.stepAt(last) - history.stepAt(looking)) * timeStep;
+    timeline.setAttribute('aria-valuetext', `${back.toFixed(1)} seconds ago`);
+    find('moment').textContent = running.hasScript
+        ? 'has a script'
+        : `${back === 0 ? (step * timeStep).toFixed(1) : `−${back.toFixed(1)}`} s · ${(history.bytes / 1000).toFixed(0)} kB`;
+    timeline.title = running.hasScript ? 'A script moves this scene, and what it remembers does not go back' : '';
+}
+
+// -- knobs ------------------------------------------------------------------------------------------------------------------------------
+
+interface Knob {
+    begin(world: World): void;
+    apply(world: World): void;
+}
+
+type Read = (world: World) => number;
+type Write = (world: World, value: number) => void;
+
+function makeKnob(name: string, low: number, high: number, by: number, unit: string, read: Read, write: Write): Knob {
+    const row = document.createElement('div');
+    row.className = 'knob';
+    const label = document.createElement('label');
+    label.textContent = name;
+    label.htmlFor = `knob-${name.toLowerCase()}`;
+    const value = document.createElement('output');
+    const input = Object.assign(document.createElement('input'), {type: 'range', id: label.htmlFor, min: String(low), max: String(high), step: String(by)});
+    const reset = Object.assign(document.createElement('button'), {textContent: '↺', title: `${name} as the scene has it`});
+    reset.setAttribute('aria-label', `Reset ${name.toLowerCase()}`);
+    row.append(label, value, reset, input);
+    find('knobs').append(row);
+    let start = 0;
+    let changed = false;
+    const show = () => {
+        value.textContent = `${Number(input.value)}${unit}`;
+        reset.disabled = !changed;
+    };
+    const set = (to: number) => {
+        changed = to !== start;
+        input.value = String(to);
+        resume();
+        attempt(() => write(running.world, to));
+        show();
+    };
+    input.addEventListener('input', () => set(Number(input.value)));
+    reset.addEventListener('click', () => set(start));
+    return {
+        begin(world) {
+            start = read(world);
+            changed = false;
+            input.value = String(start);
+            show();
+        },
+        // After going back, the world has the setting of that time: the knob's holds.
+        apply(world) {
+            if (changed || read(world) !== start) attempt(() => write(world, Number(input.value)));
+        },
+    };
+}
+
+let frictions = new Map<number, number>(); // of shapes, as the scene has them
+
+const knobs = [
+    makeKnob('Gravity', -30, 30, 0.5, ' m/s²', (world) => -world.gravity().y, (world, value) => {
+        world.setGravity({x: world.gravity().x, y: -value});
+        wakeAll(world);
+    }),
+    makeKnob('Friction', 0, 3, 0.05, ' ×', () => {
+        frictions = new Map();
+        return 1;
+    }, (world, value) => {
+        for (const shape of shapesOf(world)) {
+            const was = frictions.get(shape) ?? world.shapeFriction(shape);
+            frictions.set(shape, was);
+            world.shapeSetFriction(shape, was * value);
+        }
+        wakeAll(world);
+    }),
+    makeKnob('Substeps', 1, 16, 1, '', (world) => world.solver().substeps, (world, substeps) => world.setSolver({...world.solver(), substeps})),
+];
+
+function* bodiesOf(world: World): Iterable<BodyId> {
+    const {bodies} = world.capacity();
+    for (let slot = 0; slot < bodies; ++slot) {
+        const body = world.bodyAt(slot);
+        if (body !== 0) yield body;
+    }
+}
+function* shapesOf(world: World) {
+    for (const body of bodiesOf(world)) yield* world.bodyShapes(body);
+}
+function wakeAll(world: World) {
+    for (const body of bodiesOf(world)) if (world.bodyType(body) === 'dynamic') world.bodyWake(body);
+}
+
+// -- the camera and the pointer ---------------------------------------------------------------------------------------------------------
+
+/// What the bars take of the window, in pixels.
+let bars = {above: 0, below: 0};
+function measureBars() {
+    const gap = 8;
+    bars = {
+        above: document.querySelector('header')!.getBoundingClientRect().bottom + gap,
+        below: innerHeight - document.querySelector('footer')!.getBoundingClientRect().top + gap,
+    };
+}
+new ResizeObserver(measureBars).observe(document.querySelector('footer')!);
+addEventListener('resize', measureBars);
+
+function showAll() {
+    const {left, bottom, right, top} = running.view;
+    const {above, below} = bars;
+    const width = canvas.clientWidth - 16, height = Math.max(80, canvas.clientHeight - above - below);
+    camera.scale = Math.min(width / (right - left), height / (top - bottom));
+    camera.x = (left + right) / 2;
+    camera.y = (bottom + top) / 2 + (above - below) / 2 / camera.scale;
+}
+
+function toWorld(x: number, y: number) {
+    return {x: camera.x + (x - canvas.clientWidth / 2) / camera.scale, y: camera.y - (y - canvas.clientHeight / 2) / camera.scale};
+}
+
+function zoom(x: number, y: number, factor: number) {
+    follows = false;
+    const about = toWorld(x, y);
+    camera.scale = Math.min(2000, Math.max(1, camera.scale * factor));
+    const now = toWorld(x, y);
+    camera.x += about.x - now.x;
+    camera.y += about.y - now.y;
+}
+
+let dragged: JointId = 0;
+const pointers = new Map<number, {x: number; y: number}>();
+let tool = 'drag';
+
+/// The dynamic body under a point, or within a finger's breadth of it.
+function bodyAt(point: {x: number; y: number}, reach: number): BodyId {
+    const {world} = running;
+    const dynamic = (shape: number) => world.bodyType(world.shapeBody(shape)) === 'dynamic';
+    const hit = world.overlapPoint(point).find(dynamic)
+        ?? world.overlapBox({lower: {x: point.x - reach, y: point.y - reach}, upper: {x: point.x + reach, y: point.y + reach}}).find(dynamic);
+    return hit === undefined ? 0 : world.shapeBody(hit);
+}
+
+function grab(point: {x: number; y: number}, reach: number): boolean {
+    const body = bodyAt(point, reach);
+    if (body === 0) return false;
+    resume();
+    const {world} = running;
+    attempt(() => {
+        dragged = world.createMouseJoint({body, target: point, maxForce: drag_acceleration * world.bodyMass(body), userData: drag_mark});
+        world.bodyWake(body);
+    });
+    return dragged !== 0;
+}
+function letGo() {
+    if (dragged !== 0 && running.world.jointIsValid(dragged)) running.world.destroyJoint(dragged);
+    dragged = 0;
+}
+
+function put(point: {x: number; y: number}) {
+    resume();
+    const size = Math.min(1, 26 / camera.scale); // m, half of it
+    const {world} = running;
+    attempt(() => {
+        const body = world.createBody({type: 'dynamic', position: point});
+        try {
+            if (tool === 'box') world.createPolygon(body, makeBox(size, size));
+            else world.createCircle(body, {center: {x: 0, y: 0}, radius: size}, {restitution: 0.4});
+        } catch (error) {
+            world.destroyBody(body);
+            throw error;
+        }
+    });
+}
+
+canvas.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    pointers.set(event.pointerId, {x: event.offsetX, y: event.offsetY});
+    canvas.setPointerCapture(event.pointerId);
+    canvas.classList.add('busy');
+    if (pointers.size > 1) return letGo();
+    const point = toWorld(event.offsetX, event.offsetY);
+    if (tool !== 'drag') put(point);
+    else grab(point, (event.pointerType === 'touch' ? 14 : 3) / camera.scale);
+});
+canvas.addEventListener('pointermove', (event) => {
+    const old = pointers.get(event.pointerId);
+    if (old === undefined) return;
+    const now = {x: event.offsetX, y: event.offsetY};
+    if (pointers.size === 2) {
+        const other = [...pointers].find(([id]) => id !== event.pointerId)![1];
+        const factor = Math.hypot(now.x - other.x, now.y - other.y) / Math.max(1, Math.hypot(old.x - other.x, old.y - other.y));
+        zoom((now.x + other.x) / 2, (now.y + other.y) / 2, factor);
+        camera.x -= (now.x - old.x) / 2 / camera.scale;
+        camera.y += (now.y - old.y) / 2 / camera.scale;
+    } else if (dragged !== 0) {
+        if (running.world.jointIsValid(dragged)) running.world.jointSetTarget(dragged, toWorld(now.x, now.y));
+    } else if (tool === 'drag') {
+        follows = false;
+        camera.x -= (now.x - old.x) / camera.scale;
+        camera.y += (now.y - old.y) / camera.scale;
+    }
+    pointers.set(event.pointerId, now);
+});
+for (const type of ['pointerup', 'pointercancel'] as const) {
+    canvas.addEventListener(type, (event) => {
+        pointers.delete(event.pointerId);
+        if (pointers.size === 0) canvas.classList.remove('busy');
+        letGo();
+    });
+}
+canvas.addEventListener('wheel', (event) => {
+    event.preventDefault();
+    zoom(event.offsetX, event.offsetY, Math.exp(-event.deltaY / 500));
+}, {passive: false});
+canvas.addEventListener('dblclick', () => (follows = true));
+
+// -- buttons and keys -------------------------------------------------------------------------------------------------------------------
+
+function setSpeed(to: number) {
+    speed = to;
+    find('slow').setAttribute('aria-pressed', String(to !== 1));
+}
+function stepOnce() {
+    setPlaying(false);
+    advance();
+}
+function choose(to: string) {
+    tool = to;
+    document.querySelector<HTMLInputElement>(`input[name=tool][value=${to}]`)!.checked = true;
+}
+
+const actions: Record<string, () => void> = {
+    play: () => setPlaying(!playing),
+    step: stepOnce,
+    slow: () => setSpeed(speed === 1 ? 0.2 : 1),
+    again: () => load(running.scene),
+    settings() {
+        const panel = find('panel');
+        panel.hidden = !panel.hidden;
+        find('settings').setAttribute('aria-expanded', String(!panel.hidden));
+    },
+    async prove() {
+        await proveAll([running.scene]);
+    },
+    'prove-all': async () => proveAll(scenes),
+};
+for (const [id, action] of Object.entries(actions)) find(id).addEventListener('click', action);
+
+timeline.addEventListener('input', () => look(Number(timeline.value)));
+find('scene').addEventListener('change', () => load(scenes.find(({name}) => name === find<HTMLSelectElement>('scene').value)!));
+for (const name of ['contacts', 'joints'] as const) {
+    find(name).addEventListener('change', () => {
+        painter[name === 'contacts' ? 'showContacts' : 'showJoints'] = find<HTMLInputElement>(name).checked;
+    });
+}
+document.querySelectorAll<HTMLInputElement>('input[name=tool]').forEach((input) => input.addEventListener('change', () => choose(input.value)));
+addEventListener('hashchange', () => load(sceneOfAddress()));
+addEventListener('keydown', (event) => {
+    const at = event.target as HTMLElement;
+    // Controls keep the keys that they know themselves.
+    if (event.ctrlKey || event.altKey || event.metaKey || at.matches('select')) return;
+    if (at.matches('button') ? /^( |Enter)$/.test(event.key) : at.matches('input') && /^( |Arrow.*)$/.test(event.key)) return;
+    const keys: Record<string, () => void> = {
+        ' ': actions.play!,
+        ArrowRight: stepOnce,
+        ArrowLeft: () => look((looking < 0 ? history.length : looking) - 1),
+        r: actions.again!,
+        1: () => choose('drag'),
+        2: () => choose('box'),
+        3: () => choose('ball'),
+        0: () => (follows = true),
+    };
+    const action = keys[event.key] ?? keys[event.key.toLowerCase()];
+    if (action === undefined) return;
+    event.preventDefault();
+    action();
+});
+
+async function proveAll(list: readonly SceneInfo[]) {
+    const proof = find('proof');
+    proof.className = '';
+    const wrong: string[] = [];
+    let last = '';
+    for (const [i, scene] of list.entries()) {
+        proof.textContent = `${i + 1} of ${list.length}: ${scene.name}`;
+        await new Promise((done) => setTimeout(done)); // the page goes on meanwhile
+        const {steps, hash, golden} = prove(scene);
+        if (hash !== golden) wrong.push(`${scene.name}: ${hash}, not ${golden}`);
+        last = `${scene.name} after ${steps} steps: ${hash}`;
+    }
+    proof.className = wrong.length === 0 ? 'good' : 'bad';
+    if (wrong.length > 0) proof.textContent = `✗ ${wrong.join('; ')}`;
+    else proof.textContent = list.length === 1 ? `✓ ${last}, as everywhere` : `✓ all ${list.length} scenes have the hashes that they have everywhere`;
+}
+
+// -- ------------------------------------------------------------------------------------------------------------------------------------
+
+try {
+    await start();
+    listScenes();
+    setPlaying(playing);
+    load(sceneOfAddress());
+    requestAnimationFrame((now) => {
+        before = now;
+        frame(now);
+    });
+} catch (error) {
+    say(`The engine did not start. ${(error as Error).message}`);
+    clearTimeout(silence);
+    throw error;
+}

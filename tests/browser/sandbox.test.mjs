@@ -1,0 +1,346 @@
+// Plays with the sandbox (samples/sandbox) in a real browser, as a person would, from a server of files on this machine.
+// Environment: CHROMIUM, the browser; SANDBOX, the built folder.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {after, before, describe, test} from 'node:test';
+import {chromium} from 'playwright-core';
+import {serve} from './serve.mjs';
+
+const desktop = {viewport: {width: 1280, height: 760}};
+const phone = {viewport: {width: 390, height: 844}, deviceScaleFactor: 2, hasTouch: true, isMobile: true};
+const awake = ['awake-1', 'awake-2', 'awake-3'];
+const bodies = [...awake, 'asleep'];
+let browser, server;
+
+before(async () => {
+    const args = process.getuid?.() === 0 ? ['--no-sandbox', '--disable-dev-shm-usage'] : ['--disable-dev-shm-usage'];
+    browser = await chromium.launch({executablePath: process.env.CHROMIUM, args});
+    server = await serve(process.env.SANDBOX);
+});
+after(async () => {
+    await browser?.close();
+    server?.close();
+});
+
+/// Opens the page at a scene, hands it to `use`, and fails on anything that it complains of, misses, or asks of another server.
+async function withPage(scene, options, use) {
+    const context = await browser.newContext(options);
+    const page = await context.newPage();
+    const complaints = [];
+    page.on('pageerror', (error) => complaints.push(error.stack));
+    page.on('console', (message) => complaints.push(message.text()));
+    page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()}`));
+    page.on('request', (request) => request.url().startsWith(server.address) || complaints.push(`asked for ${request.url()}`));
+    page.on('response', (response) => response.ok() || complaints.push(`${response.status()} for ${response.url()}`));
+    await page.goto(`${server.address}${scene ? `#${scene}` : ''}`);
+    await page.waitForFunction(() => Number(document.documentElement.dataset.step) >= 0);
+    await use(page);
+    assert.deepEqual(complaints, []);
+    await context.close();
+}
+
+const stepOf = (page) => page.evaluate(() => Number(document.documentElement.dataset.step));
+const reach = (page, step) => page.waitForFunction((least) => Number(document.documentElement.dataset.step) >= least, step);
+/// Waits while so many seconds of the world pass.
+const run = async (page, seconds) => reach(page, (await stepOf(page)) + 60 * seconds);
+const pictureOf = (page) => page.evaluate(() => document.getElementById('world').toDataURL());
+async function settle(page) {
+    for (let i = 0; i < 3; ++i) await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
+}
+/// Pauses, if need be, and waits for the picture.
+async function pause(page) {
+    if ((await page.locator('#play').textContent()) === 'Pause') await page.click('#play');
+    await settle(page);
+}
+
+/// Middle of the pixels in some of the style sheet's colours, in CSS pixels, and how many there are.
+function pixels(page, names) {
+    return page.evaluate((names) => {
+        const canvas = document.getElementById('world');
+        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {willReadFrequently: true});
+        copy.drawImage(canvas, 0, 0);
+        const ratio = window.devicePixelRatio;
+        const {data, width} = copy.getImageData(0, 0, canvas.width, canvas.height);
+        const style = getComputedStyle(document.documentElement);
+        const wanted = names.map((name) => parseInt(style.getPropertyValue(`--${name}`).trim().slice(1), 16));
+        let count = 0, x = 0, y = 0;
+        for (let i = 0; i < data.length; i += 4) {
+            if (!wanted.includes((data[i] << 16) | (data[i + 1] << 8) | data[i + 2])) continue;
+            count += 1;
+            x += ((i / 4) % width) / ratio;
+            y += Math.floor(i / 4 / width) / ratio;
+        }
+        return {count, x: x / count, y: y / count};
+    }, names);
+}
+
+/// Waits until the bodies, awake or asleep, are where they should be.
+async function become(page, what, isSo) {
+    let seen;
+    for (let i = 0; i < 60; ++i) {
+        seen = await pixels(page, bodies);
+        if (isSo(seen)) return seen;
+        await run(page, 0.25);
+    }
+    return assert.fail(`${what}: ${JSON.stringify(seen)}`);
+}
+
+test('opens moving, soon, even where the processor is slow', async () => {
+    const context = await browser.newContext(desktop);
+    const page = await context.newPage();
+    const session = await context.newCDPSession(page);
+    await session.send('Emulation.setCPUThrottlingRate', {rate: 4});
+    const began = Date.now();
+    await page.goto(server.address);
+    await reach(page, 3);
+    const seconds = (Date.now() - began) / 1000;
+    assert.ok(seconds < 5, `it took ${seconds} s`); // 2 s on a machine that does nothing else
+    const picture = await pictureOf(page);
+    await settle(page);
+    assert.notEqual(await pictureOf(page), picture);
+    assert.ok((await pixels(page, awake)).count > 5000);
+    await context.close();
+});
+
+// They mostly wait for the world.
+describe('the sandbox', {concurrency: 2}, () => {
+    test('a box is dragged, hangs on the pointer, and falls when let go', async () => {
+        await withPage('hello', desktop, async (page) => {
+            await reach(page, 150);
+            const still = await pixels(page, bodies);
+            await page.mouse.move(still.x, still.y);
+            await page.mouse.down();
+            await page.mouse.move(still.x + 120, still.y - 200, {steps: 10});
+            await become(page, 'hangs', ({x, y}) => y < still.y - 120 && x > still.x + 80);
+            await run(page, 1); // at rest, or letting go throws it
+            await become(page, 'hangs still', ({x, y}) => y < still.y - 120 && x > still.x + 80);
+            await page.mouse.up();
+            await become(page, 'has fallen', ({y}) => Math.abs(y - still.y) < 6);
+        });
+    });
+
+    test('rewinds to where it was, and goes on from there', async () => {
+        await withPage('hello', desktop, async (page) => {
+            await pause(page);
+            await page.click('#again');
+            await settle(page);
+            const start = await pixels(page, awake), first = await pictureOf(page);
+            await page.click('#play');
+            await reach(page, 60);
+            await pause(page);
+            const later = await pixels(page, bodies);
+            assert.ok(later.y > start.y + 20, JSON.stringify({start, later}));
+
+            await page.locator('#timeline').fill('0');
+            await settle(page);
+            assert.equal(await stepOf(page), 0);
+            assert.equal(await pictureOf(page), first);
+            assert.match(await page.locator('#moment').textContent(), /^−1\.\d s · \d+ kB$/);
+
+            await page.click('#play');
+            await reach(page, 30);
+            await pause(page);
+            assert.ok(!(await page.locator('#moment').textContent()).startsWith('−'), 'this is the present now');
+            assert.ok((await pixels(page, bodies)).y > start.y + 5);
+        });
+    });
+
+    test('what was dragged can be undone', async () => {
+        await withPage('pyramid', desktop, async (page) => {
+            await reach(page, 20);
+            await pause(page);
+            const stands = await pictureOf(page);
+            const step = await stepOf(page);
+            const {x, y} = await pixels(page, awake);
+            await page.mouse.move(x, y);
+            await page.mouse.down();
+            await page.mouse.move(x + 300, y - 200, {steps: 5});
+            await page.keyboard.press(' ');
+            await run(page, 0.8);
+            await page.mouse.up();
+            await pause(page);
+            assert.notEqual(await pictureOf(page), stands);
+            // Back by the keyboard until before that.
+            for (let i = 0; i < 40 && (await stepOf(page)) > step; ++i) await page.keyboard.press('ArrowLeft');
+            await settle(page);
+            assert.ok((await stepOf(page)) <= step);
+            const again = await pixels(page, awake);
+            assert.ok(Math.hypot(again.x - x, again.y - y) < 2, JSON.stringify({again, x, y}));
+        });
+    });
+
+    test('a ball that is put where a box was taken back looks like a ball', async () => {
+        await withPage('hello', desktop, async (page) => {
+            await reach(page, 20);
+            await pause(page);
+            const pictures = [];
+            for (const tool of ['2', '3']) {
+                await page.keyboard.press('ArrowLeft'); // the box of the first time is gone
+                await page.keyboard.press(tool);
+                await page.mouse.click(900, 250);
+                await settle(page);
+                pictures.push(await pictureOf(page));
+                await page.keyboard.press('ArrowRight');
+            }
+            assert.ok(pictures[0] !== pictures[1]);
+        });
+    });
+
+    test('gravity turns around, and back', async () => {
+        await withPage('hello', desktop, async (page) => {
+            await reach(page, 150);
+            const still = await pixels(page, bodies);
+            await page.click('#settings');
+            await page.locator('#knob-gravity').fill('-1');
+            await become(page, 'rises', ({y}) => y < still.y - 30);
+            await page.click('button[aria-label="Reset gravity"]');
+            assert.equal(await page.locator('#knob-gravity').inputValue(), '10');
+            await become(page, 'has fallen', ({y}) => Math.abs(y - still.y) < 6);
+        });
+    });
+
+    test('without friction, what stood on a slope slides', async () => {
+        await withPage('card_house', desktop, async (page) => {
+            await reach(page, 30);
+            const stands = await pixels(page, awake);
+            await page.click('#settings');
+            await page.locator('#knob-friction').fill('0');
+            await become(page, 'lies', ({y}) => y > stands.y + 50);
+        });
+    });
+
+    test('boxes and balls are thrown in, until there is no more room', async () => {
+        await withPage('hello', desktop, async (page) => {
+            const count = async () => parseInt(await page.locator('#status').textContent(), 10);
+            const start = await count();
+            await page.click('.tools >> text=Box');
+            await page.mouse.click(500, 250);
+            await page.keyboard.press('3');
+            await page.mouse.click(700, 250);
+            await settle(page);
+            assert.equal(await count(), start + 2);
+            await pause(page);
+            await page.evaluate(() => {
+                const canvas = document.getElementById('world');
+                canvas.setPointerCapture = () => {};
+                for (let i = 0; i < 320; ++i) {
+                    const where = {pointerId: 9, bubbles: true, clientX: 200 + 8 * (i % 100), clientY: 150 + 20 * Math.floor(i / 100)};
+                    canvas.dispatchEvent(new PointerEvent('pointerdown', where));
+                    canvas.dispatchEvent(new PointerEvent('pointerup', where));
+                }
+            });
+            await settle(page);
+            assert.equal(await count(), start + 300);
+            assert.match(await page.locator('#message').textContent(), /Capacity.*bodies/);
+        });
+    });
+
+    test('keys pause, step and choose', async () => {
+        await withPage('pyramid', desktop, async (page) => {
+            await page.keyboard.press(' ');
+            await settle(page);
+            const step = await stepOf(page);
+            await page.waitForTimeout(200);
+            assert.equal(await stepOf(page), step);
+            await page.keyboard.press('ArrowRight');
+            await settle(page);
+            assert.equal(await stepOf(page), step + 1);
+            await page.keyboard.press('2');
+            assert.ok(await page.locator('input[value=box]').isChecked());
+            await page.keyboard.press('r');
+            await settle(page);
+            assert.equal(await stepOf(page), 0);
+        });
+    });
+
+    test('the address names the scene', async () => {
+        await withPage('gears', desktop, async (page) => {
+            assert.equal(await page.locator('#scene').inputValue(), 'gears');
+            await page.selectOption('#scene', 'arch');
+            assert.equal(await page.evaluate(() => location.hash), '#arch');
+            await page.evaluate(() => (location.hash = '#no_such_scene'));
+            await settle(page);
+            assert.equal(await page.locator('#scene').inputValue(), 'mixer');
+            await page.selectOption('#scene', 'platformer');
+            await settle(page);
+            assert.ok(await page.locator('#timeline').isDisabled(), 'a script does not go back');
+            assert.equal(await page.locator('#moment').textContent(), 'has a script');
+        });
+    });
+
+    test('every scene has its golden hash in this browser', async () => {
+        await withPage('hello', desktop, async (page) => {
+            await pause(page);
+            await page.click('#settings');
+            await page.click('#prove');
+            await page.waitForFunction(() => document.getElementById('proof').className !== '');
+            assert.equal(await page.locator('#proof').textContent(), '✓ hello after 60 steps: 0d75a134d5c0755c, as everywhere');
+            await page.click('#prove-all');
+            await page.waitForFunction(() => document.getElementById('proof').className !== '', undefined, {timeout: 120000});
+            assert.match(await page.locator('#proof').textContent(), /^✓ all \d\d scenes/);
+        });
+    });
+
+    test('fits a phone, lying or standing, and fingers work', async () => {
+        for (const viewport of [phone.viewport, {width: 844, height: 390}, {width: 320, height: 568}]) {
+            await withPage('hello', {...phone, viewport}, async (page) => {
+                await reach(page, 150);
+                assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width);
+                for (const button of await page.locator('header button, footer button, footer .tools span').all()) {
+                    const box = await button.boundingBox();
+                    assert.ok(box.x >= 0 && box.x + box.width <= viewport.width && box.y + box.height <= viewport.height, JSON.stringify(box));
+                    assert.ok(box.width >= 32 && box.height >= 32, `large enough for a finger: ${JSON.stringify(box)}`);
+                }
+                const still = await pixels(page, bodies);
+                const footer = await page.locator('footer').boundingBox();
+                assert.ok(still.count > 30 && still.y < footer.y, JSON.stringify(still));
+                const session = await page.context().newCDPSession(page);
+                const touch = (type, x, y) => session.send('Input.dispatchTouchEvent', {type, touchPoints: type === 'touchEnd' ? [] : [{x, y}]});
+                await touch('touchStart', still.x, still.y);
+                for (let i = 1; i <= 5; ++i) await touch('touchMove', still.x, still.y - 12 * i);
+                await become(page, 'hangs', ({y}) => y < still.y - 20);
+                await run(page, 0.5); // at rest, or a browser takes the next tap for the end of a fling
+                await touch('touchEnd');
+                await page.tap('#play');
+                await page.waitForFunction(() => document.getElementById('play').textContent === 'Play', undefined, {timeout: 5000});
+            });
+        }
+    });
+
+    test('everyone can use its controls, as far as axe can tell', async () => {
+        const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+        for (const colorScheme of ['light', 'dark']) {
+            const context = await browser.newContext({...desktop, colorScheme, bypassCSP: true}); // axe is none of the page's scripts
+            const page = await context.newPage();
+            await page.goto(server.address);
+            await page.click('#settings');
+            await page.evaluate(axe);
+            const found = await page.evaluate(async () => (await window.axe.run()).violations.map(({id, help, nodes}) => [id, help, nodes.map(({target}) => target)]));
+            assert.deepEqual(found, []);
+            await context.close();
+        }
+    });
+
+    test('says what is missing where there is no WebAssembly', async () => {
+        const context = await browser.newContext(desktop);
+        const page = await context.newPage();
+        await page.addInitScript(() => delete globalThis.WebAssembly);
+        await page.goto(server.address);
+        await page.waitForSelector('#message:visible');
+        assert.equal(await page.locator('#message').textContent(), 'The engine did not start. There is no WebAssembly here, which the engine needs.');
+        await context.close();
+    });
+
+    test('is dark where the system is, and still where motion is not wanted', async () => {
+        for (const colorScheme of ['light', 'dark']) {
+            await withPage('hello', {...desktop, colorScheme, reducedMotion: 'reduce'}, async (page) => {
+                await settle(page);
+                const paper = await page.evaluate(() => [...document.getElementById('world').getContext('2d').getImageData(3, 300, 1, 1).data]);
+                assert.ok(colorScheme === 'dark' ? paper[0] < 60 : paper[0] > 200, String(paper));
+                await page.waitForTimeout(200);
+                assert.equal(await stepOf(page), 0);
+            });
+        }
+    });
+});
