@@ -108,7 +108,8 @@ TEST(Shortcuts, WhatKeepsClearOfAWallIsStoppedByItInNoSearch) {
         const std::uint32_t b = body.index1 - 1, of_wall = wall.index1 - 1;
         if (core.bodies[b].shape_head == detail::null_index || core.bodies[of_wall].shape_head == detail::null_index) continue;  // no hull
         const float turn = random.one_in(3) ? 0 : random.between(-1.5f, 1.5f) * (random.one_in(2) ? 1 : 0.1f);
-        const detail::Sweep way{core.poses[b].center, core.poses[b].q, rotate(along, {size * random.between(-3, 3) * (random.one_in(2) ? 1 : 0.1f), 0}), turn};
+        const detail::BodyPath way{core.poses[b].center, core.poses[b].q, rotate(along, {size * random.between(-3, 3) * (random.one_in(2) ? 1 : 0.1f), 0}),
+                                   turn};
         const detail::ClearWay clear_way = detail::clear_way_of(way, core.poses[b].max_extent, core.bodies[b].min_extent, 0.125f * detail::linear_slop);
         const std::uint32_t shape = core.bodies[b].shape_head;
         for (std::uint32_t s = core.bodies[of_wall].shape_head; s != detail::null_index; s = core.shapes[s].next) {

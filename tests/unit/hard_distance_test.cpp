@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "collide/distance.hpp"
-#include "shapes/manifolds.hpp"
 #include "collide/outline.hpp"
 #include "collide/time_of_impact.hpp"
+#include "shapes/manifolds.hpp"
 #include "support/effort.hpp"
 #include "support/hard_shapes.hpp"
 #include "support/long_geometry.hpp"
@@ -36,9 +36,7 @@ std::string corners_text(const ShapeProxy& p) {
 
 // Without the radii; and what errors are measured by in one frame: the largest coordinate, or difference of two.
 Rounded cores_of(const Solid& a, const Solid& b) { return long_exact::difference({a.corners, 0}, {b.corners, 0}); }
-Real frame_of(const Solid& a, const Solid& b) {
-    return std::max({long_exact::scale_of(a, b), long_exact::reach_of(a), long_exact::reach_of(b)});
-}
+Real frame_of(const Solid& a, const Solid& b) { return std::max({long_exact::scale_of(a, b), long_exact::reach_of(a), long_exact::reach_of(b)}); }
 
 TEST(HardDistance, IsThatOfLongDoubleIn400000Cases) {
     // As distance_test.cpp has it: seven roundings; and twice that for square lengths that are compared. Below touching_squared cores touch.
@@ -136,16 +134,16 @@ TEST(HardDistance, ContactsAreWhereLongDoubleHasThemIn400000Cases) {
     EXPECT_GT(contacts, asked / 2);
 }
 
-detail::SweptCore swept(const ShapeProxy& p, const Transform& t) {
-    detail::SweptCore s;
+detail::MovingCore moving_core(const ShapeProxy& p, const Transform& t) {
+    detail::MovingCore s;
     s.core.count = p.count;
     s.core.radius = p.radius;
     for (std::uint32_t i = 0; i < p.count; ++i) {
         s.core.points[i] = p.points[i];
         s.reach = std::max(s.reach, length(p.points[i]));
     }
-    s.sweep.center = t.p;
-    s.sweep.q = t.q;
+    s.path.center = t.p;
+    s.path.q = t.q;
     return s;
 }
 
@@ -159,17 +157,17 @@ TEST(HardDistance, NoTimeOfImpactIsLateIn40000Cases) {
         d += Vec2{float(test::nudge(r, 0.3)), float(test::nudge(r, 0.3))};
         d = float(c.size * std::pow(10.0, double(r.in(-1, 1)))) * d;
         const float turn = r.below(2) == 0 ? 0 : float(test::nudge(r, 1.5)), met = r.in(0, 1);
-        const detail::SweptCore a = swept(c.a, c.pose_a);
-        detail::SweptCore b = swept(c.b, c.pose_b);
-        b.sweep.way = d;
-        b.sweep.turn = turn;
-        b.sweep.center -= met * d;
-        b.sweep.q = integrate(b.sweep.q, -met * turn);
+        const detail::MovingCore a = moving_core(c.a, c.pose_a);
+        detail::MovingCore b = moving_core(c.b, c.pose_b);
+        b.path.way = d;
+        b.path.turn = turn;
+        b.path.center -= met * d;
+        b.path.q = integrate(b.path.q, -met * turn);
         const Real near = Real(c.a.radius) + Real(c.b.radius);
         Real frame = 0;
         const auto left_at = [&](float fraction) {
             const Solid still = long_exact::solid_of(c.a, c.pose_a);
-            const Solid there = long_exact::solid_of(c.b, {detail::center_at(b.sweep, fraction), detail::rotation_at(b.sweep, fraction)});
+            const Solid there = long_exact::solid_of(c.b, {detail::center_at(b.path, fraction), detail::rotation_at(b.path, fraction)});
             frame = std::max(frame, long_exact::scale_of(still, there));
             return long_exact::signed_distance(cores_of(still, there), {}) - near;
         };

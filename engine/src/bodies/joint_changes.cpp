@@ -18,8 +18,8 @@ void untie(Core& core, std::uint32_t i) {
     if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
     wake_island(core, j.body_b, core.arena());
     give_color(core, j.color(), j.body_a, j.body_b);
-    unlink_joint(core, i, 0, j.body_a);
-    unlink_joint(core, i, 1, j.body_b);
+    detach_joint(core, i, 0, j.body_a);
+    detach_joint(core, i, 1, j.body_b);
     core.awake_joints.clear(i);
     if ((j.flags & joint_collide) == 0 && j.body_a != null_index) {
         // The bodies' shapes may overlap already. Without this mark their contacts would not be looked for, since the shapes have not moved.
@@ -85,13 +85,13 @@ void hang_gears(Core& core, std::uint32_t body) {
         const Joint& j1 = core.joints[gear.joint1];
         const Joint& j2 = core.joints[gear.joint2];
         if (j1.body_a != body && j1.body_b != body && j2.body_a != body && j2.body_b != body) continue;
-        unlink_joint(core, i, 0, gear.body_a);
-        unlink_joint(core, i, 1, gear.body_b);
+        detach_joint(core, i, 0, gear.body_a);
+        detach_joint(core, i, 1, gear.body_b);
         gear.body_a = moving_body(core, j1);
         gear.body_b = moving_body(core, j2);
         if (gear.body_a == gear.body_b) gear.body_b = gear.body_b == j2.body_b ? j2.body_a : j2.body_b;
-        link_joint(core, i, 0, gear.body_a);
-        link_joint(core, i, 1, gear.body_b);
+        attach_joint(core, i, 0, gear.body_a);
+        attach_joint(core, i, 1, gear.body_b);
         wake_island(core, gear.body_a, core.arena());
         wake_island(core, gear.body_b, core.arena());
         core.awake_joints.assign(i, is_joint_awake(core, gear));

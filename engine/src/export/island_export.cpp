@@ -55,7 +55,7 @@ float warm_factor(const State& state, float h) {
     return factor <= 1.0e6f ? factor : 0.0f;
 }
 
-void write_problem(IslandRows& rows, const IslandLinks& links, const Sizes& sizes, std::byte* memory, IslandProblem& out) {
+void write_problem(IslandRows& rows, const IslandConstraints& constraints, const Sizes& sizes, std::byte* memory, IslandProblem& out) {
     Pieces pieces(memory);
     const auto bodies = pieces.take<IslandBody>(sizes.bodies);
     const auto made = pieces.take<IslandRow>(sizes.rows);
@@ -81,7 +81,7 @@ void write_problem(IslandRows& rows, const IslandLinks& links, const Sizes& size
     rows.members.joints.for_each([&](std::uint32_t i) { add_joint_rows(rows, i); });
     rows.members.contacts.for_each([&](std::uint32_t i) { add_contact_rows(rows, i); });
     for (std::uint32_t i = 0; i < sizes.rows; ++i) q[i] = q_of(made[i], bodies);
-    write_matrix(rows, links, starts.data(), columns.data(), values.data());
+    write_matrix(rows, constraints, starts.data(), columns.data(), values.data());
 
     out.lcp = {{}, {starts, columns, values}, q, lo, hi, friction};
     out.impulses = impulses;
@@ -102,14 +102,14 @@ std::size_t World::export_island(BodyId id, float h, span<std::byte> memory, Isl
     const IslandMembers members = find_island(c, body, arena);
     IslandRows rows{c, members, h};
     rows.warm = warm_factor(*c.state, h);
-    const IslandLinks links = link_island(rows, arena);
+    const IslandConstraints constraints = list_constraints(rows, arena);
     constexpr std::uint64_t most = 0xffffffffu;
-    const Sizes sizes{members.body_count, rows.count, count_entries(links, most)};
+    const Sizes sizes{members.body_count, rows.count, count_entries(constraints, most)};
     const bool fits = sizes.rows <= lcp::max_rows && sizes.entries <= most && sizes.bytes() <= static_cast<std::size_t>(-1);
     if (!check(c, fits, Error::out_of_range)) return 0;
 
     const auto bytes = static_cast<std::size_t>(sizes.bytes());
-    if (memory.size() >= bytes) write_problem(rows, links, sizes, memory.data(), out);
+    if (memory.size() >= bytes) write_problem(rows, constraints, sizes, memory.data(), out);
     return bytes;
 }
 

@@ -55,7 +55,7 @@ IslandMembers find_island(const Core& core, std::uint32_t body, Arena& arena) {
         m.place_of[i] = m.body_count;
         m.bodies[m.body_count++] = i;
     });
-    m.link_count = m.contacts.count() + m.joints.count();
+    m.constraint_count = m.contacts.count() + m.joints.count();
     return m;
 }
 

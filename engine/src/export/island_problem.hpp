@@ -11,8 +11,8 @@ struct IslandMembers {
     BitSet contacts, joints;          // that touch or hold one of its bodies, by slot
     std::uint32_t* bodies = nullptr;  // ascending
     std::uint32_t body_count = 0;
-    std::uint32_t* place_of = nullptr;  // of a body of the island: its place among `bodies`
-    std::uint32_t link_count = 0;       // contacts and joints
+    std::uint32_t* place_of = nullptr;   // of a body of the island: its place among `bodies`
+    std::uint32_t constraint_count = 0;  // contacts and joints
 };
 
 /// The island of a body that can be pushed: what is linked to it by touching contacts and joints through bodies that can be pushed too.
@@ -56,23 +56,23 @@ float inv_inertia_of(const Core& core, std::uint32_t body);
 void add_contact_rows(IslandRows& to, std::uint32_t contact);
 void add_joint_rows(IslandRows& to, std::uint32_t joint);
 
-/// Contacts and joints as the matrix sees them: rows of one link share its bodies, and are coupled with those of every link on one of these bodies.
-struct IslandLinks {
+/// Contacts and joints as the matrix sees them: rows of one constraint share its bodies, and are coupled with those of every constraint on one of these bodies.
+struct IslandConstraints {
     std::uint32_t count = 0;
-    std::uint32_t* first_row = nullptr;   // of each link, and the number of rows at the end
-    std::uint32_t* first_body = nullptr;  // of each link, in `bodies`, and their number at the end
-    std::uint32_t* bodies = nullptr;      // places; each once in a link
-    std::uint32_t* first_link = nullptr;  // of each body, in `links`, and their number at the end
-    std::uint32_t* links = nullptr;       // ascending for each body
+    std::uint32_t* first_row = nullptr;         // of each constraint, and the number of rows at the end
+    std::uint32_t* first_body = nullptr;        // of each constraint, in `bodies`, and their number at the end
+    std::uint32_t* bodies = nullptr;            // places; each once in a constraint
+    std::uint32_t* first_constraint = nullptr;  // of each body, in `constraints`, and their number at the end
+    std::uint32_t* constraints = nullptr;       // ascending for each body
 };
 
-/// Counts the rows of every link on the way.
-IslandLinks link_island(IslandRows& counter, Arena& arena);
+/// Counts the rows of every constraint on the way.
+IslandConstraints list_constraints(IslandRows& counter, Arena& arena);
 
 /// Nonzero entries of the matrix, counted on until they are more than `most`.
-std::uint64_t count_entries(const IslandLinks& links, std::uint64_t most);
+std::uint64_t count_entries(const IslandConstraints& constraints, std::uint64_t most);
 
 /// The matrix in compressed sparse rows.
-void write_matrix(const IslandRows& made, const IslandLinks& links, std::uint32_t* row_starts, std::uint32_t* columns, float* values);
+void write_matrix(const IslandRows& made, const IslandConstraints& constraints, std::uint32_t* row_starts, std::uint32_t* columns, float* values);
 
 }  // namespace islet::detail

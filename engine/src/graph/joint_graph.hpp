@@ -44,12 +44,12 @@ inline bool is_joint_awake(const Core& core, const Joint& j) {
 void refresh_awake_joints(Core& core);
 
 /// A mouse joint's side A is in no list.
-inline void link_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
+inline void attach_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
     core.state->trees_stale = 1;
     if (body != null_index) add_to_list(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
 }
 
-inline void unlink_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
+inline void detach_joint(Core& core, std::uint32_t joint, std::uint32_t side, std::uint32_t body) {
     core.state->trees_stale = 1;
     if (body != null_index) remove_from_list(core.joints, joint, side, core.bodies[body].joint_head, core.bodies[body].joint_count);
 }

@@ -30,10 +30,10 @@ inline constexpr std::uint32_t bullet_rounds = 4;
 /// The first impact of a body with other moving or sleeping bodies.
 struct WayImpact {
     float fraction = no_impact;
-    Sweep other;
+    BodyPath other;
 };
 
-void find_impact(const Core& core, std::uint32_t body, const Sweep& way, std::uint32_t other_shape, const Sweep& other, WayImpact& first) {
+void find_impact(const Core& core, std::uint32_t body, const BodyPath& way, std::uint32_t other_shape, const BodyPath& other, WayImpact& first) {
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
         const float fraction = stop_time(core, s, way, other_shape, other, min(first.fraction, 1.0f));
         if (fraction < first.fraction) first = {fraction, other};
@@ -42,11 +42,11 @@ void find_impact(const Core& core, std::uint32_t body, const Sweep& way, std::ui
 
 bool is_stopped(const Core& core, std::uint32_t body) { return (core.bodies[body].flags & body_bullet) != 0 && core.is_dynamic(body); }
 
-WayImpact first_impact(const Core& core, std::uint32_t body, const Sweep& way, const std::uint32_t* body_of, std::uint32_t slot_count, const SolverBody* bodies,
-                       std::uint32_t slot, bool last_round) {
+WayImpact first_impact(const Core& core, std::uint32_t body, const BodyPath& way, const std::uint32_t* body_of, std::uint32_t slot_count,
+                       const SolverBody* bodies, std::uint32_t slot, bool last_round) {
     WayImpact first;
     const Pose& pose = core.poses[body];
-    const float far_enough = swept_fraction * core.bodies[body].min_extent;
+    const float far_enough = look_fraction * core.bodies[body].min_extent;
     const Aabb box = box_of_way(way.center, way.way, pose.max_extent);
     const float turned = abs(way.turn) * pose.max_extent;
     const float moved = length(way.way) + turned;
@@ -60,8 +60,8 @@ WayImpact first_impact(const Core& core, std::uint32_t body, const Sweep& way, c
         const float other_turned = abs(other_way.dq) * other_pose.max_extent;
         if (length(way.way - other_way.dp) + turned + other_turned <= far_enough) continue;
         if (is_stopped(core, other) && (last_round || length(other_way.dp) + other_turned > moved)) continue;
-        const Sweep sweep = sweep_of(core, other, other_way);
-        for (std::uint32_t s = core.bodies[other].shape_head; s != null_index; s = core.shapes[s].next) find_impact(core, body, way, s, sweep, first);
+        const BodyPath path = path_of(core, other, other_way);
+        for (std::uint32_t s = core.bodies[other].shape_head; s != null_index; s = core.shapes[s].next) find_impact(core, body, way, s, path, first);
     }
     if (moved <= far_enough) return first;
     tree_query(Tree{&core.state->tree, core.tree}, box, [&](std::uint32_t shape) {
@@ -72,9 +72,9 @@ WayImpact first_impact(const Core& core, std::uint32_t body, const Sweep& way, c
 }
 
 // From the impact on, the bullet keeps its place on the other body, so that the other body does not pass through it.
-Sweep carried(const Sweep& way, const WayImpact& impact) {
+BodyPath carried(const BodyPath& way, const WayImpact& impact) {
     const float f = impact.fraction;
-    const Sweep& other = impact.other;
+    const BodyPath& other = impact.other;
     const Vec2 place = inv_rotate(rotation_at(other, f), center_at(way, f) - center_at(other, f));
     const Vec2 end = center_at(other, 1) + rotate(rotation_at(other, 1), place);
     return {way.center, way.q, end - way.center, f * way.turn + (1 - f) * other.turn};
@@ -89,7 +89,7 @@ void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_c
         for (std::uint32_t slot = 1; slot < slot_count; ++slot) {
             const std::uint32_t body = body_of[slot];
             if (!is_stopped(core, body)) continue;
-            const Sweep way = sweep_of(core, body, bodies[slot]);
+            const BodyPath way = path_of(core, body, bodies[slot]);
             const WayImpact impact = first_impact(core, body, way, body_of, slot_count, bodies, slot, round + 1 == bullet_rounds);
             if (impact.fraction >= 1) continue;
             place_at_end(core, body, carried(way, impact), bodies[slot]);

@@ -52,12 +52,12 @@ float nearest_along(Vec2 axis, const Corners& corners, Vec2 center) {
 
 }  // namespace
 
-ClearWay clear_way_of(const Sweep& sweep, float reach, float min_extent, float gap) {
-    const float turning = abs(sweep.turn) * reach;
-    const float room = max(gap, least_advance * (length_inline(sweep.way) + 1.1f * turning));
-    const float bulge = 0.13f * abs(sweep.turn) * turning;  // an eighth, and a little for a turn that is not quite even
-    const float inexact = rounding * (sum(sweep.center) + sum(sweep.way) + reach);
-    return {sweep.center, sweep.way, sweep.q, integrate(sweep.q, sweep.turn), gap + room + bulge + inexact, min_extent};
+ClearWay clear_way_of(const BodyPath& path, float reach, float min_extent, float gap) {
+    const float turning = abs(path.turn) * reach;
+    const float room = max(gap, least_advance * (length_inline(path.way) + 1.1f * turning));
+    const float bulge = 0.13f * abs(path.turn) * turning;  // an eighth, and a little for a turn that is not quite even
+    const float inexact = rounding * (sum(path.center) + sum(path.way) + reach);
+    return {path.center, path.way, path.q, integrate(path.q, path.turn), gap + room + bulge + inexact, min_extent};
 }
 
 bool keeps_clear(const ClearWay& way, const Geometry& shape, Vec2 center, const Geometry& wall, const Transform& wall_pose) {

@@ -16,7 +16,7 @@ struct ClearWay {
 
 /// Of a body of whose points none is farther than `reach` (m) from its centre of mass, and whose shapes have a half-thickness of `min_extent` (m) at least;
 /// `gap` (m) is the largest that time_of_impact is asked for.
-ClearWay clear_way_of(const Sweep& sweep, float reach, float min_extent, float gap);
+ClearWay clear_way_of(const BodyPath& path, float reach, float min_extent, float gap);
 
 /// True only if time_of_impact, for the gap given, of the shape's core, which is half as thick as the shape (step/continuous.cpp), and the wall, which is at
 /// rest, would find no impact. False says nothing. `center` is the centre of mass, in the frame of the shape.

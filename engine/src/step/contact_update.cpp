@@ -113,7 +113,7 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
         if (!is_link && apart + dot(rotate(stand.a, now.normal), approach.way) > approach.turn) return {};
     }
     const bool held = !has_floor(core.poses[m.body_a], core.poses[m.body_b]);
-    const Sweep a = sweep_ahead(core, m.body_a, dt, held), b = sweep_ahead(core, m.body_b, dt, held);
+    const BodyPath a = path_ahead(core, m.body_a, dt, held), b = path_ahead(core, m.body_b, dt, held);
     const float t = time_to_touch(core, c.shape_a, a, c.shape_b, b);
     if (!(t > 0 && t < 1)) return {};
     stand = {center_at(b, t) - center_at(a, t), rotation_at(a, t), rotation_at(b, t)};

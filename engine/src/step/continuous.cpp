@@ -51,23 +51,23 @@ float half_thickness(const Geometry& g) {
 enum class Part { whole, core, middle };
 
 // Where another body is and goes, as a body sees it at the start.
-Around around_way(const Core& core, const Sweep& sweep, Vec2 local_center, std::uint32_t other, const Sweep& other_sweep) {
-    const Vec2 apart = other_sweep.center - sweep.center;
-    const float way = length(other_sweep.way - sweep.way);
-    return {local_center + inv_rotate(sweep.q, apart), core.poses[other].max_extent + way + abs(sweep.turn) * (length(apart) + way)};
+Around around_way(const Core& core, const BodyPath& path, Vec2 local_center, std::uint32_t other, const BodyPath& other_path) {
+    const Vec2 apart = other_path.center - path.center;
+    const float way = length(other_path.way - path.way);
+    return {local_center + inv_rotate(path.q, apart), core.poses[other].max_extent + way + abs(path.turn) * (length(apart) + way)};
 }
 
 /// The part of a shape that is followed: all of it, its core, or its middle (a point or a line). Of a shape without end: the part around the other one's way.
-SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part part, std::uint32_t other, const Sweep& other_sweep) {
+MovingCore moving_core(const Core& core, std::uint32_t shape, const BodyPath& path, Part part, std::uint32_t other, const BodyPath& other_path) {
     const Geometry& g = core.geometries[core.shapes[shape].geometry];
     const Vec2 center = core.bodies[core.shapes[shape].body].local_center;
     Vec2 room[4];
-    const Corners corners = corners_near(g, is_endless(g) ? around_way(core, sweep, center, core.shapes[other].body, other_sweep) : Around{}, room);
+    const Corners corners = corners_near(g, is_endless(g) ? around_way(core, path, center, core.shapes[other].body, other_path) : Around{}, room);
     const Polygon* faces = part != Part::whole ? faces_of(g) : nullptr;
     const bool inset = faces != nullptr;
     const float by = inset ? 0.5f * inner_radius(*faces) : 0;
-    SweptCore s;
-    s.sweep = sweep;
+    MovingCore s;
+    s.path = path;
     s.core.count = inset && part == Part::middle ? 1 : corners.count;
     s.core.radius = part == Part::whole ? corners.radius : part == Part::core ? 0.5f * corners.radius : 0;
     for (std::uint32_t i = 0; i < s.core.count; ++i) {
@@ -79,12 +79,12 @@ SweptCore swept(const Core& core, std::uint32_t shape, const Sweep& sweep, Part 
 }
 
 // A chain is met only from its front.
-bool comes_from_behind(const Core& core, std::uint32_t shape, const Sweep& sweep, std::uint32_t other) {
+bool comes_from_behind(const Core& core, std::uint32_t shape, const BodyPath& path, std::uint32_t other) {
     const Geometry& g = core.geometries[core.shapes[other].geometry];
     if (kind_of(g) != ShapeKind::front) return false;
     const std::uint32_t body = core.shapes[other].body;
     const Vec2 middle = middle_of(core.geometries[core.shapes[shape].geometry]) - core.bodies[core.shapes[shape].body].local_center;
-    const Vec2 from = inv_transform_point(body_transform(core, body), sweep.center + rotate(sweep.q, middle));
+    const Vec2 from = inv_transform_point(body_transform(core, body), path.center + rotate(path.q, middle));
     const Vec2* line = corners_of(g).points;
     return dot(right_perp(line[1] - line[0]), from - line[0]) < 0;
 }
@@ -111,7 +111,7 @@ bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
 
 }  // namespace
 
-Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_held) {
+BodyPath path_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_held) {
     const Motion& motion = core.motions[body];
     const Vec2 gain = dt * pull_on(core, body);
     const bool held = may_be_held && length_squared(motion.v) < length_squared(gain);
@@ -120,23 +120,23 @@ Sweep sweep_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_he
     return {core.poses[body].center, core.poses[body].q, dt * v, within_bounds(dt * motion.w, 0.5f * pi)};
 }
 
-float time_to_touch(const Core& core, std::uint32_t shape_a, const Sweep& a, std::uint32_t shape_b, const Sweep& b) {
+float time_to_touch(const Core& core, std::uint32_t shape_a, const BodyPath& a, std::uint32_t shape_b, const BodyPath& b) {
     constexpr float gap = 0.25f * linear_slop;
-    return time_of_impact(swept(core, shape_a, a, Part::whole, shape_b, b), swept(core, shape_b, b, Part::whole, shape_a, a), gap, 1);
+    return time_of_impact(moving_core(core, shape_a, a, Part::whole, shape_b, b), moving_core(core, shape_b, b, Part::whole, shape_a, a), gap, 1);
 }
 
-Sweep sweep_of(const Core& core, std::uint32_t body, const SolverBody& way) {
+BodyPath path_of(const Core& core, std::uint32_t body, const SolverBody& way) {
     const Pose& pose = core.poses[body];
     return {pose.center - way.dp, pose.q * inverse(integrate({1, 0}, way.dq)), way.dp, way.dq};
 }
 
-Sweep at_rest(const Core& core, std::uint32_t body) { return {core.poses[body].center, core.poses[body].q, {0, 0}, 0}; }
+BodyPath at_rest(const Core& core, std::uint32_t body) { return {core.poses[body].center, core.poses[body].q, {0, 0}, 0}; }
 
-float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::uint32_t other, const Sweep& other_way, float end) {
+float stop_time(const Core& core, std::uint32_t shape, const BodyPath& way, std::uint32_t other, const BodyPath& other_way, float end) {
     if (!is_solid(core, shape, other) || comes_from_behind(core, shape, way, other)) return no_impact;
     const float tolerance = clamp(0.25f * half_thickness(core.geometries[core.shapes[shape].geometry]), 0.1f * linear_slop, most_tolerance);
-    const SweptCore obstacle = swept(core, other, other_way, Part::whole, shape, way);
-    const auto moving = [&](Part part) { return swept(core, shape, way, part, other, other_way); };
+    const MovingCore obstacle = moving_core(core, other, other_way, Part::whole, shape, way);
+    const auto moving = [&](Part part) { return moving_core(core, shape, way, part, other, other_way); };
     float passing = time_of_impact(moving(Part::core), obstacle, 0.5f * tolerance, end);
     // If the shape has already been pressed in so deep, at least its middle must stay on this side.
     if (passing <= 0) passing = time_of_impact(moving(Part::middle), obstacle, least_gap, end);
@@ -147,7 +147,7 @@ float stop_time(const Core& core, std::uint32_t shape, const Sweep& way, std::ui
 
 Aabb box_of_way(Vec2 start, Vec2 way, float reach) { return expand(box_around(start, start + way), reach); }
 
-void place_at_end(Core& core, std::uint32_t body, const Sweep& way, SolverBody& out) {
+void place_at_end(Core& core, std::uint32_t body, const BodyPath& way, SolverBody& out) {
     core.poses[body].center = way.center + way.way;
     core.poses[body].q = integrate(way.q, way.turn);
     out.dp = way.way;
@@ -159,9 +159,9 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     TreeWalk walk(Tree{&core.state->tree, core.tree}, box_of_way(core.poses[body].center - way.dp, way.dp, core.poses[body].max_extent));
     std::uint32_t other = walk.next();
     if (other == null_index) return;  // as for most bodies that fall or fly
-    Sweep sweep = sweep_of(core, body, way);
+    BodyPath path = path_of(core, body, way);
     ClearWay clear_way;
-    if (has_shortcuts) clear_way = clear_way_of(sweep, core.poses[body].max_extent, core.bodies[body].min_extent, 0.5f * most_tolerance);
+    if (has_shortcuts) clear_way = clear_way_of(path, core.poses[body].max_extent, core.bodies[body].min_extent, 0.5f * most_tolerance);
     float end = 1;
     do {
         const std::uint32_t wall = core.shapes[other].body;
@@ -170,13 +170,13 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
             if (has_shortcuts && keeps_clear(clear_way, core.geometries[core.shapes[s].geometry], core.bodies[body].local_center,
                                              core.geometries[core.shapes[other].geometry], body_transform(core, wall)))
                 continue;
-            end = min(end, stop_time(core, s, sweep, other, at_rest(core, wall), end));
+            end = min(end, stop_time(core, s, path, other, at_rest(core, wall), end));
         }
     } while ((other = walk.next()) != null_index);
     if (end >= 1) return;
-    sweep.way = end * sweep.way;
-    sweep.turn = end * sweep.turn;
-    place_at_end(core, body, sweep, way);
+    path.way = end * path.way;
+    path.turn = end * path.turn;
+    place_at_end(core, body, path, way);
 }
 
 }  // namespace islet::detail

@@ -24,7 +24,7 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     Motion& motion = core.motions[i];
     Body& body = core.bodies[i];
     const float moved = length_inline(way.dp) + abs(way.dq) * pose.max_extent;
-    if (has_continuous && (moved > swept_fraction * body.min_extent || (pose.flags & pose_deep) != 0) && core.state->continuous != 0) {
+    if (has_continuous && (moved > look_fraction * body.min_extent || (pose.flags & pose_deep) != 0) && core.state->continuous != 0) {
         const bool alone = has_shortcuts && (pose.flags & pose_alone) != 0 && moved <= surroundings(pose);
         if (!alone) stop_at_static(core, i, way);
     }

@@ -66,8 +66,8 @@ JointId tie(Core& core, const Joint& made) {
     j = made;
     j.generation = generation;
     if (j.joint_type() != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
-    link_joint(core, i, 0, j.body_a);
-    link_joint(core, i, 1, j.body_b);
+    attach_joint(core, i, 0, j.body_a);
+    attach_joint(core, i, 1, j.body_b);
     if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
     wake_island(core, j.body_b, core.arena());
     core.awake_joints.assign(i, is_joint_awake(core, j));
