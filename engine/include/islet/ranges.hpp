@@ -20,7 +20,7 @@ class SlotRange {
 public:
     class Iterator {
     public:
-        Iterator(const World& world, std::uint32_t slot, std::uint32_t end) : world_(&world), slot_(slot), end_(end) { skip(); }
+        Iterator(const World& of, std::uint32_t slot, std::uint32_t end) : world_(&of), slot_(slot), end_(end) { skip(); }
         const Item& operator*() const { return item_; }
         Iterator& operator++() {
             ++slot_;
@@ -39,7 +39,7 @@ public:
         Item item_ = {};
     };
 
-    SlotRange(const World& world, std::uint32_t slots) : world_(&world), slots_(slots) {}
+    SlotRange(const World& of, std::uint32_t slots) : world_(&of), slots_(slots) {}
     Iterator begin() const { return {*world_, 0, slots_}; }
     Iterator end() const { return {*world_, slots_, slots_}; }
 
@@ -49,19 +49,19 @@ private:
 };
 
 template <class Id, Id (World::*at)(std::uint32_t) const>
-bool read_slot(const World& world, std::uint32_t slot, Id& id) {
-    return static_cast<bool>(id = (world.*at)(slot));
+bool read_slot(const World& of, std::uint32_t slot, Id& id) {
+    return static_cast<bool>(id = (of.*at)(slot));
 }
-inline bool read_contact_slot(const World& world, std::uint32_t slot, ContactInfo& contact) { return world.contact_at(slot, contact); }
+inline bool read_contact_slot(const World& of, std::uint32_t slot, ContactInfo& contact) { return of.contact_at(slot, contact); }
 
 }  // namespace detail
 
 /// Ids of all bodies, shapes and joints.
-inline auto all_bodies(const World& world) { return detail::SlotRange<BodyId, detail::read_slot<BodyId, &World::body_at>>(world, world.capacity().bodies); }
-inline auto all_shapes(const World& world) { return detail::SlotRange<ShapeId, detail::read_slot<ShapeId, &World::shape_at>>(world, world.capacity().shapes); }
-inline auto all_joints(const World& world) { return detail::SlotRange<JointId, detail::read_slot<JointId, &World::joint_at>>(world, world.capacity().joints); }
+inline auto all_bodies(const World& of) { return detail::SlotRange<BodyId, detail::read_slot<BodyId, &World::body_at>>(of, of.capacity().bodies); }
+inline auto all_shapes(const World& of) { return detail::SlotRange<ShapeId, detail::read_slot<ShapeId, &World::shape_at>>(of, of.capacity().shapes); }
+inline auto all_joints(const World& of) { return detail::SlotRange<JointId, detail::read_slot<JointId, &World::joint_at>>(of, of.capacity().joints); }
 /// All contacts that touch, as ContactInfo.
-inline auto all_contacts(const World& world) { return detail::SlotRange<ContactInfo, detail::read_contact_slot>(world, world.capacity().contacts); }
+inline auto all_contacts(const World& of) { return detail::SlotRange<ContactInfo, detail::read_contact_slot>(of, of.capacity().contacts); }
 
 }  // namespace islet
 ISLET_API_END

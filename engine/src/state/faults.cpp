@@ -96,10 +96,11 @@ auto* slots_of(const Core& c) {
     if constexpr (per == Per::joint) return c.joints;
 }
 
-template <class Records, class = void>
+/// Whether a member of Core points to records that come from a pool.
+template <class Array, class = void>
 constexpr bool has_generation = false;
-template <class Record>
-constexpr bool has_generation<Record*, decltype(void(Record::generation))> = true;
+template <class Array>
+constexpr bool has_generation<Array, decltype(void(Array{}->generation))> = true;
 
 const char* fault_in_pools(const Core& c, Arena scratch) {
     const State& s = *c.state;
@@ -109,7 +110,7 @@ const char* fault_in_pools(const Core& c, Arena scratch) {
             if (bad == nullptr) bad = fault_in_geometry_pool(c, scratch);
         } else if constexpr (row.size == one_bit) {
             if (bad == nullptr) bad = fault_in_bits(array, pool_of<row.per>(s), slots_of<row.per>(c));
-        } else if constexpr (row.kept == Kept::saved && has_generation<std::remove_reference_t<decltype(array)>>) {
+        } else if constexpr (row.kept == Kept::saved && has_generation<std::decay_t<decltype(array)>>) {
             if (bad == nullptr) bad = fault_in_pool(pool_of<row.per>(s), array, static_cast<std::uint32_t>(room_for(row.per, c.capacity)));
         }
     });
