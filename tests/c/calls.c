@@ -265,7 +265,7 @@ static void settings(void) {
     const IsletShapeId shape = new_box(world, crate, 0.5f, 0.5f);
     CHECK(ok(islet_shape_enable_pre_solve(world, shape, true)) && islet_shape_pre_solve_enabled(world, shape));
     for (int i = 0; i < 20; ++i) islet_world_step(world, 1.0f / 60);
-    CHECK(asked == 1 && hook_saw_step && runs > 0 && ticks > 0);
+    CHECK(asked == 1 && hook_saw_step && ticks > 0);
     IsletStepProfile profile = islet_default_step_profile();
     CHECK(ok(islet_world_profile(world, &profile)) && profile.total > 0);
     IsletStepReport report = islet_default_step_report();
@@ -279,6 +279,23 @@ static void settings(void) {
     blast.radius = 5;
     blast.impulse_per_length = 10;
     CHECK(ok(islet_world_explode(world, &blast)) && islet_body_linear_velocity(world, crate).y > 1);
+}
+
+/// A world with work for two workers.
+static void workers(void) {
+    static _Alignas(ISLET_WORLD_ALIGNMENT) char room_for_many[1 << 23];
+    IsletCapacity many = islet_default_capacity();
+    many.bodies = many.shapes = 4000;
+    many.contacts = 4000;
+    IsletWorld* world = islet_create_world(room_for_many, sizeof room_for_many, &many, NULL, NULL);
+    CHECK(world != NULL);
+    const IsletCircle circle = islet_default_circle();
+    for (int i = 0; i < 4000; ++i) islet_create_circle(world, new_body(world, ISLET_BODY_TYPE_DYNAMIC, (float)i, (float)(i % 7)), &circle, NULL);
+    IsletTaskSystem tasks = islet_default_task_system();
+    tasks.parallel_for = run_tasks;
+    tasks.workers = 2;
+    runs = 0;
+    CHECK(ok(islet_world_set_tasks(world, &tasks)) && ok(islet_world_step(world, 1.0f / 60)) && runs > 0);
 }
 
 static void bodies(void) {
@@ -767,6 +784,7 @@ int main(void) {
     geometry();
     creation();
     settings();
+    workers();
     bodies();
     shapes();
     joints();

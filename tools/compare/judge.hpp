@@ -25,10 +25,11 @@ struct Tolerance {
     double top_height = not_judged;   // m, after the last step
     double at_rest = not_judged;      // share of bodies, after the last step
 
-    double energy_drift = not_judged;    // share of the scene's energy
-    double energy_gain = not_judged;     // Islet alone: share of the scene's energy it may ever gain
-    double momentum_drift = not_judged;  // Islet alone: share of the momentum it may lose or gain
-    double penetration = not_judged;     // m, Islet alone: deeper than the reference, what a user would accept
+    double energy_drift = not_judged;       // share of the scene's energy
+    double energy_gain = not_judged;        // Islet alone: share of the scene's energy it may ever gain
+    double known_energy_gain = not_judged;  // where Islet is known to exceed it, as for penetration
+    double momentum_drift = not_judged;     // Islet alone: share of the momentum it may lose or gain
+    double penetration = not_judged;        // m, Islet alone: deeper than the reference, what a user would accept
     double known_penetration = not_judged;  // m; where Islet is known to exceed `penetration`: a shortfall, up to which the comparison still passes
 
     const char* reason = "";
@@ -41,11 +42,11 @@ const Tolerance* find_tolerance(const std::string& scene);
 
 /// One thing that was judged.
 struct Check {
-    std::string name;  // the tolerance's field
-    double value = 0;  // what must not exceed the limit
-    double limit = 0;  // what a user would accept
-    double known = not_judged;  // a shortfall that is known: how far beyond the limit it may go
-    bool is_short() const { return !(value <= limit); }              // NaN is
+    std::string name;                                               // the tolerance's field
+    double value = 0;                                               // what must not exceed the limit
+    double limit = 0;                                               // what a user would accept
+    double known = not_judged;                                      // a shortfall that is known: how far beyond the limit it may go
+    bool is_short() const { return !(value <= limit); }             // NaN is
     bool pass() const { return value <= limit || value <= known; }  // NaN fails
 };
 

@@ -158,7 +158,9 @@ const std::vector<Tolerance>& tolerances() {
          .at_rest = 0.05,
          .energy_drift = 0.01,
          .energy_gain = 0.02,
-         .reason = "starts with deep overlaps, which each engine undoes in its own way: only the heap that results is compared"},
+         .known_energy_gain = 0.03,
+         .reason = "starts with deep overlaps, which each engine undoes in its own way: only the heap that results is compared; Islet parts deep "
+                   "overlaps faster, which lifts the heap for a moment"},
         {.scene = "cairn",
          .steps = 600,
          .rms_position = 0.03,

@@ -15,7 +15,9 @@ void setup() {
     Wire.setClock(400000);
     display.begin();
 
-    world = &storage.create();
+    WorldDef settings;
+    settings.enable_sleep = false;  // gravity turns, and wakes nobody
+    world = &storage.create(settings);
     static const Vec2 inside[] = {{12.7f, 0}, {0, 0}, {0, 6.3f}, {12.7f, 6.3f}};
     ShapeDef wall;
     world->create_chain(world->create_body({}), inside, true, wall);

@@ -33,7 +33,9 @@ void setup() {
     Wire.write(uint8_t(0));
     Wire.endTransmission();
 
-    world = &storage.create();
+    WorldDef settings;
+    settings.enable_sleep = false;  // gravity turns, and wakes nobody
+    world = &storage.create(settings);
     static const Segment walls[] = {
         {{0, 0}, {12.7f, 0}},         {{12.7f, 0}, {12.7f, 6.3f}}, {{12.7f, 6.3f}, {0, 6.3f}},   {{0, 6.3f}, {0, 0}},       // around
         {{3.2f, 6.3f}, {3.2f, 1.6f}}, {{6.4f, 0}, {6.4f, 4.7f}},   {{9.6f, 6.3f}, {9.6f, 1.6f}},                            // across
