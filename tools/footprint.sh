@@ -16,13 +16,14 @@ set -euo pipefail
 targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 riscv32)  # -lto: the engine optimised as a whole at the link (ISLET_LTO)
 
 # Limits, so that nothing grows unseen: what was measured, and up to 200 bytes. Of flash for each target, bytes: every function, the large program, the small
-# one. (They last rose with floors of lines, by 0.5 kB, and with hinge trees that keep their energy and are held in several places, by 1.1 kB.)
+# one. (They last rose with contacts that undo what their load makes them give way by, by 0.5 kB. Every function rose by 4 kB with those that read and change
+# what could only be given at creation.)
 declare -A most_flash=(
-    [cortex-m3]='202900 91700 55000' [cortex-m4f]='185000 78400 46900' [cortex-m4f-lto]='- 74000 44900' [cortex-m7]='184700 78200 46800'
-    [cortex-m33]='184700 78200 46800' [cortex-m55]='185100 78400 46800' [riscv32]='196600 83200 50600'
+    [cortex-m3]='207600 92300 55600' [cortex-m4f]='189700 78900 47400' [cortex-m4f-lto]='- 74500 45400' [cortex-m7]='189300 78800 47300'
+    [cortex-m33]='189300 78800 47300' [cortex-m55]='189600 78900 47400' [riscv32]='201700 83900 51300'
 )
 most_stack=4096          # bytes
-most_instructions=950000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
+most_instructions=625000 # a step of the pyramid, in the mean; without a floating-point unit ten times as many
 
 mode=table
 for argument in "$@"; do
