@@ -33,8 +33,9 @@ LEFT_OUT = {
     r"islet_world_(move_recording|recorded_bytes)|islet_(max_(snapshot|delta)_bytes|world_snapshot_bytes)": "memory grows by itself",
     r"islet_body_export_island|islet_describe_format|islet_format_is_readable": "for tools",
     r"islet_transform_(polygon|proxy)": "for tools",
+    r"islet_copy_world": "load a snapshot into a larger world",
 }
-SKIPPED_FIELDS = {"error_hook", "error_context", "tasks", "clock", "clock_context", "context"}  # set by src/islet.js
+SKIPPED_FIELDS = {"error_hook", "error_context", "tasks", "clock", "clock_context", "context", "poses"}  # set by src/islet.js
 HOOKS = {"filter": 0, "pre_solve": 1, "mix_friction": 2, "mix_restitution": 3}  # places in islet_js_callback (src/callbacks.cpp)
 CALLBACKS = {"CastVisitor": 5, "OverlapVisitor": 6, "MoverFilter": 7}
 SIZES = {"float": 4, "bool": 1, "uint8_t": 1, "uint32_t": 4, "int32_t": 4, "uint64_t": 8, "size_t": 4, "void *": 4, "const char *": 4, "function": 4, "DrawColor": 4}
@@ -77,7 +78,7 @@ class Js:
             return size * self.length(array.group(2)), alignment
         if cpp in self.api.enum_types:
             return 1, 1
-        if cpp in self.api.callbacks or cpp in c.GROWS:  # pointers
+        if cpp in self.api.callbacks or cpp in c.GROWS or cpp in self.api.pointers:
             return 4, 4
         if cpp in self.api.structs:
             return self.layout(cpp)[:2]
