@@ -236,6 +236,15 @@ TEST(Layout, NoGeometriesMeansAsManyAsShapes) {
               world_bytes({.bodies = 10, .shapes = 33, .contacts = 10}));
 }
 
+TEST(Layout, OfACapacityThatIsNotValidThereAreNoBytes) {
+    for (const std::uint32_t n : {0u, max_capacity + 1, 0x80000001u, 0xffffffffu}) {
+        EXPECT_EQ(world_bytes({.bodies = n, .shapes = 1, .contacts = 1}), 0u) << n;
+        EXPECT_EQ(world_bytes({.bodies = 1, .shapes = n, .contacts = 1}), 0u) << n;
+        EXPECT_EQ(world_bytes({.bodies = 1, .shapes = 1, .contacts = n}), 0u) << n;
+    }
+    EXPECT_EQ(world_bytes({.bodies = 1, .shapes = 1, .contacts = 1, .joints = 0xffffffffu}), 0u);
+}
+
 TEST(Layout, TheRegionsFollowOneAnotherAlignedToCacheLines) {
     const Layout l = layout_of({.bodies = 7, .shapes = 13, .contacts = 101, .geometries = 3});
     std::vector<std::size_t> offsets(std::begin(l.arrays), std::end(l.arrays));

@@ -78,7 +78,7 @@ inline constexpr std::uint32_t batch_bodies = 704;  // a batch is full from so m
 
 constexpr std::uint32_t next_power_of_two(std::uint32_t n) {
     std::uint32_t p = 1;
-    while (p < n) p *= 2;
+    while (p < n && p < 0x80000000u) p *= 2;
     return p;
 }
 
@@ -244,8 +244,8 @@ constexpr Layout layout_of(const Capacity& c) {
 }  // namespace detail
 ISLET_INTERNAL_END
 
-/// Bytes of memory a world of this capacity needs, everything included.
-constexpr std::size_t world_bytes(const Capacity& capacity) { return detail::layout_of(capacity).end; }
+/// Bytes of memory a world of this capacity needs, everything included; 0 if the capacity is not valid.
+constexpr std::size_t world_bytes(const Capacity& capacity) { return is_valid(capacity) ? detail::layout_of(capacity).end : 0; }
 
 }  // namespace islet
 ISLET_API_END

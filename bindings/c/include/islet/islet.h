@@ -1943,7 +1943,7 @@ ISLET_C_API size_t islet_describe_format(const IsletFormatInfo* info, char* out,
 /// Whether islet_create_world accepts the capacity.
 ISLET_C_API bool islet_capacity_is_valid(const IsletCapacity* c);
 
-/// Bytes of memory a world of this capacity needs, everything included.
+/// Bytes of memory a world of this capacity needs, everything included; 0 if the capacity is not valid.
 ISLET_C_API size_t islet_world_bytes(const IsletCapacity* capacity);
 
 /// The proxy of a shape; count 0 if the shape is not valid.
