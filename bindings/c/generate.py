@@ -111,7 +111,7 @@ class Api:
             self.all = json.load(file)
         self.constants = [c for c in self.all["constants"] if c.get("namespace") != "lcp"]
         self.enums = [e for e in self.all["enums"] if e.get("namespace") != "lcp"]
-        self.structs = {s["name"]: s for s in self.all["structs"] if s.get("namespace") != "lcp" and s["name"] not in ("World", "StaticWorld", "StaticWorldOf", "IslandProblem")}
+        self.structs = {s["name"]: s for s in self.all["structs"] if s.get("namespace") != "lcp" and s["name"] not in ("World", "StaticWorld", "StaticWorldOf", "IslandProblem", "IdHash")}
         self.callbacks = {c["name"]: c for c in self.all["callbacks"]}
         self.pointers = {f"const {name} *": name for name in self.structs}  # fields that point to one or several
         self.enum_types = {e["name"]: e["type"] for e in self.enums}

@@ -49,7 +49,7 @@ TEST(Ranges, OfAnEmptyWorldAreEmpty) {
 
 TEST(Ids, AreKeysOfContainers) {
     TestWorld w;
-    std::unordered_map<BodyId, int> scores;
+    std::unordered_map<BodyId, int, IdHash> scores;
     std::map<BodyId, int> ordered;
     for (int i = 0; i < 100; ++i) {
         const BodyId body = w.add_box({static_cast<float>(i), 0});
@@ -58,7 +58,7 @@ TEST(Ids, AreKeysOfContainers) {
     }
     EXPECT_EQ(scores.size(), 100u);
     EXPECT_EQ(ordered.size(), 100u);
-    std::unordered_set<ShapeId> shapes_seen;
+    std::unordered_set<ShapeId, IdHash> shapes_seen;
     for (const ShapeId shape : all_shapes(*w)) shapes_seen.insert(shape);
     EXPECT_EQ(shapes_seen.size(), w->shape_count());
     EXPECT_FALSE(BodyId{} < BodyId{});

@@ -259,7 +259,7 @@ class Reader:
                     entry["namespace"] = space
                 self.enums.append(described(child, entry))
             elif child.kind in (Kind.STRUCT_DECL, Kind.CLASS_DECL, Kind.CLASS_TEMPLATE):
-                if child.is_definition() and child.semantic_parent.spelling != "std":  # a specialisation of the standard library's is C++'s own
+                if child.is_definition():
                     self.struct(child, space)
             elif child.kind in (Kind.TYPE_ALIAS_DECL, Kind.TYPEDEF_DECL):
                 pointer = self.callback_of(child)

@@ -1,28 +1,23 @@
-// Ids as keys of std::unordered_map and std::unordered_set. Not part of islet.hpp, since <functional> needs a whole standard library.
+// Ids as keys of unordered containers: std::unordered_map<islet::BodyId, Player, islet::IdHash>.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 
 #include "islet/joints.hpp"
 #include "islet/types.hpp"
 
 ISLET_API_BEGIN
-namespace islet::detail {
+namespace islet {
 
-/// Hashes slot and generation, which together name an object for good.
-template <class Id>
+/// Hashes the id of a body, a shape or a joint: its slot and its generation, which together name an object for good.
 struct IdHash {
-    std::size_t operator()(Id id) const noexcept { return std::hash<std::uint64_t>{}(std::uint64_t{id.generation} << 32 | id.index1); }
+    template <class Id>
+    constexpr std::size_t operator()(const Id& id) const noexcept {
+        const std::uint64_t mixed = (std::uint64_t{id.generation} << 32 | id.index1) * 0x9e3779b97f4a7c15u;
+        return static_cast<std::size_t>(mixed >> 32 ^ mixed);
+    }
 };
 
-}  // namespace islet::detail
-
-template <>
-struct std::hash<islet::BodyId> : islet::detail::IdHash<islet::BodyId> {};
-template <>
-struct std::hash<islet::ShapeId> : islet::detail::IdHash<islet::ShapeId> {};
-template <>
-struct std::hash<islet::JointId> : islet::detail::IdHash<islet::JointId> {};
+}  // namespace islet
 ISLET_API_END

@@ -22,7 +22,7 @@ inline constexpr float max_speed_limit = 1.0e6f;
 inline constexpr float min_time_step = 1.0e-6f;
 
 /// The id of a body; null by default. Ids are safe to keep: when its body is destroyed, an id becomes stale, and it never refers to another body.
-/// Ids compare by slot, then by generation; hash.hpp makes them keys of unordered containers.
+/// Ids compare by slot, then by generation; IdHash (hash.hpp) makes them keys of unordered containers.
 struct BodyId {
     std::uint32_t index1 = 0;      // slot + 1; 0 is null
     std::uint32_t generation = 0;  // of the slot when the id was handed out

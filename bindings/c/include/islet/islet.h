@@ -538,7 +538,7 @@ typedef struct IsletTaskSystem {
 } IsletTaskSystem;
 
 /// The id of a body; null by default. Ids are safe to keep: when its body is destroyed, an id becomes stale, and it never refers to another body. Ids compare
-/// by slot, then by generation; hash.hpp makes them keys of unordered containers.
+/// by slot, then by generation; IdHash (hash.hpp) makes them keys of unordered containers.
 typedef struct IsletBodyId {
     uint32_t index1;
     uint32_t generation;
