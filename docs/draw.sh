@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Makes every picture of the manual again, with the programs of a release build.
 #   docs/draw.sh [FOLDER [BUILD]]        FOLDER: where the pictures go (docs/images), BUILD: build/release
-# The build needs the samples and the tools; the picture of the comparison needs Box2D too, and is left out without it.
+# The build needs the samples and the tools; the picture of the comparison needs Box2D too, those of environments the
+# package for Python; they are left out without it.
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -26,8 +27,9 @@ scene islands cairn 240 --draw shapes,islands
 scene chain_ball chain_ball 150
 scene v_grooves v_grooves 120
 scene swing "$root/samples/scenes/swing.json" 120
+"$islet" sweep arch --steps 240 --vary friction=0.1:0.9:33 --seeds 20 --plot "$folder/sweep.svg" >/dev/null
 
-for picture in queries snapshots recording memory lcp step folders; do
+for picture in queries snapshots recording memory lcp step folders pgs film; do
     "$build/tools/pictures/islet-pictures" "$picture" >"$folder/$picture.svg"
 done
 
@@ -62,6 +64,17 @@ displays() {
         }' >"$folder/$picture.svg"
 }
 displays boards balls 70 marble_maze 100 robot_arm 100
+
+# Learning curves (bindings/python/examples/train.py writes them), and what the package for Python draws.
+examples=$root/bindings/python/examples
+if command -v python3 >/dev/null; then
+    python3 "$examples/curve.py" cart_pole="$root/docs/learning/cart_pole.csv" bipedal_walker="$root/docs/learning/bipedal_walker.csv" >"$folder/learning.svg"
+fi
+if [ -d "$build/python/islet" ]; then
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$build/python /usr/bin/python3 "$examples/pictures.py" "$folder"
+else
+    printf 'environments.svg and walking.svg are left out: there is no %s\n' "$build/python/islet" >&2
+fi
 
 compare=$build/tools/compare/islet-compare
 if [ -x "$compare" ]; then

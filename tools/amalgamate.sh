@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes the engine as one header and one source.
-#   tools/amalgamate.sh [FOLDER]   islet.hpp, islet.cpp, islet_lcp.cpp, islet.h and islet_c.cpp into FOLDER (build/amalgamation unless given)
+#   tools/amalgamate.sh [FOLDER]   islet.hpp, islet.cpp, islet_lcp.cpp, islet.h, islet_lcp.h and islet_c.cpp into FOLDER (build/amalgamation unless given)
 # They need nothing else and no flags but -std=c++20 (or c++17):
 #   g++ -std=c++20 islet.cpp game.cpp
 # islet.hpp holds all the public headers. islet.cpp is the engine, islet_lcp.cpp the matrix solvers, for programs that use them. Programs in C include islet.h
@@ -68,9 +68,10 @@ macros=(abs min max round radians degrees bit sq word)
 {
     head "the matrix solvers as one source. A program that calls islet::lcp needs it beside islet.hpp."
     flatten src/exact.hpp ''
-    printf '\n#include "islet.hpp"\n'
-    flatten "$lcp" "$before"
+    printf '\n#include "islet.hpp"\n#include "islet_lcp.h"\n'
+    flatten "$lcp" "$before"$'\ninclude/islet/islet_lcp.h'
 } >"$out/islet_lcp.cpp.new"
+cat "$engine/include/islet/islet_lcp.h" >"$out/islet_lcp.h.new"
 cat "$root/bindings/c/include/islet/islet.h" >"$out/islet.h.new"
 {
     head "the interface for C as one source. A program in C needs it and islet.cpp."
@@ -80,7 +81,7 @@ cat "$root/bindings/c/include/islet/islet.h" >"$out/islet.h.new"
 } >"$out/islet_c.cpp.new"
 
 # Only now, so that no half-written file stays, and what did not change need not be compiled anew.
-for name in islet.hpp islet.cpp islet_lcp.cpp islet.h islet_c.cpp; do
+for name in islet.hpp islet.cpp islet_lcp.cpp islet.h islet_lcp.h islet_c.cpp; do
     if cmp -s "$out/$name.new" "$out/$name"; then rm "$out/$name.new"; else mv "$out/$name.new" "$out/$name"; fi
     printf '%s\n' "$out/$name"
 done

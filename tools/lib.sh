@@ -31,7 +31,7 @@ need() {
     "$@" || missing+=("$package")
 }
 
-# What every build needs: a compiler, CMake, and the libraries of the program islet (header-only but for fmt).
+# What every build needs: a compiler, CMake, and what the program islet is made with (its libraries are header-only but for fmt).
 need_build_tools() {
     need g++ command_exists c++
     need cmake command_exists cmake
@@ -39,6 +39,7 @@ need_build_tools() {
     need libcli11-dev header_exists CLI/CLI.hpp
     need nlohmann-json3-dev header_exists nlohmann/json.hpp
     need libfmt-dev header_exists fmt/format.h
+    need esbuild command_exists esbuild
 }
 
 need_test_tools() {
@@ -81,11 +82,16 @@ need_wasm_tools() {
     need python3 command_exists python3
     need nodejs command_exists node
     need npm command_exists npm
+    need nlohmann-json3-dev header_exists nlohmann/json.hpp  # the sandbox reads scenes
+    need libfmt-dev header_exists fmt/format.h
 }
+
+# What builds for this processor's 32-bit form.
+need_32_bits() { need g++-12-multilib path_exists /usr/lib/gcc/x86_64-linux-gnu/12/32; }
 
 # What builds for other processors, and runs that.
 need_emulators() {
-    need g++-12-multilib path_exists /usr/lib/gcc/x86_64-linux-gnu/12/32
+    need_32_bits
     need g++-aarch64-linux-gnu command_exists aarch64-linux-gnu-g++
     need g++-arm-linux-gnueabihf command_exists arm-linux-gnueabihf-g++
     need g++-riscv64-linux-gnu command_exists riscv64-linux-gnu-g++

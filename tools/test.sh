@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang and sanitizers, and four minutes of fuzzing under them; hashes of unoptimised code, on
-#                              other processors, and of the firmware and the sketches in microcontrollers, all emulated; the engine compiled by hand and in a fresh tree; pages played in
-#                              a browser, and the scripts checked: what CI runs
+#   tools/test.sh --all        the same once more with clang and sanitizers, and three minutes of fuzzing under them; hashes of unoptimised code, on
+#                              other processors, and of the firmware and the sketches in microcontrollers, all emulated; the engine compiled by hand and
+#                              in a fresh tree; pages played in a browser, the package for Python, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk, SDL, Xvfb, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr,
-# ShellCheck, ccache, Node.js, npm, Chromium, cross compilers, QEMU and Wine; npm fetches what drives the browser).
+# ShellCheck, ccache, Node.js, npm, Chromium, pybind11, numpy, Dask, cross compilers, QEMU and Wine; npm fetches what drives the browser).
 set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"
 
 least_coverage=90  # %
-fuzz_seconds=180
-fuzz_c_seconds=45
+fuzz_seconds=150
+fuzz_c_seconds=30
 
 all=false
 coverage=false
@@ -32,27 +32,51 @@ done
 need_build_tools
 need_test_tools
 if $all; then
+    # first_command_test.sh compiles in a fresh tree what the optimised build has compiled: once, by the user's cache, or else one of this run's own.
     if ! command_exists ccache; then
-        # first_command_test.sh compiles in a fresh tree what the optimised build has compiled: once, by a cache of this run's own.
         need ccache command_exists ccache
         rm -rf "$root/build/ccache"
-        export CCACHE_DIR=$root/build/ccache CCACHE_BASEDIR=$root CCACHE_DEPEND=1 CCACHE_IGNOREOPTIONS=-Werror
+        export CCACHE_DIR=$root/build/ccache
     fi
+    export CCACHE_BASEDIR=$root CCACHE_DEPEND=1 CCACHE_IGNOREOPTIONS=-Werror
+    export PYTHONDONTWRITEBYTECODE=1 # what Python has compiled is not left in the tree
     export CCACHE_SLOPPINESS=pch_defines,time_macros # or it would not know files that read a precompiled header
     need clang command_exists clang++
+    need libclang-rt-14-dev path_exists /usr/lib/llvm-14/lib/clang/14.0.6/lib/linux/libclang_rt.asan-x86_64.a
     need shellcheck command_exists shellcheck
     need python3-clang-14 path_exists /usr/lib/python3/dist-packages/clang/cindex.py
     need libclang1-14 path_exists /usr/lib/llvm-14/lib/libclang-14.so.1
     need nodejs command_exists node
     need npm command_exists npm
     need chromium command_exists chromium
-    need_firmware_tools
-    need_emulators
+    need pybind11-dev path_exists /usr/include/pybind11/pybind11.h
+    need python3-dev path_exists /usr/bin/python3-config
+    need python3-numpy path_exists /usr/lib/python3/dist-packages/numpy
+    need python3-distributed path_exists /usr/lib/python3/dist-packages/distributed
+    need_32_bits
+    need_wasm_tools
 fi
 if $coverage; then need gcovr command_exists gcovr; fi
 install_missing
 
+# Compilers for other processors and what emulates these are large, and the first build needs none of them: they come while it runs.
+installing=0
+if $all; then
+    need_firmware_tools
+    need_emulators
+    if [ ${#missing[@]} -gt 0 ]; then
+        install_missing &
+        installing=$!
+    fi
+fi
+finish_installing() {
+    [ "$installing" -eq 0 ] && return
+    wait "$installing" || die "what emulates other processors could not be installed"
+    installing=0
+}
+
 results=()  # one line per build, printed at the end
+failures=() # the tests that failed, printed after that
 failed=false
 tools=ON    # whether run_tests builds the adapters of other engines and the comparison
 targets=()  # what it builds; everything if empty
@@ -77,13 +101,34 @@ build_tests() {
     local preset=$1 options=(-DISLET_WERROR=ON)
     say "$preset: building"
     case $preset in
-    asan-ubsan) options+=(-DISLET_PRECOMPILE=ON) ;;              # the optimised build shows what a test forgets to include
-    tsan) options=(-DCMAKE_UNITY_BUILD=ON -DISLET_WERROR=OFF) ;; # the optimised build by the same compiler gives the warnings, file by file
-    release) options+=(-DISLET_BROWSER_TESTS="$($all && echo ON || echo OFF)") ;;
+    asan-ubsan) options+=(-DISLET_PRECOMPILE=ON -DISLET_TEST_SHARDS=8) ;; # the optimised build shows what a test forgets, and runs each by itself
+    tsan) options=(-DCMAKE_UNITY_BUILD=ON -DISLET_WERROR=OFF) ;;           # the optimised build by the same compiler gives the warnings, file by file
+    release)
+        local extras
+        extras=$($all && echo ON || echo OFF)
+        options+=(-DISLET_BROWSER_TESTS="$extras" -DISLET_BUILD_PYTHON="$extras")
+        ;;
     esac
     configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON "${options[@]}"
     build "$preset" "${targets[@]}"
     lap "$preset: build"
+}
+
+# A build in the background, which takes the time that others leave; and its end.
+building=0  # its process
+start_building() { # start_building PRESET
+    { renice -n 19 "$BASHPID" && build_tests "$1"; } >"$root/build/$1.log" 2>&1 &
+    building=$!
+    trap 'pkill -P "$building" 2>/dev/null; kill "$building" 2>/dev/null || true' EXIT
+}
+finish_building() { # finish_building PRESET
+    say "$1: waiting for its build"
+    wait "$building" || {
+        tail -n 60 "$root/build/$1.log"
+        die "$1: does not build"
+    }
+    trap - EXIT
+    lap "$1: build"
 }
 
 # run_tests PRESET [CTEST ARGUMENT...]: remembers the closing lines and whether a test failed.
@@ -93,8 +138,11 @@ run_tests() {
     say "$preset: testing"
     # A failed test must not end the script here: the other builds are tested too.
     ctest --test-dir "$root/build/$preset" --parallel "$(jobs)" --output-on-failure --no-tests=error "$@" | tee "$log" || status=$?
-    [ "$status" -eq 0 ] || failed=true
     results+=("$preset: $(grep -E 'tests passed|No tests' "$log" || echo 'no result')$(sed -n 's/^Total Test time (real) = */, /p' "$log")")
+    if [ "$status" -ne 0 ]; then
+        failed=true
+        mapfile -t -O "${#failures[@]}" failures < <(sed -n "/^The following tests FAILED/,/^Errors while/s/^[[:space:]]*[0-9]* - /$preset: /p" "$log")
+    fi
     lap "$preset: tests"
 }
 
@@ -203,6 +251,10 @@ check_by_hand() {
     "$root/tests/determinism/by_hand.sh" "$root/build/by_hand" | tee "$log" || status=$?
     [ "$status" -eq 0 ] || failed=true
     results+=("by hand: $([ "$status" -eq 0 ] && echo "$(wc -l <"$log") builds keep the bits or are refused" || echo 'see above')")
+    status=0
+    "$root/tests/package/msvc_mode.sh" "$root" || status=$?
+    [ "$status" -eq 0 ] || failed=true
+    results+=("Clang's Microsoft mode: $([ "$status" -eq 0 ] && echo 'reads every file' || echo 'see above')")
 }
 
 # The first command of README.md, in a fresh copy of the tree.
@@ -214,10 +266,10 @@ check_first_command() {
     results+=("first command: $([ "$status" -eq 0 ] && echo 'a fresh tree builds and draws a scene' || echo 'see above')")
 }
 
-# What drives the browser and what builds the sandbox, in the versions that package-lock.json names; fetched once.
+# What drives the browser and what builds the sandbox and the manual's site, in the versions that package-lock.json names; fetched once.
 fetch_browser_driver() {
     local folder
-    for folder in "$root/tests/browser" "$root/samples/sandbox"; do
+    for folder in "$root/tests/browser" "$root/samples/sandbox" "$root/tools/manual"; do
         [ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ] && continue
         say "fetching what $folder needs"
         (cd "$folder" && npm ci --no-audit --no-fund) >&2
@@ -234,14 +286,16 @@ if $all; then fetch_browser_driver; fi
 lap "preparing"
 if $all || ! $coverage; then
     build_tests release
-    run_tests release
+    finish_installing
+    if $all; then
+        # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
+        targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,features,c,samples,tools_islet,tools_lab}_tests)
+        targets+=(islet_runner islet-lab islet_hashes islet_fuzz_{api,c} islet_lockstep islet_lcp_search islet_random_rooms islet_scene_mutants islet_c_{calls,lcp,refusals} planning islet_fleet_workers)
+        start_building asan-ubsan
+    fi
+    run_tests release --parallel "$(($(jobs) + 1))" # tests of pages wait most of the time
 fi
 if $all; then
-    # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
-    targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,features,c,samples,tools_islet,tools_lab}_tests)
-    targets+=(islet_runner islet-lab islet_hashes islet_fuzz_{api,c} islet_lockstep islet_lcp_search islet_random_rooms islet_scene_mutants islet_c_{calls,refusals})
-    build_tests asan-ubsan
-    start_fuzzers
     check_scripts
     check_description
     check_firmware
@@ -250,6 +304,8 @@ if $all; then
     lap "boards"
     check_targets
     lap "other processors"
+    finish_building asan-ubsan
+    start_fuzzers
     check_by_hand
     lap "by hand"
     check_first_command
@@ -257,7 +313,7 @@ if $all; then
     run_tests asan-ubsan --exclude-regex '^(islet_)?(reference|tools[._]engines)|fast_math'
     tools=OFF
     # What two workers share by mistake.
-    targets=(--target islet_hashes)
+    targets=(--target islet_hashes islet_fleet_workers)
     build_tests tsan
     run_tests tsan --tests-regex '^determinism\.workers_share'
     finish_fuzzers
@@ -269,6 +325,7 @@ printf '\n'
 printf '%s\n' "${results[@]}"
 if $failed; then
     printf 'FAILED\n'
+    printf '%s\n' "${failures[@]:0:40}"
     exit 1
 fi
 printf 'all passed\n'

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Makes the C interface from bindings/api.json: include/islet/islet.h and most files of src; and two tests, tests/c/refusals.c and tests/c/defaults_test.cpp.
+"""Makes the C interface from bindings/api.json: include/islet/islet.h and most files of src; and three tests, tests/c/refusals.c,
+defaults_test.cpp and joint_defaults_test.cpp.
 
     bindings/c/generate.py           writes them
     bindings/c/generate.py --check   says whether they are up to date, and how much of the C++ interface they cover
@@ -17,10 +18,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 API = os.path.join(HERE, "..", "api.json")
 FIRST = os.path.join(HERE, "first.json")
 HEADER = os.path.join(HERE, "include", "islet", "islet.h")
+TESTS = os.path.join(HERE, "..", "..", "tests", "c")
 
 # The functions stand in several files, because a linker takes whole objects from an archive: what makes joints, chains and recordings, and what loads images,
 # brings parts of the engine that other programs leave out (ISLET_OPTIONAL in engine/src/data/features.hpp).
-AREAS = ("values", "world", "bodies", "shapes", "chains", "joints", "queries", "mover", "images", "recording", "checks", "profile", "drawing")
+AREAS = ("values", "world", "bodies", "shapes", "chains", "joints", "queries", "mover", "images", "recording", "checks", "faults", "profile", "drawing", "fleets")
 BY_HAND = os.path.join(HERE, "src", "by_hand.h")
 
 # Structs that carry their size, so that they may get further fields at the end.
@@ -41,9 +43,20 @@ HANDMADE = {
     "read_snapshot(span<const byte>, SnapshotInfo &)": ("islet_read_snapshot", "the capacities are pointed to"),
     "read_recording(span<const byte>, RecordingInfo &)": ("islet_read_recording", "the capacities are pointed to"),
     "FormatInfo::is_readable()": ("islet_format_is_readable", "member of a plain struct"),
+    "find_fault(const WorldDef &)": ("islet_find_world_def_fault", "WorldDef points to three structs here"),
     "describe(Error)": ("islet_describe", "knows the errors of C too"),
     "separation(const ShapeProxy &, const ShapeProxy &)": ("islet_separation", "of no shape the distance is not 0"),
+    "Fleet::bytes(uint32_t, const Capacity &, uint32_t)": ("islet_fleet_bytes", "functions of a fleet have no world, and check that it is a fleet"),
+    "Fleet::create(span<byte>, const World &, uint32_t, const TaskSystem &, Error *)": ("islet_create_fleet", "it returns a fleet"),
+    "Fleet::size()": ("islet_fleet_size", "as for islet_fleet_bytes"),
+    "Fleet::operator[](uint32_t)": ("islet_fleet_world", "it checks k"),
+    "Fleet::step(const FleetStep &)": ("islet_fleet_step", "FleetStep has spans"),
+    "Fleet::observe(span<const Sense>, span<float>, span<const uint8_t>)": ("islet_fleet_observe", "as for islet_fleet_bytes"),
+    "Fleet::reset(uint32_t, span<const byte>, uint64_t, span<const Variation>)": ("islet_fleet_reset", "as for islet_fleet_bytes"),
+    "Fleet::copy(uint32_t, uint32_t)": ("islet_fleet_copy", "as for islet_fleet_bytes"),
+    "Fleet::fork(span<const uint32_t>)": ("islet_fleet_fork", "as for islet_fleet_bytes"),
 }
+NOT_STRUCTS = ("World", "StaticWorld", "StaticWorldOf", "IslandProblem", "IdHash", "Fleet", "FleetStep")  # classes, and what is written by hand
 
 # Not in C, and why.
 LEFT_OUT = {
@@ -62,7 +75,7 @@ LEFT_OUT = {
     "all_joints(const World &)": "islet_world_joint_at",
     "all_contacts(const World &)": "islet_world_contact_at",
     "StaticWorldOf::create(const WorldDef &)": "a template; islet_create_world takes a static array",
-    "lcp::*": "the matrix solvers are a library of their own, which has no C interface yet",
+    "lcp::*": "islet/islet_lcp.h has the matrix solvers, by hand",
 }
 
 # Names that no rule makes: overloads, operators, and what would be clumsy.
@@ -93,6 +106,7 @@ NAMES = {
     "describe_format(const FormatInfo &, span<char>)": "describe_format",
     "World::contact_at(uint32_t, ContactInfo &)": "world_contact_at",
     "World::set_transform(BodyId, const Transform &)": "body_set_pose",
+    "columns(span<const Sense>)": "sense_columns",
     "World::joint1(JointId)": "gear_joint1",
     "World::joint2(JointId)": "gear_joint2",
 }
@@ -111,7 +125,7 @@ class Api:
             self.all = json.load(file)
         self.constants = [c for c in self.all["constants"] if c.get("namespace") != "lcp"]
         self.enums = [e for e in self.all["enums"] if e.get("namespace") != "lcp"]
-        self.structs = {s["name"]: s for s in self.all["structs"] if s.get("namespace") != "lcp" and s["name"] not in ("World", "StaticWorld", "StaticWorldOf", "IslandProblem", "IdHash")}
+        self.structs = {s["name"]: s for s in self.all["structs"] if s.get("namespace") != "lcp" and s["name"] not in NOT_STRUCTS}
         self.callbacks = {c["name"]: c for c in self.all["callbacks"]}
         self.pointers = {f"const {name} *": name for name in self.structs}  # fields that point to one or several
         self.enum_types = {e["name"]: e["type"] for e in self.enums}
@@ -193,6 +207,8 @@ class Api:
         if "class" not in f:
             if name == "make_proxy":
                 return f"islet_make_{snake(of)}_proxy"
+            if name == "find_fault":
+                return f"islet_find_{snake(of)}_fault"
             if name == "draw_shape":
                 return "islet_draw_" + snake(re.sub(r"^const | &$", "", types[1]))
             return f"islet_{snake(of)}_{name}" if of in ("Vec2", "Rot", "Transform", "Aabb", "Circle", "Capsule", "Segment", "ChainSegment", "HalfSpace", "Polygon", "Capacity") and name not in (
@@ -212,7 +228,7 @@ class Api:
         """Those with a C function each: (entry, C name, handmade)."""
         for f in self.all["functions"]:
             signature = self.signature(f)
-            if signature in LEFT_OUT or f.get("namespace") == "lcp":
+            if signature in LEFT_OUT or f.get("namespace") == "lcp" or (f["name"] == "operator[]" and f.get("const")):
                 continue
             yield f, self.c_name(f), signature in HANDMADE
 
@@ -301,8 +317,8 @@ HEAD = """\
 // Units are metres, kilograms, seconds and radians. Names follow C++: islet::BodyDef is IsletBodyDef, World::position(BodyId) is islet_body_position.
 //
 // Errors. A function that changes a world returns an IsletError. All others return their result, or a null or zero value on an error, which is then
-// islet_world_last_error. On an error nothing has changed. Comments name errors in small letters: stale_id is ISLET_ERROR_STALE_ID. Two errors are of C
-// alone: null_pointer (a pointer that must not be null is, the world's among them) and struct_size.
+// islet_world_last_error. On an error nothing has changed. Comments name errors in small letters: stale_id is ISLET_ERROR_STALE_ID. Three errors are of C
+// alone: null_pointer (a pointer that must not be null is, the world's among them), struct_size and not_a_fleet.
 //
 // Structs that begin with struct_size may get further fields in later versions. Start from their default (islet_default_body_def), which sets the size. Of a
 // wrong size they are refused: struct_size. Where such a struct holds another, it points to it; null stands for the default, or for a result that is not wanted.
@@ -443,7 +459,8 @@ def header(api):
             out += api.comment(v, "    ")
             out.append(f"    ISLET_{snake(e['name']).upper()}_{v['name'].upper()} = {v['value']},")
         if e["name"] == "Error":
-            out += ["    /// A pointer that must not be null is null.", "    ISLET_ERROR_NULL_POINTER = 254,",
+            out += ["    /// What a pointer to a fleet points to is none, or has been moved.", "    ISLET_ERROR_NOT_A_FLEET = 253,",
+                    "    /// A pointer that must not be null is null.", "    ISLET_ERROR_NULL_POINTER = 254,",
                     "    /// A struct has a struct_size that no version of Islet up to this one gives it: start from its default.", "    ISLET_ERROR_STRUCT_SIZE = 255,"]
         out += ["};", ""]
 
@@ -534,29 +551,14 @@ def has_default(p):
 
 
 def taken_apart(api, f, name):
-    """The body of a function in C++."""
+    """The body of a function in C++: what the call needs is checked, one condition after the other, and the call is made if all hold. Code that functions
+    have in common stands in glue.cpp and in World (begin_call, end_call), so that each takes little flash."""
     has_world, changes, parameters = world_of(f)
     result, extra, kind = returns_of(api, f, changes)
     world = "world" if has_world else "nullptr"
-    lines, arguments = [], []
-    codes = kind in ("code", "error", "out")
-    nothing = {"void": "", "span": "{}", "pointer": "nullptr"}.get(kind)
-    if nothing is None:
-        cpp = f["returns"]
-        nothing = {"bool": "false", "const char *": "nullptr"}.get(cpp, "0" if cpp in SCALARS else f"out({cpp}{{}})")
-
-    def refused(condition):
-        if codes:
-            return [f"    if ({condition}) return refuse({world}, ISLET_ERROR_NULL_POINTER);"]
-        return [f"    if ({condition}) return refuse({world}, ISLET_ERROR_NULL_POINTER){', ' + nothing if nothing else ', void()'};"]
-
-    def stopped(condition, given):
-        if codes:
-            return [f"    if ({condition}) return why({given});"]
-        return [f"    if ({condition}) return{' ' + nothing if nothing else ''};"]
-
+    lines, conditions, arguments = [], [], []
     if has_world:
-        lines.append(f"    if (world == nullptr) return {'ISLET_ERROR_NULL_POINTER' if codes else nothing};".replace("return ;", "return;"))
+        conditions.append("begin(world)" if kind == "code" else "world != nullptr")
     for p in parameters:
         n, cpp = p["name"], p["type"]
         span = re.fullmatch(r"span<(const )?(\w+)>", cpp)
@@ -564,7 +566,7 @@ def taken_apart(api, f, name):
         if span:
             const, inner = span.group(1) or "", span.group(2)
             length = f"{n}_bytes" if inner in ("byte", "char") else f"{n}_count"
-            lines += refused(f"{n} == nullptr && {length} != 0")
+            conditions.append(f"is_there({world}, {n}, {length})")
             cpp_inner = {"byte": "std::byte", "char": "char"}.get(inner, inner)
             arguments.append(f"span_of<{const}{cpp_inner}>({n}, {length})")
         elif reference:
@@ -572,18 +574,17 @@ def taken_apart(api, f, name):
             if const and inner in BY_VALUE:
                 arguments.append(f"in<{inner}>({n})")
             elif inner in GROWS:
-                null = f"{n} == nullptr ? take_default<{inner}>() : " if has_default(p) else ""
-                lines += [f"    Room<{inner}> {n}_room;", f"    const {inner}* {n}_taken = {null}take<{inner}>({world}, {n}, {n}_room);"]
-                lines += stopped(f"{n}_taken == nullptr", n)
+                taken = f"take{'_or_default' if has_default(p) else ''}<{inner}>({world}, {n}, {n}_room)"
+                lines += [f"    Room<{inner}> {n}_room;", f"    const {inner}* {n}_taken = nullptr;"]
+                conditions.append(f"({n}_taken = {taken}) != nullptr")
                 if inner == "DebugDraw":
-                    lines.append(f"    const Drawing drawing(*{n}_taken);")
-                    arguments.append("drawing.functions")
+                    arguments.append(f"Drawing(*{n}_taken).functions")
                 else:
                     arguments.append(f"*{n}_taken")
             elif has_default(p):
                 arguments.append(f"{n} == nullptr ? *take_default<{inner}>() : *cast<const {inner}>({n})")
             else:
-                lines += refused(f"{n} == nullptr")
+                conditions.append(f"is_there({world}, {n})")
                 arguments.append(f"*cast<{const}{inner}>({n})")
         elif cpp == "Error *":
             arguments.append(f"cast<Error>({n})")
@@ -602,30 +603,45 @@ def taken_apart(api, f, name):
         call = f"islet::{f['name']}(of(world), {', '.join(arguments)})"
     else:
         call = f"islet::{f['name']}({', '.join(arguments)})"
+    inner = re.fullmatch(r"(?:span<const (\w+)>|const (\w+) \*|(?:const )?(\w+) &)", f["returns"])
+    inner = next((g for g in inner.groups() if g), None) if inner else f["returns"]
+    test = " && ".join(conditions)
+    guard = f"    if ({test}) " if test else "    "
+    if len(guard) + len(call) > 140:
+        guard = "    if (" + (" &&\n        ".join(conditions) if len(guard) > 150 else test) + ")\n        "
+    scalar = f["returns"] in SCALARS or f["returns"] == "DrawColor"
     if kind == "void":
-        lines.append(f"    {call};")
+        lines.append(f"{guard}{call};")
     elif kind == "code":
-        lines += ["    const Error before = begin(world);", f"    {call};", "    return end(world, before);"]
-    elif kind == "error":
-        lines.append(f"    return out({call});")
-    elif kind == "span":
-        inner = re.fullmatch(r"span<const (\w+)>", f["returns"]).group(1)
-        lines += [f"    const auto found = {call};", f"    return {{cast<const Islet{inner}>(found.data()), found.size()}};"]
-    elif kind == "pointer":
-        inner = re.fullmatch(r"const (\w+) \*", f["returns"]).group(1)
-        lines.append(f"    return cast<const Islet{inner}>({call});")
+        lines += [f"{guard}{call};", "    return end(world);"]
     elif kind == "out":
-        inner = re.sub(r"^const | &$", "", f["returns"])
-        lines += [f"    if (!fits<{inner}>({world}, out)) return why(out);", f"    give<{inner}>(out, {call});", "    return ISLET_ERROR_NONE;"]
-    elif f["returns"] in SCALARS or f["returns"] == "DrawColor":
-        lines.append(f"    return {call};")
+        conditions.append(f"fits<{inner}>({world}, out)")
+        for condition in conditions:
+            given = "out" if condition.startswith("fits") else re.search(r"take\S*\(\w+, (\w+)", condition)
+            error = "ISLET_ERROR_NULL_POINTER" if given is None else f"why({given if given == 'out' else given.group(1)})"
+            refused = {"world != nullptr": "world == nullptr"}.get(condition, f"!({condition})" if " " in condition.split("(")[0] or "!=" in condition else f"!{condition}")
+            lines.append(f"    if ({refused}) return {error};")
+        lines += [f"    give<{inner}>(out, {call});", "    return ISLET_ERROR_NONE;"]
+    elif not test:
+        lines.append(f"    return {call if scalar else 'out(' + call + ')'};")
+    elif kind == "span":
+        lines += [f"    span<const {inner}> found;", f"{guard}found = {call};", f"    return {{cast<const Islet{inner}>(found.data()), found.size()}};"]
+    elif kind == "pointer":
+        lines += [f"    const {inner}* found = nullptr;", f"{guard}found = {call};", f"    return cast<const Islet{inner}>(found);"]
+    elif scalar:
+        lines += [f"    {api.c_type(f['returns'])} found = {{}};", f"{guard}found = {call};", "    return found;"]
     else:
-        lines.append(f"    return out({call});")
+        nothing = f"{{static_cast<Error>(why({parameters[0]['name']})), nullptr}}" if inner == "FieldFault" else "{}"  # errors of C are faults, too
+        lines += [f"    {inner} found = {nothing};", f"{guard}found = {call};", "    return out(found);"]
     return lines
 
 
 def area_of(name):
     """The file that a function stands in."""
+    if name.endswith("_fault"):
+        return "faults"
+    if name == "islet_sense_columns":
+        return "fleets"
     if "chain" in name:
         return "chains"
     if "joint" in name:
@@ -746,8 +762,10 @@ def refusals(api):
         return ["0"] if cpp in SCALARS or cpp in api.enum_types or cpp == "DrawColor" else [f"some_{cpp}"]
 
     for f, name, _ in api.functions():
-        if name in ("islet_create_world", "islet_copy_world", "islet_describe", "islet_separation", "islet_format_is_readable", "islet_body_export_island"):
+        if name in ("islet_create_world", "islet_find_world_def_fault", "islet_copy_world", "islet_describe", "islet_separation", "islet_format_is_readable", "islet_body_export_island"):
             continue  # in calls.c
+        if f.get("class") == "Fleet":
+            continue  # in fleets.c
         has_world, changes, parameters = world_of(f)
         result, extra, kind = returns_of(api, f, changes)
         codes = kind in ("code", "error", "out")
@@ -821,20 +839,27 @@ def parts(api, name):
             yield f["type"]
 
 
-def defaults_test(api):
-    out = ["// The defaults of C are those of C++.", "//", "// Made by bindings/c/generate.py; do not edit.", "#include <gtest/gtest.h>", "#include <islet/islet.h>", "",
-           "#include <islet/islet.hpp>", "#include <islet/island.hpp>", "#include <islet/mover.hpp>", "", "namespace {", ""]
-    inner = dict.fromkeys(part for whole in defaulted(api) for part in parts(api, whole))
+def defaults_test(api, of, names, headers):
+    out = [f"// The defaults of {of} in C are those of C++.", "//", "// Made by bindings/c/generate.py; do not edit.", "#include <gtest/gtest.h>",
+           "#include <islet/islet.h>", "", *(f"#include <islet/{header}>" for header in headers), "", "namespace {", ""]
+    inner = dict.fromkeys(part for whole in names for part in parts(api, whole))
     for name in inner:
         out += [f"void expect_same(const Islet{name}& c, const islet::{name}& cpp) {{", *compared(api, name), "}", ""]
-    for name in defaulted(api):
+    for name in names:
         made = f"islet_default_{snake(name)}()"
         if name in inner:
             out += [f"TEST(Defaults, Of{name}) {{ expect_same({made}, {{}}); }}", ""]
         else:
-            out += [f"TEST(Defaults, Of{name}) {{", f"    const Islet{name} c = {made};", f"    [[maybe_unused]] const islet::{name} cpp = {{}};",
-                    *compared(api, name), "}", ""]
+            out += [f"TEST(Defaults, Of{name}) {{", f"    const Islet{name} c = {made};", f"    const islet::{name} cpp = {{}};", *compared(api, name), "}", ""]
     return "\n".join(out + ["}  // namespace", ""])
+
+
+def defaults_tests(api):
+    """Two files, of joints and of all else, so that neither grows too long."""
+    of_joints = [name for name in defaulted(api) if "Joint" in name]
+    others = [name for name in defaulted(api) if name not in of_joints]
+    return {os.path.join(TESTS, "defaults_test.cpp"): defaults_test(api, "all structs but those of joints", others, ["islet.hpp", "fleet.hpp", "island.hpp"]),
+            os.path.join(TESTS, "joint_defaults_test.cpp"): defaults_test(api, "structs of joints", of_joints, ["islet.hpp"])}
 
 
 # -- ----------------------------------------------------------------------------------------------------------------------------------
@@ -867,8 +892,8 @@ def make():
         HEADER: header(api),
         os.path.join(HERE, "src", "layouts.cpp"): layouts(api, first),
         **{os.path.join(HERE, "src", area + ".cpp"): source(api, area) for area in AREAS},
-        os.path.join(HERE, "..", "..", "tests", "c", "refusals.c"): refusals(api),
-        os.path.join(HERE, "..", "..", "tests", "c", "defaults_test.cpp"): defaults_test(api),
+        os.path.join(TESTS, "refusals.c"): refusals(api),
+        **defaults_tests(api),
     }
     return api, names, files
 

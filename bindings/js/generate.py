@@ -33,6 +33,8 @@ LEFT_OUT = {
     r"islet_world_(move_recording|recorded_bytes)|islet_(max_(snapshot|delta)_bytes|world_snapshot_bytes)": "memory grows by itself",
     r"islet_body_export_island|islet_describe_format|islet_format_is_readable": "for tools",
     r"islet_transform_(polygon|proxy)": "for tools",
+    r"islet_find_\w+_fault": "takes 4 kB",
+    r"islet_create_fleet|islet_fleet_|islet_sense_columns": "fleets are for programs that step worlds on several cores",
     r"islet_copy_world": "load a snapshot into a larger world",
 }
 SKIPPED_FIELDS = {"error_hook", "error_context", "tasks", "clock", "clock_context", "context", "poses"}  # set by src/islet.js
@@ -50,6 +52,9 @@ def camel(name):
 class Js:
     def __init__(self):
         self.api = c.Api()
+        for of_fleets in ("Drive", "Sense", "Variation"):
+            del self.api.structs[of_fleets]
+        self.api.enums = [e for e in self.api.enums if e["name"] not in ("DriveKind", "SenseKind")]
         self.layouts = {}
         for name in self.api.structs:
             self.layout(name)
@@ -238,7 +243,7 @@ class Js:
         return "{" + ", ".join(parts) + "}"
 
     def struct_code(self, name):
-        if name in IDS or name in ("DebugDraw", "DrawStyle", "TaskSystem", "RowEnd", "IslandRow", "IslandBody"):
+        if name in IDS or name in ("DebugDraw", "DrawStyle", "TaskSystem", "RowEnd", "IslandRow", "IslandBody", "FieldFault"):
             return []
         size, _, fields = self.layout(name)
         out = []
@@ -524,7 +529,7 @@ class Js:
         for f, _ in self.functions:
             results.add(re.sub(r"^const | [&*]$|span<const |>", "", f["returns"]))
         for name, s in self.api.structs.items():
-            if name in IDS or name in ("DebugDraw", "DrawStyle", "TaskSystem", "RowEnd", "IslandRow", "IslandBody"):
+            if name in IDS or name in ("DebugDraw", "DrawStyle", "TaskSystem", "RowEnd", "IslandRow", "IslandBody", "FieldFault"):
                 continue
             given = self.is_given(name)
             extends = " extends JointBase" if any(f["type"] == "JointBase" for f in s["fields"]) else ""

@@ -33,7 +33,7 @@ endfunction()
 
 islet_install(engine islet islet "2D rigid-body physics in one fixed block of memory")
 islet_install(lcp lcp islet-lcp "Solvers of linear complementarity problems")
-install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include/islet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
+install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include/islet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp PATTERN *.h)
 
 # While the first number is 0, another second one may need changes.
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/IsletConfigVersion.cmake VERSION ${ISLET_VERSION} COMPATIBILITY SameMinorVersion)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -64,6 +65,22 @@ struct CheckLine {
     bool pass() const { return value >= low && value <= high; }
 };
 
+/// What a person may do in a scene instead of its script: a host that shows buttons and hears keys fills in `held` between steps, and the script reads it.
+/// (Programs without a player leave it alone.)
+struct Controls {
+    struct Button {
+        const char* name;
+        char way;  // of the key that suits it: '<', '>', '^' or 'v'
+    };
+    std::vector<Button> buttons;
+    std::optional<Vec2> goal;  // m, where to get to
+    bool taken = false;        // a person plays: the script leaves to them what the buttons do
+    bool has_won = false;      // the person has got to the goal
+    std::uint32_t held = 0;    // bit i: button i
+
+    bool holds(std::size_t button) const { return (held >> button & 1) != 0; }
+};
+
 /// Everything an engine needs to run a scene. Bodies are known by their index in `bodies` and joints by theirs in `joints`, in every engine;
 /// what a script makes later gets the next indices.
 struct Scene {
@@ -80,6 +97,7 @@ struct Scene {
     std::function<void(Engine&, int step)> before_step;                  // scripts: push, set a velocity, create, destroy
     std::function<void(const Engine&, int step)> after_step;             // observers: what the check needs to have seen
     std::function<std::vector<CheckLine>(const Engine&)> check;          // after `steps` steps
+    std::shared_ptr<Controls> controls;                                  // what a person may do; null: nothing but what any scene allows
 };
 
 /// A capacity that holds the scene.

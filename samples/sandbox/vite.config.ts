@@ -1,6 +1,10 @@
 import {defineConfig} from 'vite';
+import {withoutEval} from './box2d.plugin';
+import {offline} from './offline.plugin';
+import solverSettings from './solver_settings';
 
 export default defineConfig({
+    plugins: [solverSettings(), withoutEval(), offline()],
     base: './', // wherever the folder is served
     build: {
         outDir: '../../build/sandbox',

@@ -13,11 +13,7 @@ namespace islet::samples {
 
 Scene make_joint_grid() {
     constexpr std::size_t side = 100, held = 7;
-    Scene scene;
-    scene.name = "joint_grid";
-    scene.world.enable_sleep = false;
-    scene.steps = 500;
-    scene.view = {{-20, -135}, {120, 5}};
+    Scene scene = sleepless_scene("joint_grid", 500, {{-20, -135}, {120, 5}});
     ShapeDef material;
     material.filter = {.category = 2, .mask = ~2u, .group = 0};
 

@@ -122,11 +122,7 @@ Ends ends_of(const Engine& engine, const Bridge& bridge) {
 Scene make_bridge() {
     constexpr int loaded_step = 540, boxes = 5;
     constexpr float half = 0.3f, density = 5;
-    Scene scene;
-    scene.name = "bridge";
-    scene.world.enable_sleep = false;
-    scene.steps = 1260;
-    scene.view = {{-8.8f, -3.6f}, {8.8f, 2}};
+    Scene scene = sleepless_scene("bridge", 1260, {{-8.8f, -3.6f}, {8.8f, 2}});
     const Bridge bridge = add_bridge(scene, 0);
     scene.extra_bodies = scene.extra_shapes = boxes;
     scene.before_step = [](Engine& engine, int step) {
@@ -171,11 +167,7 @@ Scene make_breakable_bridge() {
     constexpr int light_step = 360, heavy_step = 720, boxes = 3;
     constexpr float strength = 700;  // N
     constexpr float radius = 0.6f, ball_mass = 60;
-    Scene scene;
-    scene.name = "breakable_bridge";
-    scene.world.enable_sleep = false;
-    scene.steps = 960;
-    scene.view = {{-8.8f, -6.2f}, {8.8f, 2.4f}};
+    Scene scene = sleepless_scene("breakable_bridge", 960, {{-8.8f, -6.2f}, {8.8f, 2.4f}});
     const Bridge bridge = add_bridge(scene, strength);
     add_static(scene, {0, -6}, make_box(10, 0.2f));
     const std::size_t first_box = scene.bodies.size(), ball = first_box + boxes;

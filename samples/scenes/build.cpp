@@ -4,6 +4,15 @@
 
 namespace islet::samples {
 
+Scene sleepless_scene(const char* name, int steps, const Aabb& view) {
+    Scene scene;
+    scene.name = name;
+    scene.world.enable_sleep = false;
+    scene.steps = steps;
+    scene.view = view;
+    return scene;
+}
+
 std::size_t add_body(Scene& scene, const BodyDef& def, std::vector<SceneShape> shapes) {
     scene.bodies.push_back({def, std::move(shapes)});
     return scene.bodies.size() - 1;

@@ -7,6 +7,9 @@
 
 namespace islet::samples {
 
+/// A scene without bodies in which nothing may sleep: what rests, rests by the solver's work.
+Scene sleepless_scene(const char* name, int steps, const Aabb& view);
+
 /// Adds a body and returns its index.
 std::size_t add_body(Scene& scene, const BodyDef& def, std::vector<SceneShape> shapes);
 /// A dynamic or static body with one shape.

@@ -95,11 +95,7 @@ Scene make_door() {
 Scene make_seesaw() {
     constexpr int drop_step = 240;
     constexpr float half_length = 3, half_height = 0.1f, pivot = 1, tilt = 15 * pi / 180, half = 0.25f, friction = 6;
-    Scene scene;
-    scene.name = "seesaw";
-    scene.world.enable_sleep = false;
-    scene.steps = 540;
-    scene.view = {{-4.6f, -0.6f}, {4.6f, 3.2f}};
+    Scene scene = sleepless_scene("seesaw", 540, {{-4.6f, -0.6f}, {4.6f, 3.2f}});
     const std::size_t floor = add_floor(scene, 6);
     scene.bodies[floor].shapes.push_back({polygon_of({{-0.5f, 1}, {0.5f, 1}, {0, 2}}), {}});  // the stand
 
@@ -153,11 +149,7 @@ Scene make_elevator() {
     constexpr int up_step = 60, riding_step = 180, waiting_step = 380, down_step = 400;
     constexpr float rise = 6, up_speed = 2, down_speed = 1.5f, strength = 1500;  // m, m/s, N
     constexpr float half_width = 1.2f, half_height = 1.2f, wall = 0.08f;
-    Scene scene;
-    scene.name = "elevator";
-    scene.world.enable_sleep = false;
-    scene.steps = 720;
-    scene.view = {{-7.5f, -0.8f}, {7.5f, 9.4f}};
+    Scene scene = sleepless_scene("elevator", 720, {{-7.5f, -0.8f}, {7.5f, 9.4f}});
     add_floor(scene, 8);
     // Two storeys to go to, and the shaft's back.
     scene.bodies[0].shapes.push_back({make_offset_box(2.5f, 0.1f, {{4.2f, rise + 0.9f}, {}}), {}});

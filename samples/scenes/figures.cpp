@@ -104,11 +104,7 @@ Scene make_ragdoll_pile() {
 Scene make_mouse_drag() {
     constexpr int rows = 5, lift_step = 60;
     constexpr float half = 0.4f, hertz = 4, grip = 4000;  // m, Hz, N
-    Scene scene;
-    scene.name = "mouse_drag";
-    scene.world.enable_sleep = false;
-    scene.steps = 720;
-    scene.view = {{-5, -0.8f}, {8, 6.2f}};
+    Scene scene = sleepless_scene("mouse_drag", 720, {{-5, -0.8f}, {8, 6.2f}});
     add_floor(scene, 12);
     ShapeDef material;
     const std::size_t first = add_pyramid(scene, rows, half, -0.5f * rows * 2 * half, 0, material);

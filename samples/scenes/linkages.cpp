@@ -100,11 +100,7 @@ Scene make_pulley() {
     static constexpr Pair pairs[] = {{-6, 2, 2, 1}, {-2, 2, 1, 1}, {2, 1, 3, 1}, {6, 2, 3, 2}};
     constexpr std::size_t count = 4;
     constexpr float beam = 6, start = 3, half_apart = 0.9f;
-    Scene scene;
-    scene.name = "pulley";
-    scene.world.enable_sleep = false;
-    scene.steps = 45;
-    scene.view = {{-8.6f, -0.6f}, {8.6f, 7}};
+    Scene scene = sleepless_scene("pulley", 45, {{-8.6f, -0.6f}, {8.6f, 7}});
     add_floor(scene, 10);
     scene.bodies[0].shapes.push_back({make_offset_box(8, 0.1f, {{0, 1 + beam + 0.1f}, {}}), {}});
     for (const Pair& pair : pairs) {
@@ -147,11 +143,7 @@ Scene make_pulley() {
 Scene make_gears() {
     constexpr int measured_step = 170;
     constexpr float small = 0.6f, large = 1.2f, rate = 2, strength = 1000;  // m, m, rad/s, N m
-    Scene scene;
-    scene.name = "gears";
-    scene.world.enable_sleep = false;
-    scene.steps = 180;
-    scene.view = {{-2.6f, -3.9f}, {6.4f, 3.9f}};
+    Scene scene = sleepless_scene("gears", 180, {{-2.6f, -3.9f}, {6.4f, 3.9f}});
     const std::size_t ground = add_body(scene, {}, {});
 
     // Three wheels in a row, and a toothed bar that hangs on the last one.

@@ -14,11 +14,7 @@ Scene make_card_house() { return make_card_house_of(5, 20 * pi / 180); }
 
 Scene make_card_house_of(int storeys, float lean) {
     constexpr float half_length = 0.5f, half_thickness = 0.02f, pitch = 2 * half_length + 0.01f;
-    Scene scene;
-    scene.name = "card_house";
-    scene.world.enable_sleep = false;
-    scene.steps = 3600;
-    scene.view = {{-4, -0.7f}, {4, 5.5f}};
+    Scene scene = sleepless_scene("card_house", 3600, {{-4, -0.7f}, {4, 5.5f}});
     ShapeDef paper;
     paper.friction = 0.7f;
     add_floor(scene, 6, paper);
@@ -58,11 +54,7 @@ Scene make_card_house_of(int storeys, float lean) {
 Scene make_arch() {
     constexpr int stones = 17;
     constexpr float inner = 4, outer = 5, footing = 1;  // m
-    Scene scene;
-    scene.name = "arch";
-    scene.world.enable_sleep = false;
-    scene.steps = 3600;
-    scene.view = {{-8, -1.2f}, {8, 7}};
+    Scene scene = sleepless_scene("arch", 3600, {{-8, -1.2f}, {8, 7}});
     add_floor(scene, 12);
     for (const float side : {-1.0f, 1.0f})
         add_static(scene, {side * 0.5f * (inner + outer), 0.5f * footing}, make_box(0.7f, 0.5f * footing));
@@ -106,11 +98,7 @@ Polygon make_stone(Random& random, float w, float h) {
 Scene make_cairn() {
     constexpr int cairns = 5, stones = 7;
     constexpr int settled_step = 180;
-    Scene scene;
-    scene.name = "cairn";
-    scene.world.enable_sleep = false;
-    scene.steps = 1200;
-    scene.view = {{-8, -0.8f}, {8, 5.2f}};
+    Scene scene = sleepless_scene("cairn", 1200, {{-8, -0.8f}, {8, 5.2f}});
     ShapeDef rock;
     rock.friction = 0.8f;
     rock.density = 2;

@@ -28,11 +28,7 @@ Scene make_pendulum() {
     constexpr int count = 5;
     constexpr float length = 2, radius = 0.25f;
     static constexpr int amplitudes[count] = {20, 50, 80, 110, 140};  // degrees
-    Scene scene;
-    scene.name = "pendulum";
-    scene.world.enable_sleep = false;
-    scene.steps = 900;
-    scene.view = {{-13, -3.5f}, {13, 3}};
+    Scene scene = sleepless_scene("pendulum", 900, {{-13, -3.5f}, {13, 3}});
     const std::size_t ground = add_body(scene, {}, {});
     BodyDef def;
     def.type = BodyType::dynamic;
@@ -89,11 +85,7 @@ Scene make_pendulum() {
 
 Scene make_double_pendulum() {
     constexpr float length = 1, half_width = 0.04f;
-    Scene scene;
-    scene.name = "double_pendulum";
-    scene.world.enable_sleep = false;
-    scene.steps = 600;
-    scene.view = {{-3.6f, -2.4f}, {3.6f, 1.6f}};
+    Scene scene = sleepless_scene("double_pendulum", 600, {{-3.6f, -2.4f}, {3.6f, 1.6f}});
     const std::size_t ground = add_body(scene, {}, {});
     BodyDef def;
     def.type = BodyType::dynamic;
@@ -131,11 +123,7 @@ Scene make_double_pendulum() {
 Scene make_chain_ball() {
     constexpr int links = 30;
     constexpr float half_length = 0.5f, half_width = 0.1f, radius = 1.5f, ratio = 1000;
-    Scene scene;
-    scene.name = "chain_ball";
-    scene.world.enable_sleep = false;
-    scene.steps = 600;
-    scene.view = {{-42, -44}, {42, 4}};
+    Scene scene = sleepless_scene("chain_ball", 600, {{-42, -44}, {42, 4}});
     std::size_t previous = add_body(scene, {}, {});
     const Polygon link = make_box(half_length, half_width);
     for (int i = 0; i < links; ++i) {
@@ -181,11 +169,7 @@ Scene make_rope() {
     constexpr std::size_t count = 4;
     constexpr float length = 4, radius = 0.25f;
     static constexpr float aside[count] = {0.2f, 0.45f, 0.7f, 0.95f};  // of the length: where the ball starts
-    Scene scene;
-    scene.name = "rope";
-    scene.world.enable_sleep = false;
-    scene.steps = 180;
-    scene.view = {{-18, -5.5f}, {18, 1.5f}};
+    Scene scene = sleepless_scene("rope", 180, {{-18, -5.5f}, {18, 1.5f}});
     const std::size_t ground = add_body(scene, {}, {});
     std::array<float, count> pivots{};
     for (std::size_t i = 0; i < count; ++i) {

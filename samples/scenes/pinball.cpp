@@ -38,7 +38,7 @@ struct Table {
 
 /// What the script remembers of the game, and the check wants to know.
 struct Game {
-    int plunging = 0;            // steps since the ball lay on the plunger
+    int plunging = 0;            // steps since the ball lay on the plunger, or since a person began to pull it
     std::array<int, 2> up = {};  // steps for which each flipper is still to stay up
     bool is_low = false;         // the ball came down to the flippers, which have not sent it back yet
     bool is_driven = false;      // something may push the ball in this step
@@ -73,6 +73,19 @@ void work_plunger(Engine& engine, const Table& table, Game& game) {
     ++game.shots;
 }
 
+enum Button : std::size_t { left_flipper, right_flipper, pull_plunger };
+
+/// A person pulls the plunger back, and lets it strike.
+void play_plunger(Engine& engine, const Table& table, Game& game, const Controls& controls) {
+    constexpr int strike_steps = 20;
+    if (controls.holds(pull_plunger))
+        game.plunging = strike_steps + 1;
+    else if (game.plunging > 0)
+        --game.plunging;
+    const bool pulls = game.plunging > strike_steps, strikes = game.plunging > 0;
+    engine.set_motor(table.plunger, {.enable = true, .speed = pulls ? -1 : strikes ? striking_speed : 1, .max_force = pulls || !strikes ? 100.0f : 1500.0f});
+}
+
 /// A bumper kicks what has just rebounded from it.
 void work_bumpers(Engine& engine, const Table& table, Game& game) {
     const BodyState ball = engine.body(table.ball);
@@ -85,8 +98,8 @@ void work_bumpers(Engine& engine, const Table& table, Game& game) {
     }
 }
 
-/// A flipper goes up when the ball is about to touch its outer half, and stays up for a moment.
-void work_flippers(Engine& engine, const Table& table, Game& game) {
+/// A flipper goes up when the ball is about to touch its outer half, and stays up for a moment; or while a person wants it to.
+void work_flippers(Engine& engine, const Table& table, Game& game, const Controls& controls) {
     const BodyState ball = engine.body(table.ball);
     for (const std::size_t i : {0u, 1u}) {
         const float way = way_of(i);
@@ -96,7 +109,9 @@ void work_flippers(Engine& engine, const Table& table, Game& game) {
         // Where on it the ball lies when it goes up decides where the ball goes to: not always the same way.
         const float aim = 0.6f + 0.1f * static_cast<float>(game.returns % 4);
         const bool near = place.x > aim && place.x < 1.4f && place.y > 0 && place.y < ball_radius + 0.15f - 2 * velocity.y / 60;
-        if (game.up[i] > 0)
+        if (controls.taken)
+            game.up[i] = controls.holds(i) ? 1 : 0;
+        else if (game.up[i] > 0)
             --game.up[i];
         else if (near && velocity.y < 0.5f)
             game.up[i] = 20;
@@ -183,11 +198,16 @@ Scene make() {
     scene.traced = {table.ball};
 
     const auto game = std::make_shared<Game>();
-    scene.before_step = [game, table](Engine& engine, int step) {
+    scene.controls = std::make_shared<Controls>();
+    scene.controls->buttons = {{"left flipper", '<'}, {"right flipper", '>'}, {"plunger", 'v'}};
+    scene.before_step = [game, table, controls = scene.controls](Engine& engine, int step) {
         if (step == 0) *game = {};
-        work_plunger(engine, table, *game);
+        if (controls->taken)
+            play_plunger(engine, table, *game, *controls);
+        else
+            work_plunger(engine, table, *game);
         work_bumpers(engine, table, *game);
-        work_flippers(engine, table, *game);
+        work_flippers(engine, table, *game, *controls);
         const BodyState now = engine.body(table.ball);
         game->velocity = now.linear_velocity;
         game->energy = energy_of(now);

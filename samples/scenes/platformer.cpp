@@ -66,6 +66,21 @@ MoverInput next_input(Player& player, float ferry) {
     return input;
 }
 
+enum Button : std::size_t { left, right, jump };
+
+/// What a person who plays wants. A jump of 3.2 m reaches each platform from the one below, and leads out of the pit.
+MoverInput input_of(const Controls& controls) {
+    const float way = (controls.holds(right) ? 1.0f : 0.0f) - (controls.holds(left) ? 1.0f : 0.0f);
+    return {.walk = speed * way, .jump = controls.holds(jump) ? 8.0f : 0.0f};
+}
+
+/// Whoever falls out of the world begins anew.
+void play(Controls& controls, MoverState& mover) {
+    constexpr float bottom = -8;  // m
+    if (mover.position.y < bottom) mover = {.position = {start, mover_gap}};
+    if (distance(mover.position, *controls.goal) < 1) controls.has_won = true;
+}
+
 }  // namespace
 
 Scene make_platformer() {
@@ -102,8 +117,11 @@ Scene make_platformer() {
                                       {{def.capsule, {.filter = {.mask = 0}}}});
     scene.traced = {hero, crate};
 
+    scene.controls = std::make_shared<Controls>();
+    scene.controls->buttons = {{"left", '<'}, {"right", '>'}, {"jump", '^'}};
+    scene.controls->goal = Vec2{finish, 0};
     const auto player = std::make_shared<Player>();
-    scene.before_step = [=](Engine& engine, int step) {
+    scene.before_step = [=, controls = scene.controls](Engine& engine, int step) {
         // Both swing: x = 2 - 3 sin(w t) and angle = 0.2 sin(w t), by the speeds that lead there.
         const float w = 2 * pi / 8, t = static_cast<float>(step) / 60;
         const float now = make_rot(w * t).s, next = make_rot(w * (t + 1.0f / 60)).s;
@@ -116,7 +134,9 @@ Scene make_platformer() {
         mover.collides = passes_one_way;
         mover.context = &islet->world();
         const float ferry_x = engine.body(ferry).position.x;
-        step_mover(islet->world(), mover, player->mover, next_input(*player, ferry_x), 1.0f / 60);
+        const MoverInput input = controls->taken ? input_of(*controls) : next_input(*player, ferry_x);
+        step_mover(islet->world(), mover, player->mover, input, 1.0f / 60);
+        if (controls->taken) play(*controls, player->mover);
         engine.set_velocity(hero, 60 * (player->mover.position - engine.body(hero).position), 0);
 
         Player& p = *player;

@@ -130,11 +130,7 @@ Scene make_explosion() {
 Scene make_wind() {
     constexpr float radius = 0.25f, drag = 1;
     constexpr float densities[] = {0.5f, 1, 2, 4};
-    Scene scene;
-    scene.name = "wind";
-    scene.steps = 900;
-    scene.world.enable_sleep = false;
-    scene.view = {{-5, -60}, {7, 8}};
+    Scene scene = sleepless_scene("wind", 900, {{-5, -60}, {7, 8}});
     struct Disc {
         std::size_t body;
         float density;
@@ -177,11 +173,7 @@ Scene make_wind() {
 Scene make_conveyor() {
     constexpr float half = 0.25f, friction = 0.4f, gravity = 10;
     constexpr float speeds[] = {0.5f, 1, 2, 3};
-    Scene scene;
-    scene.name = "conveyor";
-    scene.steps = 150;
-    scene.world.enable_sleep = false;
-    scene.view = {{-7, -1}, {7, 8}};
+    Scene scene = sleepless_scene("conveyor", 150, {{-7, -1}, {7, 8}});
     struct Ride {
         std::size_t body;
         float speed;

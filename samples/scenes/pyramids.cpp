@@ -6,11 +6,7 @@
 namespace islet::samples {
 
 Scene make_pyramid() {
-    Scene scene;
-    scene.name = "pyramid";
-    scene.world.enable_sleep = false;  // it has to stand by the solver's work, not by sleep
-    scene.steps = 3600;
-    scene.view = {{-8, -1.5f}, {8, 11.5f}};
+    Scene scene = sleepless_scene("pyramid", 3600, {{-8, -1.5f}, {8, 11.5f}});
     add_floor(scene, 12);
     const std::size_t first = add_pyramid(scene, 10, 0.5f, -5, 0);
 
@@ -29,11 +25,7 @@ Scene make_pyramid() {
 
 Scene make_far_from_origin() {
     constexpr float far = 10000;  // m; a float there steps by 1 mm
-    Scene scene;
-    scene.name = "far_from_origin";
-    scene.world.enable_sleep = false;
-    scene.steps = 600;
-    scene.view = {{far - 8, -1.5f}, {far + 8, 11.5f}};
+    Scene scene = sleepless_scene("far_from_origin", 600, {{far - 8, -1.5f}, {far + 8, 11.5f}});
     add_static(scene, {far, -1}, make_box(12, 1));
     const std::size_t first = add_pyramid(scene, 10, 0.5f, far - 5, 0);
 
@@ -51,11 +43,7 @@ Scene make_far_from_origin() {
 
 Scene make_large_pyramid() {
     constexpr int base = 100;
-    Scene scene;
-    scene.name = "large_pyramid";
-    scene.world.enable_sleep = false;
-    scene.steps = 500;
-    scene.view = {{-58, -4}, {58, 103}};
+    Scene scene = sleepless_scene("large_pyramid", 500, {{-58, -4}, {58, 103}});
     add_floor(scene, 100);
     const std::size_t first = add_pyramid(scene, base, 0.5f, -0.5f * base, 0);
 
@@ -77,11 +65,7 @@ Scene make_many_pyramids() {
     constexpr float half = 0.5f;
     constexpr float pitch = 2 * half * (base + 1);  // one box wider, and one taller, than a pyramid
     constexpr float width = columns * pitch;
-    Scene scene;
-    scene.name = "many_pyramids";
-    scene.world.enable_sleep = false;
-    scene.steps = 200;
-    scene.view = {{-113, -2}, {113, 221}};
+    Scene scene = sleepless_scene("many_pyramids", 200, {{-113, -2}, {113, 221}});
 
     std::vector<SceneShape> floors;
     for (int row = 0; row < rows; ++row) {

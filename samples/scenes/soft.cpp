@@ -99,11 +99,7 @@ Scene make_flag() {
     constexpr float speeds[] = {2, 3, 7, 12};  // m/s, more the higher up
     constexpr float length = 1.8f;             // m
     constexpr std::size_t links = 12;
-    Scene scene;
-    scene.name = "flag";
-    scene.world.enable_sleep = false;
-    scene.steps = 900;
-    scene.view = {{-1.5f, -0.5f}, {4.5f, 9}};
+    Scene scene = sleepless_scene("flag", 900, {{-1.5f, -0.5f}, {4.5f, 9}});
     add_floor(scene, 3);
     add_static(scene, {0, 4.2f}, make_box(0.05f, 4.2f), {.filter = {.mask = 0}});
 

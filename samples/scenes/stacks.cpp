@@ -11,11 +11,7 @@ namespace islet::samples {
 
 Scene make_vertical_stack() {
     constexpr int count = 30;
-    Scene scene;
-    scene.name = "vertical_stack";
-    scene.world.enable_sleep = false;
-    scene.steps = 3600;
-    scene.view = {{-12, -1.5f}, {12, 31.5f}};
+    Scene scene = sleepless_scene("vertical_stack", 3600, {{-12, -1.5f}, {12, 31.5f}});
     add_floor(scene, 14);
     const std::size_t first = scene.bodies.size();
     for (int i = 0; i < count; ++i) add_dynamic(scene, {0, 0.5f + static_cast<float>(i)}, make_box(0.5f, 0.5f));
@@ -39,11 +35,7 @@ Scene make_vertical_stack() {
 }
 
 Scene make_mass_ratio() {
-    Scene scene;
-    scene.name = "mass_ratio";
-    scene.world.enable_sleep = false;
-    scene.steps = 1200;
-    scene.view = {{-9, -1.5f}, {9, 6.5f}};
+    Scene scene = sleepless_scene("mass_ratio", 1200, {{-9, -1.5f}, {9, 6.5f}});
     add_floor(scene, 12);
     const std::size_t first = scene.bodies.size();
 

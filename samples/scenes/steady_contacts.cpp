@@ -24,15 +24,6 @@ ShapeDef rough(float friction) {
     return def;
 }
 
-Scene named(const char* name, int steps, const Aabb& view) {
-    Scene scene;
-    scene.name = name;
-    scene.world.enable_sleep = false;  // what rests does so by the solver's work
-    scene.steps = steps;
-    scene.view = view;
-    return scene;
-}
-
 /// Where the lowest point of a body's shapes is, m.
 double lowest_point(const SceneBody& body, const BodyState& state) {
     const Transform pose = {state.position, make_rot(state.angle)};
@@ -54,7 +45,7 @@ Scene make_wedge_at_wall(int start) {
     static constexpr float heights[] = {1, 2, 3.46f}, intos[] = {0, 0.01f, 0.5f, 2};  // m: of the wedge; of the wall into the floor
     constexpr int looked_from = 240;
     const float height = heights[start % 3], into = intos[start % 4], pull = start >= 12 ? 10.0f : 0.0f;
-    Scene scene = named("wedge_at_wall", 480, {{-4, -2}, {9, 6}});
+    Scene scene = sleepless_scene("wedge_at_wall", 480, {{-4, -2}, {9, 6}});
     scene.world.gravity = {pull, -10};
     const ShapeDef material = rough(0.3f);
     add_static(scene, {0, -1}, make_box(20, 1), material);
@@ -84,7 +75,7 @@ Scene make_v_grooves(int start) {
     };
     static constexpr Groove grooves[] = {{30, 0}, {30, 0.05f}, {30, 0.1f}, {40, 0}, {40, 0.1f}, {40, 0.3f}};
     constexpr int looked_from = 1200;
-    Scene scene = named("v_grooves", 1500, {{-22, -3}, {22, 12}});
+    Scene scene = sleepless_scene("v_grooves", 1500, {{-22, -3}, {22, 12}});
     std::vector<std::size_t> squares;
     for (std::size_t i = 0; i < std::size(grooves); ++i) {
         const Vec2 bottom = {14 * (static_cast<float>(i % 3) - 1), 7 * static_cast<float>(i / 3)};
@@ -138,7 +129,7 @@ Polygon random_polygon(Random& random, int corners) {
 
 Scene make_crossing_walls(int start) {
     constexpr int triangles = 8, looked_from = 300;
-    Scene scene = named("crossing_walls", 420, {{-2.8f, -2.1f}, {2.8f, 2.1f}});
+    Scene scene = sleepless_scene("crossing_walls", 420, {{-2.8f, -2.1f}, {2.8f, 2.1f}});
     Random random(static_cast<std::uint64_t>(start));
     const ShapeDef material = rough(random.uniform(0, 0.6f));
     for (const float side : {-1.0f, 1.0f}) {
@@ -198,7 +189,7 @@ Polygon regular(int corners, float radius) {
 
 Scene make_landings(int start) {
     constexpr float pitch = 6, lift_speed = 2;  // m, m/s
-    Scene scene = named("landings", 240, {{-24, -2}, {24, 22}});
+    Scene scene = sleepless_scene("landings", 240, {{-24, -2}, {24, 22}});
     BodyDef lift_def;
     lift_def.type = BodyType::kinematic;
     lift_def.linear_velocity = {0, lift_speed};
@@ -254,7 +245,7 @@ Scene make_landings(int start) {
 Scene make_plates_at_walls(int start) {
     constexpr float half_thickness = 0.05f;
     static constexpr float speeds[] = {120, 300};  // m/s
-    Scene scene = named("plates_at_walls", 40, {{-8, -3}, {3, 6}});
+    Scene scene = sleepless_scene("plates_at_walls", 40, {{-8, -3}, {3, 6}});
     scene.world.gravity = {0, 0};
     std::array<std::size_t, 2> plates{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -326,7 +317,7 @@ void ask_for_smooth_ride(Scene& scene, std::size_t slider, float speed, double l
 
 Scene make_laid_segments(int start) {
     constexpr float speed = 20, length = 95, radius = 0.25f;
-    Scene scene = named("laid_segments", 60 + 240, {{-5, -20}, {95, 30}});
+    Scene scene = sleepless_scene("laid_segments", 60 + 240, {{-5, -20}, {95, 30}});
     const ShapeDef smooth = rough(0);
     for (float x = -4; x < length; x += 1) {
         const bool turned = static_cast<int>(x) % 2 == 0;  // from which end a segment is drawn is nothing
@@ -340,7 +331,7 @@ Scene make_laid_segments(int start) {
 Scene make_tiled_floor(int start) {
     constexpr float speed = 50, half = 0.25f;
     constexpr int length = 210;
-    Scene scene = named("tiled_floor", 60 + 240, {{-5, -45}, {215, 65}});
+    Scene scene = sleepless_scene("tiled_floor", 60 + 240, {{-5, -45}, {215, 65}});
     const ShapeDef smooth = rough(0);
     for (int i = -4; i < length; ++i) add_static(scene, {static_cast<float>(i) + 0.5f, -0.5f}, make_box(0.5f, 0.5f), smooth);
     const std::size_t box = add_dynamic(scene, {0.097f * static_cast<float>(start), half}, make_box(half, half), smooth);
@@ -353,7 +344,7 @@ Scene make_tiled_floor(int start) {
 Scene make_flat_bounce(int start) {
     static constexpr float restitutions[] = {0.25f, 0.5f, 0.75f, 1};
     const float speed = 6 + 0.7f * static_cast<float>(start);
-    Scene scene = named("flat_bounce", 60, {{-9, -1.5f}, {9, 9}});
+    Scene scene = sleepless_scene("flat_bounce", 60, {{-9, -1.5f}, {9, 9}});
     scene.world.gravity = {0, 0};
     add_floor(scene, 12);
     const std::size_t first = scene.bodies.size();
@@ -380,7 +371,7 @@ Scene make_flat_bounce(int start) {
 
 Scene make_free_cluster(int start) {
     constexpr int count = 36;
-    Scene scene = named("free_cluster", 300, {{-20, -15}, {20, 15}});
+    Scene scene = sleepless_scene("free_cluster", 300, {{-20, -15}, {20, 15}});
     scene.world.gravity = {0, 0};
     Random random(static_cast<std::uint64_t>(start) + 11);
     for (int i = 0; i < count; ++i) {

@@ -14,15 +14,6 @@
 namespace islet::samples {
 namespace {
 
-Scene hinged(const char* name, int steps, const Aabb& view) {
-    Scene scene;
-    scene.name = name;
-    scene.world.enable_sleep = false;
-    scene.steps = steps;
-    scene.view = view;
-    return scene;
-}
-
 /// The widest gap of joints first <= index < end in all of the run so far, m.
 std::shared_ptr<double> watch_gap(Scene& scene, std::size_t first, std::size_t end) {
     auto widest = std::make_shared<double>();
@@ -51,7 +42,7 @@ Vec2 add_rod(Scene& scene, Vec2 from, float angle) {
 Scene make_wild_pendulum(int start) {
     constexpr int after_a_minute = 3600;
     constexpr float right = 0.5f * pi, degree = pi / 180;
-    Scene scene = hinged("wild_pendulum", 36000, {{-3.6f, -2.4f}, {3.6f, 2.4f}});
+    Scene scene = sleepless_scene("wild_pendulum", 36000, {{-3.6f, -2.4f}, {3.6f, 2.4f}});
     std::size_t previous = add_body(scene, {}, {});
     Vec2 at = {0, 0};
     const float n = static_cast<float>(start - 5);
@@ -97,7 +88,7 @@ Scene make_wild_pendulum(int start) {
 Scene make_rods_in_space(int start) {
     constexpr float turn = 10;  // rad/s
     const float bend = 0.1f + 0.25f * static_cast<float>(start);
-    Scene scene = hinged("rods_in_space", 586 * 60, {{-2.5f, -1.7f}, {5, 3.3f}});
+    Scene scene = sleepless_scene("rods_in_space", 586 * 60, {{-2.5f, -1.7f}, {5, 3.3f}});
     scene.world.gravity = {0, 0};
     Vec2 at = {0, 0}, middle = {0, 0};
     for (const float angle : {0.0f, bend, -0.7f * bend}) {
@@ -131,7 +122,7 @@ Scene make_rods_in_space(int start) {
 Scene make_spun_rod(int start) {
     constexpr float spin = 60;  // rad/s
     const float half = 0.5f + 0.05f * static_cast<float>(start), angle = 0.3f * static_cast<float>(start);
-    Scene scene = hinged("spun_rod", 1200, {{-3, -2}, {3, 2}});
+    Scene scene = sleepless_scene("spun_rod", 1200, {{-3, -2}, {3, 2}});
     const std::size_t ground = add_body(scene, {}, {});
     const Vec2 middle = half * Vec2{make_rot(angle).c, make_rot(angle).s};
     const std::size_t rod = add_dynamic(scene, middle, make_box(half, 0.05f), ghost(), angle);
@@ -159,7 +150,7 @@ Scene make_long_bridges(int start) {
     constexpr int planks = 60;
     static constexpr float loads[] = {100, 1000};  // kg
     static constexpr double wanted[] = {0.002, 0.01};
-    Scene scene = hinged("long_bridges", 1200, {{-32, -8}, {32, 16}});
+    Scene scene = sleepless_scene("long_bridges", 1200, {{-32, -8}, {32, 16}});
     ShapeDef wood, crate;
     wood.density = 20;
     std::array<std::shared_ptr<double>, 2> gaps;
@@ -189,7 +180,7 @@ Scene make_long_bridges(int start) {
 
 Scene make_hung_net(int start) {
     constexpr std::size_t side = 40;
-    Scene scene = hinged("hung_net", 300, {{-12, -62}, {51, 3}});
+    Scene scene = sleepless_scene("hung_net", 300, {{-12, -62}, {51, 3}});
     const Rot tilt = make_rot(0.02f * static_cast<float>(start));
     scene.world.gravity = rotate(tilt, {0, -10});
     for (std::size_t column = 0; column < side; ++column) {
@@ -212,7 +203,7 @@ Scene make_whirled_doll(int start) {
     constexpr Bone held[] = {Bone::torso, Bone::hip, Bone::head, Bone::lower_left_arm, Bone::lower_right_leg};
     constexpr float pull = 50 * 10;                                                               // m/s^2, of the doll as a whole
     const float rate = 15 + static_cast<float>(start), phase = 0.6f * static_cast<float>(start);  // rad/s, rad
-    Scene scene = hinged("whirled_doll", 600, {{-4, -4}, {4, 4}});
+    Scene scene = sleepless_scene("whirled_doll", 600, {{-4, -4}, {4, 4}});
     const Placed doll = add_prefab(scene, make_benchmark_doll({.position = {0, -1}, .friction_torque = 0.5f, .hertz = 0}));
     const std::size_t bone = doll.first_body + static_cast<std::size_t>(held[start % 5]);
     scene.traced = {bone};

@@ -1,5 +1,6 @@
 // A car: wheels on sprung struts, driven by a motor.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -37,16 +38,19 @@ struct Road {
     }
 };
 
+/// A person drives: both wheels, twice as strong as what the script has. Without a button they roll.
+void play_car(Engine& engine, std::size_t chassis, const std::array<std::size_t, 2>& struts, Controls& controls) {
+    const float way = (controls.holds(1) ? 1.0f : 0.0f) - (controls.holds(0) ? 1.0f : 0.0f);
+    for (const std::size_t strut : struts) engine.set_motor(strut, {.enable = way != 0, .speed = -15 * way, .max_force = 16});
+    if (engine.body(chassis).position.x > controls.goal->x) controls.has_won = true;
+}
+
 }  // namespace
 
 Scene make_car() {
     constexpr int drive_step = 120;
     constexpr float radius = 0.4f, rate = 10, torque = 8, hertz = 4;  // m, rad/s, N m, Hz
-    Scene scene;
-    scene.name = "car";
-    scene.world.enable_sleep = false;
-    scene.steps = 660;
-    scene.view = {{-4, -3}, {40, 7}};
+    Scene scene = sleepless_scene("car", 660, {{-4, -3}, {40, 7}});
     ShapeDef tarmac;
     tarmac.friction = 0.9f;
     add_body(scene, {}, {{Road::chain(), tarmac}});
@@ -66,8 +70,12 @@ Scene make_car() {
         struts[i] = add_joint(scene, chassis, wheels[i], strut);
     }
     scene.traced = {chassis};
-    scene.before_step = [strut = struts[0]](Engine& engine, int step) {
-        if (step == drive_step) engine.set_motor(strut, {.enable = true, .speed = -rate, .max_force = torque});
+    scene.controls = std::make_shared<Controls>();
+    scene.controls->buttons = {{"back", '<'}, {"forward", '>'}};
+    scene.controls->goal = Vec2{Road::end - 4, 0.5f};
+    scene.before_step = [chassis, struts = std::to_array(struts), controls = scene.controls](Engine& engine, int step) {
+        if (controls->taken) return play_car(engine, chassis, struts, *controls);
+        if (step == drive_step) engine.set_motor(struts[0], {.enable = true, .speed = -rate, .max_force = torque});
     };
 
     struct Seen {

@@ -109,11 +109,7 @@ std::size_t add_plate(Scene& scene, Vec2 a, Vec2 b, Vec2 c, const ShapeDef& mate
 
 Scene make_walker() {
     constexpr float rate = -2;  // rad/s: clockwise, as a wheel turns that rolls to the right
-    Scene scene;
-    scene.name = "walker";
-    scene.world.enable_sleep = false;
-    scene.steps = 540;
-    scene.view = {{-2.5f, -0.6f}, {10.8f, 3.6f}};
+    Scene scene = sleepless_scene("walker", 540, {{-2.5f, -0.6f}, {10.8f, 3.6f}});
     make_stiff(scene);
     add_floor(scene, 14, {.friction = 0.9f});
 

@@ -2,8 +2,9 @@
 import assert from 'node:assert/strict';
 import {fileURLToPath} from 'node:url';
 import {test} from 'node:test';
-import {chromium} from 'playwright-core';
-import {serve} from './serve.mjs';
+import {browser, server, useBrowser} from './browser.mjs';
+
+useBrowser(fileURLToPath(new URL('../../bindings/js', import.meta.url)));
 
 /// As samples/scenes/flight.cpp makes it: the hash after a second, or what went wrong.
 const hello = `async (file, options) => {
@@ -17,32 +18,23 @@ const hello = `async (file, options) => {
 }`;
 
 test('runs in pages and workers, with the golden hash', async () => {
-    const server = await serve(fileURLToPath(new URL('../../bindings/js', import.meta.url)));
-    let browser;
-    try {
-        const args = process.getuid?.() === 0 ? ['--no-sandbox', '--disable-dev-shm-usage'] : ['--disable-dev-shm-usage'];
-        browser = await chromium.launch({executablePath: process.env.CHROMIUM, args});
-        const page = await browser.newPage();
-        const complaints = [];
-        page.on('pageerror', (error) => complaints.push(error.stack));
-        for (const file of ['index.js', 'inline.js']) {
-            for (const simd of [true, false]) {
-                await page.goto(`${server.address}package.json`);
-                const address = `${server.address}dist/${file}`;
-                const hash = await page.evaluate(`(${hello})('${address}', {simd: ${simd}})`);
-                assert.equal(hash, '0d75a134d5c0755c', `${file}, SIMD ${simd}`);
-            }
+    const page = await browser.newPage();
+    const complaints = [];
+    page.on('pageerror', (error) => complaints.push(error.stack));
+    for (const file of ['index.js', 'inline.js']) {
+        for (const simd of [true, false]) {
+            await page.goto(`${server.address}package.json`);
+            const address = `${server.address}dist/${file}`;
+            const hash = await page.evaluate(`(${hello})('${address}', {simd: ${simd}})`);
+            assert.equal(hash, '0d75a134d5c0755c', `${file}, SIMD ${simd}`);
         }
-        const inWorker = await page.evaluate(`new Promise((done, failed) => {
-            const text = ${JSON.stringify(`(${hello})('${server.address}dist/index.js').then(postMessage)`)};
-            const worker = new Worker(URL.createObjectURL(new Blob([text], {type: 'text/javascript'})), {type: 'module'});
-            worker.onmessage = ({data}) => done(data);
-            worker.onerror = failed;
-        })`);
-        assert.equal(inWorker, '0d75a134d5c0755c');
-        assert.deepEqual(complaints, []);
-    } finally {
-        await browser?.close();
-        server.close();
     }
+    const inWorker = await page.evaluate(`new Promise((done, failed) => {
+        const text = ${JSON.stringify(`(${hello})('${server.address}dist/index.js').then(postMessage)`)};
+        const worker = new Worker(URL.createObjectURL(new Blob([text], {type: 'text/javascript'})), {type: 'module'});
+        worker.onmessage = ({data}) => done(data);
+        worker.onerror = failed;
+    })`);
+    assert.equal(inWorker, '0d75a134d5c0755c');
+    assert.deepEqual(complaints, []);
 });

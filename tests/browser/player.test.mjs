@@ -2,83 +2,41 @@
 // Environment: ISLET, the program; CHROMIUM, the browser.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { readFileSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
+import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { drawPicture, phone, pictureOf, pixels, settle, temporaryFolder, useBrowser, visit } from "./browser.mjs";
 
-const folder = mkdtempSync(join(tmpdir(), "islet-player-"));
+const folder = temporaryFolder("player");
 const desktop = { viewport: { width: 1280, height: 760 } };
-const phone = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
-let browser;
 
-before(async () => {
-    // A container's root has no sandbox, and often little shared memory.
-    const args = process.getuid?.() === 0 ? ["--no-sandbox", "--disable-dev-shm-usage"] : ["--disable-dev-shm-usage"];
-    browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args });
-});
-after(async () => {
-    await browser?.close();
-    rmSync(folder, { recursive: true });
-});
+useBrowser();
 
 function makePage(scene, ...options) {
-    const file = join(folder, `${[scene, ...options].join("")}.html`);
+    const file = join(folder, `${basename(scene)}${options.join("")}.html`);
     execFileSync(process.env.ISLET, ["run", scene, "--html", file, ...options]);
     return file;
 }
 
-/// Opens a page of the scene, hands it to `use`, and fails on anything that the page complains of or asks the network for.
-async function withPage(scene, options, use, ...arguments_) {
-    const context = await browser.newContext(options);
-    await context.setOffline(true);
-    const page = await context.newPage();
-    const complaints = [];
-    page.on("pageerror", (error) => complaints.push(error.stack));
-    page.on("console", (message) => complaints.push(message.text()));
-    page.on("request", (request) => /^(file|data):/.test(request.url()) || complaints.push(`asked for ${request.url()}`));
-    await page.goto(pathToFileURL(makePage(scene, ...arguments_)).href);
-    await page.waitForFunction(() => document.documentElement.dataset.frame === "0");
+/// Opens a page of the scene; from the network it may have nothing.
+const withPage = (scene, options, use, ...arguments_) => visit(pathToFileURL(makePage(scene, ...arguments_)).href, {
+    options: { reducedMotion: "reduce", ...options }, // or it would play at once
+    mayAsk: (url) => /^(file|data):/.test(url),
+    prepare: async (page, context) => {
+        await context.setOffline(true);
+        await page.addInitScript(drawPicture);
+    },
+}, async (page) => {
+    await page.waitForFunction(() => document.documentElement.dataset.frame !== undefined);
     await use(page);
-    assert.deepEqual(complaints, []);
-    await context.close();
-}
+});
 
 const frameOf = (page) => page.evaluate(() => Number(document.documentElement.dataset.frame));
-const pictureOf = (page) => page.evaluate(() => document.getElementById("world").toDataURL());
-/// Waits until what was asked for is on the canvas.
-async function settle(page) {
-    for (let i = 0; i < 3; ++i) await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
-}
 const textOf = (page, id) => page.locator(`#${id}`).textContent();
 
-/// Middle of the pixels in some of the style sheet's colours, those of awake bodies if not told, in CSS pixels, and how many there are.
-function awakePixels(page) {
-    return pixels(page, ["awake-1", "awake-2", "awake-3"]);
-}
-
-function pixels(page, names) {
-    return page.evaluate((names) => {
-        // Read from a copy, or the browser would remark on the player's canvas.
-        const canvas = document.getElementById("world");
-        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
-        copy.drawImage(canvas, 0, 0);
-        const ratio = window.devicePixelRatio;
-        const { data, width } = copy.getImageData(0, 0, canvas.width, canvas.height);
-        const style = getComputedStyle(document.documentElement);
-        const wanted = names.map((name) => parseInt(style.getPropertyValue(`--${name}`).trim().slice(1), 16));
-        let count = 0, x = 0, y = 0;
-        for (let i = 0; i < data.length; i += 4) {
-            if (!wanted.includes((data[i] << 16) | (data[i + 1] << 8) | data[i + 2])) continue;
-            count += 1;
-            x += ((i / 4) % width) / ratio;
-            y += Math.floor(i / 4 / width) / ratio;
-        }
-        return { count, x: x / count, y: y / count };
-    }, names);
-}
+/// Those of awake bodies.
+const awakePixels = (page) => pixels(page, ["awake-1", "awake-2", "awake-3", "awake-4", "awake-5", "awake-6"]);
 
 async function changes(page, action) {
     const old = await pictureOf(page);
@@ -121,6 +79,53 @@ test("plays at its speed, pauses, and starts over at the end", async () => {
         assert.equal(await frameOf(page), 3600);
         await page.click("#play");
         await page.waitForFunction(() => Number(document.documentElement.dataset.frame) < 100);
+    });
+});
+
+test("opens playing, unless the visitor wants no motion", async () => {
+    await withPage("card_house", { ...desktop, reducedMotion: "no-preference" }, async (page) => {
+        await page.waitForFunction(() => Number(document.documentElement.dataset.frame) >= 30);
+    });
+    await withPage("card_house", desktop, async (page) => {
+        await page.waitForTimeout(200);
+        assert.equal(await frameOf(page), 0);
+    });
+});
+
+test("frame 0 shows the contacts that the bodies have there", async () => {
+    await withPage("pyramid", desktop, async (page) => {
+        const touching = async () => Number(await page.locator("[data-column=touching] output").textContent());
+        const first = await touching();
+        assert.ok((await pixels(page, ["contact"])).count > 50);
+        await page.keyboard.press("ArrowRight");
+        await settle(page);
+        assert.equal(await touching(), first);
+    });
+});
+
+test("paths show what was, not what will be", async () => {
+    await withPage("bounce", desktop, async (page) => {
+        const paths = () => pixels(page, ["trail"]);
+        assert.equal((await paths()).count, 0);
+        await page.keyboard.press("End");
+        await settle(page);
+        assert.ok((await paths()).count > 20);
+    });
+});
+
+test("the camera goes after what leaves the view, unless told not to", async () => {
+    const thrown = join(folder, "thrown.json");
+    const ball = { type: "dynamic", position: [0, 1], linear_velocity: [8, 4], shapes: [{ circle: { radius: 0.5 } }] };
+    writeFileSync(thrown, JSON.stringify({ name: "thrown", steps: 120, view: [-5, -1, 5, 5], world: { gravity: [0, 0] }, bodies: [ball] }));
+    await withPage(thrown, desktop, async (page) => {
+        const start = await awakePixels(page);
+        await page.keyboard.press("End");
+        await settle(page);
+        const end = await awakePixels(page);
+        assert.ok(end.count > 0.7 * start.count && end.x < desktop.viewport.width, JSON.stringify({ start, end }));
+        await page.keyboard.press("f");
+        await settle(page);
+        assert.equal((await awakePixels(page)).count, 0);
     });
 });
 
@@ -174,8 +179,6 @@ test("speeds go from an eighth to four times", async () => {
 
 test("contacts can be hidden, and there is no switch for joints that do not exist", async () => {
     await withPage("pyramid", desktop, async (page) => {
-        await page.keyboard.press("ArrowRight"); // there are none before the first step
-        await settle(page);
         const with_ = await pictureOf(page);
         assert.ok(await changes(page, () => page.click("#contacts")));
         assert.equal(await page.getAttribute("#contacts", "aria-pressed"), "false");
@@ -197,7 +200,7 @@ test("what is drawn of joints goes with their bodies, and bullets have a colour 
     await withPage("pinball", desktop, async (page) => {
         const legend = () => page.locator("#legend li:visible").allTextContents();
         assert.deepEqual(await legend(), ["awake", "static", "bullet"]);
-        const start = await pixels(page, ["bullet-1", "bullet-2", "bullet-3"]);
+        const start = await pixels(page, ["bullet"]);
         assert.ok(start.count > 50, `${start.count} pixels of the ball`);
         // Seen from near, the plunger's dot goes down with it, and up again; those of the hinges stay.
         await page.mouse.move(start.x, start.y);
@@ -212,7 +215,7 @@ test("what is drawn of joints goes with their bodies, and bullets have a colour 
         assert.ok(dots[1].y > dots[0].y + 2 && Math.abs(dots[2].y - dots[0].y) < 1, JSON.stringify(dots));
         await page.keyboard.press("0");
         await settle(page);
-        const shot = await pixels(page, ["bullet-1", "bullet-2", "bullet-3"]);
+        const shot = await pixels(page, ["bullet"]);
         assert.ok(shot.y < start.y - 50, "the ball is on its way up");
     });
 });
@@ -262,6 +265,7 @@ test("fits a phone, lying or standing, and fingers work", async () => {
                 assert.ok(box.x >= 0 && box.x + box.width <= viewport.width && box.y + box.height <= viewport.height, JSON.stringify(box));
                 assert.ok(box.width >= 32 && box.height >= 32, "large enough for a finger");
             }
+            assert.ok(await page.evaluate(() => document.getElementById("controls").scrollWidth <= document.getElementById("controls").clientWidth));
             await page.tap("#play");
             await page.waitForFunction(() => Number(document.documentElement.dataset.frame) > 10);
             await page.tap("#play");

@@ -51,6 +51,48 @@ static IsletShapeId new_box(IsletWorld* world, IsletBodyId body, float half_widt
     return islet_create_polygon(world, body, &polygon, NULL);
 }
 
+// -- definitions ------------------------------------------------------------------------------------------------------------------------
+
+static bool faulty(IsletFieldFault fault, IsletError error, const char* field) {
+    return fault.error == error && (field == NULL ? fault.field == NULL : fault.field != NULL && strcmp(fault.field, field) == 0);
+}
+
+#define FAULT(Type, made, found, change, error, name)          \
+    do {                                                       \
+        Type def = made;                                       \
+        CHECK(faulty(found, ISLET_ERROR_NONE, NULL));          \
+        change;                                                \
+        CHECK(faulty(found, error, name));                     \
+        --def.struct_size;                                     \
+        CHECK(faulty(found, ISLET_ERROR_STRUCT_SIZE, NULL));   \
+    } while (0)
+
+static void faults(void) {
+    FAULT(IsletWorldDef, islet_default_world_def(), islet_find_world_def_fault(&def), def.lanes = 3, ISLET_ERROR_OUT_OF_RANGE, "lanes");
+    FAULT(IsletSolverDef, islet_default_solver_def(), islet_find_solver_def_fault(&def), def.substeps = 0, ISLET_ERROR_OUT_OF_RANGE, "substeps");
+    FAULT(IsletBodyDef, islet_default_body_def(), islet_find_body_def_fault(&def), def.position.y = NAN, ISLET_ERROR_NOT_FINITE, "position");
+    FAULT(IsletShapeDef, islet_default_shape_def(), islet_find_shape_def_fault(&def), def.density = -1, ISLET_ERROR_OUT_OF_RANGE, "density");
+    FAULT(IsletExplosionDef, islet_default_explosion_def(), islet_find_explosion_def_fault(&def), def.radius = -1, ISLET_ERROR_OUT_OF_RANGE, "radius");
+    FAULT(IsletWindDef, islet_default_wind_def(), islet_find_wind_def_fault(&def), def.drag = -1, ISLET_ERROR_OUT_OF_RANGE, "drag");
+    FAULT(IsletRevoluteJointDef, islet_default_revolute_joint_def(), islet_find_revolute_joint_def_fault(&def), def.limit.lower = 1, ISLET_ERROR_OUT_OF_RANGE, "limit.upper");
+    FAULT(IsletPrismaticJointDef, islet_default_prismatic_joint_def(), islet_find_prismatic_joint_def_fault(&def), def.friction = -1, ISLET_ERROR_OUT_OF_RANGE, "friction");
+    FAULT(IsletDistanceJointDef, islet_default_distance_joint_def(), islet_find_distance_joint_def_fault(&def), def.length = 0, ISLET_ERROR_OUT_OF_RANGE, "length");
+    FAULT(IsletWeldJointDef, islet_default_weld_joint_def(), islet_find_weld_joint_def_fault(&def), def.linear_hertz = INFINITY, ISLET_ERROR_NOT_FINITE, "linear_hertz");
+    FAULT(IsletWheelJointDef, islet_default_wheel_joint_def(), islet_find_wheel_joint_def_fault(&def), def.spring.hertz = -1, ISLET_ERROR_OUT_OF_RANGE, "spring.hertz");
+    FAULT(IsletMotorJointDef, islet_default_motor_joint_def(), islet_find_motor_joint_def_fault(&def), def.max_force = -1, ISLET_ERROR_OUT_OF_RANGE, "max_force");
+    FAULT(IsletMouseJointDef, islet_default_mouse_joint_def(), islet_find_mouse_joint_def_fault(&def), def.hertz = 0, ISLET_ERROR_OUT_OF_RANGE, "hertz");
+    FAULT(IsletPulleyJointDef, islet_default_pulley_joint_def(), islet_find_pulley_joint_def_fault(&def), def.base.frame_b.angle = NAN, ISLET_ERROR_NOT_FINITE, "base.frame_b.angle");
+    FAULT(IsletGearJointDef, islet_default_gear_joint_def(), islet_find_gear_joint_def_fault(&def), def.ratio = 0, ISLET_ERROR_OUT_OF_RANGE, "ratio");
+    FAULT(IsletAngleJointDef, islet_default_angle_joint_def(), islet_find_angle_joint_def_fault(&def), def.ratchet.step = 1000, ISLET_ERROR_OUT_OF_RANGE, "ratchet.step");
+    IsletWorldDef world = islet_default_world_def();
+    IsletSolverDef solver = islet_default_solver_def();
+    world.solver = &solver;
+    solver.omega = 2;
+    CHECK(faulty(islet_find_world_def_fault(&world), ISLET_ERROR_OUT_OF_RANGE, "solver.omega"));
+    CHECK(faulty(islet_find_world_def_fault(NULL), ISLET_ERROR_NULL_POINTER, NULL));
+    CHECK(faulty(islet_find_body_def_fault(NULL), ISLET_ERROR_NULL_POINTER, NULL));
+}
+
 // -- plain values -----------------------------------------------------------------------------------------------------------------------
 
 static void vectors(void) {
@@ -780,6 +822,7 @@ static void drawing(void) {
 }
 
 int main(void) {
+    faults();
     vectors();
     geometry();
     creation();

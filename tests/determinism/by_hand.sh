@@ -171,8 +171,7 @@ row board cortex-m4f-softfp -mfloat-abi=softfp -O2
 row check same fast-g++ quickly g++ -O3 -march=native -ffast-math
 for compiler in g++ clang++; do
     row check same "cpp17-$compiler" quickly "$compiler" -Os -std=gnu++17
-    row check same "unsigned-$compiler" quickly "$compiler" -O2 -funsigned-char
-    row check same "fma-$compiler" quickly "$compiler" -O2 -mfma
+    row check same "fma-$compiler" quickly "$compiler" -O2 -mfma -funsigned-char
 done
 row check "floats are not IEEE's" contract-clang++ quickly clang++ -O2 -mfma -ffp-contract=fast
 row refused x87 g++ -m32 -O2

@@ -8,5 +8,5 @@ const preopens = {};
 for (const argument of args.filter((a) => path.isAbsolute(a))) preopens[path.dirname(argument)] = path.dirname(argument);
 const wasi = new WASI({version: 'preview1', args: [program, ...args], preopens, returnOnExit: true});
 const module = await WebAssembly.compile(await readFile(program));
-const instance = await WebAssembly.instantiate(module, wasi.getImportObject());
+const instance = await WebAssembly.instantiate(module, {wasi_snapshot_preview1: wasi.wasiImport}); // by its name, for Node.js before 20
 process.exitCode = wasi.start(instance);

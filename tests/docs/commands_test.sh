@@ -40,19 +40,32 @@ try() {
     case $command in
     # All starts take a minute or more: one scene will do.
     'islet steady'*) eval "${command/--engine islet --engine box2d/} flat_bounce" ;;
+    # Clusters: tests/python/dask_test.py.
+    'islet sweep'*--scheduler*) islet sweep --help | grep -q -e --scheduler ;;
+    'islet sweep --merge'*) eval "$command" ;;
+    'islet sweep'*) eval "$(sed -E 's/--seeds [0-9]+/--seeds 2/' <<<"$command")" ;;
+    'sudo apt-get install python3-distributed') grep -q 'python3-distributed' "$root/tests/python/dask_test.py" ;;
+    './bindings/python/examples/rollouts.py'*) for word in "${words[@]:1}"; do [[ $word != --* ]] || grep -qe "\"$word\"" "$root/${words[0]}" || return 1; done ;;
     'islet bench'*) eval "${command/--quick/--repeat 1} --steps 1" ;;
     'islet '* | 'rollback '*) eval "$command" ;;
     'window '*) is_left_out build/release/samples/window || ! command -v xvfb-run || xvfb-run --auto-servernum build/release/samples/window "${words[@]:1}" --frames 2 ;;
     build/release/*) is_left_out "${words[0]}" || eval "$command" ;;
     './tools/run.sh --web'*) has_options tools/run.sh --web ;;  # tests/browser/sandbox.test.mjs plays with what it builds
+    './tools/manual.sh'*) has_options tools/manual.sh "${words[1]}" ;;  # tests/browser/manual.test.mjs reads what it builds
     'npm install '*) grep -q "\"name\": \"${words[2]}\"" bindings/js/package.json ;;
     ./bindings/js/build.sh | ./samples/sandbox/build.sh) [ -x "$command" ] ;;  # tests/CMakeLists.txt runs both
+    ./bindings/js/bench/run.sh | './tests/browser/measure.sh '*) [ -x "${words[0]}" ] ;;  # they take minutes
     './tools/run.sh'*) has_options tools/run.sh && islet run "${words[1]-hello}" ;;  # first_command_test.sh runs it in a fresh tree
     ./tools/test.sh* | ./tools/footprint.sh* | ./tools/boards.sh*) has_options "${words[@]}" ;;
     'cmake --preset release'*) grep -q '"name": "release"' "$root/CMakePresets.json" ;;
     # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.
     'cmake -S samples/firmware'*) [ -e "$(sed -n 's/.*toolchain "$PWD\/\([^"]*\)".*/\1/p' <<<"$command")" ] ;;
     'cmake --build build/m4'*) ;;
+    # The build of the wheel takes minutes; tests/python tries what it holds, and tests/python/manual_test.py the page's examples.
+    'sudo apt-get install '*pybind11*) grep -q 'find_package(pybind11' "$root/bindings/python/CMakeLists.txt" ;;
+    'python3 -m venv'*'pip install ./bindings/python') [ -e bindings/python/pyproject.toml ] ;;
+    # Building the package takes minutes; tests/python/envs_test.py learns with the same program.
+    './bindings/python/run.sh '*) has_options bindings/python/run.sh && [ -x "${words[1]}" ] && python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "${words[1]}" ;;
     # tests/package/install_test.sh does that.
     'cmake --install build/release'* | 'cpack --config build/release'*) grep -q '"$cmake" --install' "$root/tests/package/install_test.sh" ;;
     ./tools/package.sh*) "$root/tools/package.sh" Islet && [ -s Islet/library.properties ] ;;

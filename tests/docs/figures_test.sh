@@ -57,7 +57,7 @@ formats=$(for what in snapshot delta recording; do
     [ "$real" != snapshot_format ] || real=$(number $headers/format.hpp 'snapshot_format = ([0-9]+);')
     printf ' %s |' "$real"
 done)
-formats="| $version |$formats $(number tools/islet/scene_file.hpp 'scene_format = ([0-9]+);') |"
+formats="| $version |$formats $(number samples/scene_files/scene_file.hpp 'scene_format = ([0-9]+);') |"
 checked=$((checked + 1))
 grep -qxF "$formats" "$root/docs/versions.md" || complain "versions.md has no row $formats"
 

@@ -118,6 +118,69 @@ static bool may_change(IsletError error) {
            error == ISLET_ERROR_RECORDING_FULL;
 }
 
+static uint64_t hash_of_fleet(IsletFleet* fleet) {
+    uint64_t sum = 0;
+    for (uint32_t k = 0; k < islet_fleet_size(fleet); ++k) sum = sum * 31 + islet_world_hash(islet_fleet_world(fleet, k));
+    return sum;
+}
+
+/// Mostly the right number.
+static size_t size_near(Input* in, size_t right) { return take_byte(in) > 20 ? right : take_count(in) % 33; }
+
+/// A fleet of copies of the world, and some calls on it.
+static void use_fleet(Input* in, const IsletWorld* world) {
+    static _Alignas(ISLET_WORLD_ALIGNMENT) uint8_t block[1 << 19];
+    static float actions[32], observations[32];
+    static uint8_t mask[33];
+    static uint32_t parents[33];
+    IsletDrive drives[3];
+    IsletSense senses[3];
+    IsletVariation variation;
+    const uint32_t worlds = 1 + take_byte(in) % 4;
+    IsletError error = ISLET_ERROR_NONE;
+    IsletFleet* fleet = islet_create_fleet(block, sizeof block, world, worlds, NULL, &error);
+    if (fleet == NULL) {
+        if (error == ISLET_ERROR_NONE) broken("no fleet, and no error");
+        return;
+    }
+    for (int made = 0; made < 6 && in->at < in->end; ++made) {
+        const uint32_t k = take_byte(in) % (worlds + 1);
+        for (int i = 0; i < 3; ++i) fill_drive(in, &drives[i]);
+        for (int i = 0; i < 3; ++i) fill_sense(in, &senses[i]);
+        fill_variation(in, &variation);
+        for (int i = 0; i < 12; ++i) actions[i] = take_float(in);
+        for (uint32_t i = 0; i < worlds; ++i) mask[i] = take_byte(in) & 1, parents[i] = take_byte(in) % (worlds + 1);
+        const uint64_t before = hash_of_fleet(fleet);
+        const size_t seen = size_near(in, worlds * (size_t)islet_sense_columns(senses, 3));
+        IsletFleetStep what = islet_default_fleet_step();
+        switch (take_byte(in) % 5) {
+        case 0:
+            what.repeat = take_byte(in) % 4;
+            what.drives = drives;
+            what.drives_count = 3;
+            what.actions = actions;
+            what.actions_count = size_near(in, 3 * worlds);
+            what.senses = senses;
+            what.senses_count = 3;
+            what.observations = observations;
+            what.observations_count = seen < 32 ? seen : 32;
+            what.mask = mask;
+            what.mask_count = take_flag(in) ? size_near(in, worlds) : 0;
+            error = islet_fleet_step(fleet, &what);
+            break;
+        case 1: error = islet_fleet_observe(fleet, senses, 3, take_byte(in) == 0 ? NULL : observations, seen < 32 ? seen : 32, NULL, 0); break;
+        case 2: error = islet_fleet_reset(fleet, k, areas[0], take_flag(in) ? islet_world_save(world, areas[0], sizeof areas[0]) : take_count(in) % sizeof areas[0], k, &variation, 1); break;
+        case 3: error = islet_fleet_copy(fleet, k, take_byte(in) % (worlds + 1)); break;
+        default: error = islet_fleet_fork(fleet, parents, size_near(in, worlds)); break;
+        }
+        if (error != ISLET_ERROR_NONE && hash_of_fleet(fleet) != before) broken("a call that was refused has changed the fleet");
+    }
+    for (uint32_t k = 0; k < worlds; ++k) {
+        const char* fault = islet_world_validate(islet_fleet_world(fleet, k));
+        if (fault != NULL) broken(fault);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     Input in = {data, data + size};
     IsletWorld* world = make_world();
@@ -130,6 +193,11 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
             continue;
         }
         const uint64_t before = islet_world_hash(world);
+        if (which >= 59000) {
+            use_fleet(&in, world);
+            if (islet_world_hash(world) != before) broken("a fleet has changed its prototype");
+            continue;
+        }
         const IsletError error = calls[which % count](&in, none ? NULL : world);
         if (none && error != ISLET_ERROR_NONE && error != ISLET_ERROR_NULL_POINTER) broken("a call without a world was not told so");
         if (!may_change(error) && islet_world_hash(world) != before) broken("a call that was refused has changed the world");

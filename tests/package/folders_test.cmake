@@ -2,7 +2,7 @@
 # both; within samples/ and tools/ each folder knows those named before it. And no two files of tests/ have the same name.
 cmake_minimum_required(VERSION 3.25)
 get_filename_component(ISLET ${ISLET} ABSOLUTE)
-set(sample_folders firmware boards prefabs programs workers harness scenes rollback sandbox window)
+set(sample_folders firmware boards prefabs programs workers harness scene_files scenes rollback sandbox window)
 set(tool_folders common engines islet bench compare lab pictures recipes)
 set(complaints 0)
 

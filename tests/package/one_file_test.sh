@@ -22,8 +22,10 @@ sed 's|#include <islet/islet.hpp>|#include "islet.hpp"|' "$islet/samples/program
 sed 's|#include <islet/lcp.hpp>|#include "islet.hpp"|' "$islet/samples/programs/lcp.cpp" >lcp.cpp
 grep -q '#include <islet/' hello.cpp lcp.cpp && fail "a program still includes a header of the tree"
 sed 's|#include <islet/islet.h>|#include "islet.h"|' "$islet/samples/programs/hello_world.c" >hello.c
+sed 's|#include <islet/islet_lcp.h>|#include "islet_lcp.h"|' "$islet/tests/c/lcp.c" >lcp_c.c
+cp "$islet/tests/c/check.h" .
 grep -n '#include "' islet.h islet_c.cpp | grep -v -E ':#include "islet.hp{0,2}"' && fail "an include of the tree is left in the C interface"
-grep -n '#include "' islet.hpp islet.cpp islet_lcp.cpp | grep -v -F ':#include "islet.hpp"' && fail "an include of the tree is left"
+grep -n '#include "' islet.hpp islet.cpp islet_lcp.cpp | grep -v -E ':#include "islet(.hpp|_lcp.h)"' && fail "an include of the tree is left"
 g++ -std=c++20 -O0 -I "$islet/engine/include" -I "$islet/samples" -c "$islet/tests/determinism/hashes.cpp" -o hashes.o
 
 # compare_hashes NAME OBJECT: of scenes that use all of the kernels.
@@ -44,11 +46,14 @@ for compiler in g++ clang++; do
     "$compiler" -std=c++20 islet.cpp hello.cpp -o "hello-$compiler"
     diff <("$program") <("./hello-$compiler") || fail "$compiler: the program prints something else"
     cc -std=c11 -c hello.c -o hello_c.o
-    "$compiler" -std=c++20 islet.cpp islet_c.cpp hello_c.o -o "hello-c-$compiler"
+    "$compiler" -std=c++20 -c islet.cpp -o "$compiler.o"
+    "$compiler" -std=c++20 "$compiler.o" islet_c.cpp hello_c.o -o "hello-c-$compiler"
     diff <("$program") <("./hello-c-$compiler") || fail "$compiler: the program in C prints something else"
     "$compiler" -std=c++20 islet_lcp.cpp lcp.cpp -o "lcp-$compiler"
     "./lcp-$compiler" >/dev/null || fail "$compiler: the matrix solvers find no solution"
-    "$compiler" -std=c++20 -c islet.cpp -o "$compiler.o"
+    cc -std=c11 -c lcp_c.c -o lcp_c.o
+    "$compiler" -std=c++20 islet_lcp.cpp lcp_c.o -o "lcp-c-$compiler"
+    "./lcp-c-$compiler" >/dev/null || fail "$compiler: the matrix solvers in C find no solution"
     compare_hashes "$compiler" "$compiler.o"
     if [ "$(uname -m)" = x86_64 ]; then
         wide_functions "$compiler.o" >wide.txt

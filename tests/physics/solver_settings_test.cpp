@@ -194,6 +194,50 @@ TEST(Shock, LeavesAloneWhatLiesOnTheGround) {
     EXPECT_EQ(fall(0), fall(max_shock));
 }
 
+// A contact tells the weight of what lies above it, m g h in a substep, though the solve takes those bodies for lighter.
+TEST(Shock, ContactsReportTheWeightAboveThem) {
+    for (const float shock : {0.1f, 0.3f, max_shock}) {
+        WorldDef def = sleepless();
+        def.solver.shock = shock;
+        TestWorld w(roomy, def);
+        w.add_ground();
+        const std::vector<BodyId> tower = add_tower(w, 0, 8, 20);
+        for (int i = 0; i < 1200; ++i) w->step(step_time);
+        const std::vector<double> sums = supports(w, tower);
+        for (std::size_t i = 0; i < tower.size(); ++i) {
+            const double above = double(tower.size() - i - 1) + 20;
+            EXPECT_NEAR(sums[i], above * g / 240, 0.01 * above * g / 240) << "box " << i << ", shock " << shock;
+        }
+    }
+}
+
+// In a pyramid each box lies on two others, and the ground bears it all, whether gravity points down or to the side.
+TEST(Shock, TheGroundReportsTheWeightOfAPyramid) {
+    for (const float shock : {0.1f, max_shock}) {
+        for (const float angle : {0.0f, 0.5f * pi}) {
+            WorldDef def = sleepless();
+            def.solver.shock = shock;
+            const Rot turn = make_rot(angle);
+            def.gravity = rotate(turn, Vec2{0, -float(g)});
+            TestWorld w(roomy, def);
+            const auto add_box = [&](BodyType type, Vec2 half, Vec2 center) {
+                return w.add(make_box(half.x, half.y), BodyDef{.type = type, .position = rotate(turn, center), .angle = angle});
+            };
+            const BodyId ground = add_box(BodyType::static_body, {20, 1}, {0, -1});
+            int boxes = 0;
+            for (int row = 0; row < 8; ++row)
+                for (int i = 0; i < 8 - row; ++i, ++boxes)
+                    add_box(BodyType::dynamic, {0.5f, 0.5f}, {1.05f * (static_cast<float>(i) + 0.5f * static_cast<float>(row)), 0.5f + static_cast<float>(row)});
+            for (int i = 0; i < 1200; ++i) w->step(step_time);
+            double told = 0;
+            for (const ContactInfo& c : w.contacts())
+                if (w->body(c.shape_a) == ground || w->body(c.shape_b) == ground)
+                    for (std::uint32_t i = 0; i < c.point_count; ++i) told += double(c.points[i].normal_impulse);
+            EXPECT_NEAR(told, boxes * g / 240, 0.01 * boxes * g / 240) << "shock " << shock << ", turned by " << angle;
+        }
+    }
+}
+
 TEST(Shock, TheMostOfItAndNoGravityAreBorne) {
     for (const Vec2 gravity : {Vec2{0, 0}, Vec2{0, -10}, Vec2{3, 4}}) {
         WorldDef def = sleepless();

@@ -17,26 +17,10 @@ using long_exact::Rounded;
 using long_exact::Solid;
 using test::cases;
 using test::HardPair;
+using test::text_of;
 
 constexpr Real relative_error = 1e-6L;
 constexpr Real rounding_of_a_number = 1.8e-7L;  // three of single precision
-
-std::string text_of(const ShapeProxy& p) {
-    char number[64];
-    std::snprintf(number, sizeof number, "{r %.9g:", double(p.radius));
-    std::string s = number;
-    for (std::uint32_t i = 0; i < p.count; ++i) {
-        std::snprintf(number, sizeof number, " {%.9gf, %.9gf}", double(p.points[i].x), double(p.points[i].y));
-        s += number;
-    }
-    return s + "}";
-}
-
-std::string text_of(Vec2 v) {
-    char number[64];
-    std::snprintf(number, sizeof number, "{%.9gf, %.9gf}", double(v.x), double(v.y));
-    return number;
-}
 
 struct Posed {
     ShapeProxy a, b;

@@ -82,13 +82,19 @@ TEST(Mover, SinksIntoNothingInRandomWorldsUnlessItSaysThatItHasNoRoom) {
         Hero hero(w, {r.in(-10, 10), 11});
         hero.def = {};
         MoverInput input;
+        float surface = 0;  // m/s, the fastest that there has been
         for (int i = 0; i < 600; ++i, ++steps) {
             if (r.below(30) == 0) input.walk = r.in(-6, 6);
             input.jump = r.below(40) == 0 ? r.in(2, 9) : 0;
             hero.worst_overlap = 0;
             hero.step(input);
             ASSERT_TRUE(is_finite(hero.state.position) && is_finite(hero.state.velocity));
-            ASSERT_LT(length(hero.state.velocity), 200);
+            for (const BodyId body : w.bodies()) {
+                constexpr float reach = 2;  // m, farther than any point of a body is from its centre
+                surface = std::max(surface, length(w->linear_velocity(body)) + reach * std::abs(w->angular_velocity(body)));
+            }
+            // By itself it walks, jumps and falls at up to 31 m/s. It takes the speed of a ground along to the next, and is told relative to that.
+            ASSERT_LT(length(hero.state.velocity), 40 + 2 * surface);
             grounded += hero.state.ground ? 1 : 0;
             squeezed += hero.state.squeezed != 0 ? 1 : 0;
             if (hero.state.squeezed == 0) {

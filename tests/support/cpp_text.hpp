@@ -74,7 +74,7 @@ ISLET_NAMES(SolverDef, "schedule", "substeps", "iterations", "relax_iterations",
 ISLET_NAMES(BodyDef, "type", "position", "angle", "linear_velocity", "angular_velocity", "linear_damping", "angular_damping", "gravity_scale",
             "sleep_threshold", "enable_sleep", "awake", "fixed_rotation", "lock_x", "lock_y", "enabled", "bullet", "user_data")
 ISLET_NAMES(ShapeDef, "friction", "restitution", "rolling_resistance", "tangent_speed", "density", "filter", "sensor", "sensor_events", "hit_events",
-            "pre_solve", "material", "user_data")
+            "pre_solve", "one_way", "material", "user_data")
 ISLET_NAMES(JointFrame, "position", "angle")
 ISLET_NAMES(JointSpring, "enable", "hertz", "damping_ratio", "target")
 ISLET_NAMES(JointLimit, "enable", "lower", "upper")

@@ -2,6 +2,9 @@
 // a thousand times longer than wide, turned by quarters through pi, far from the origin.
 #pragma once
 
+#include <cstdio>
+#include <string>
+
 #include "islet/query.hpp"
 #include "unit/exact_geometry.hpp"
 
@@ -128,6 +131,20 @@ inline HardPair hard_pair(exact::Random& r, bool with_one_sided, double reach = 
         if (r.below(16) == 0) c.pose_b = c.pose_a;
         if (transform_proxy(c.pose_a, c.a).count > 0 && transform_proxy(c.pose_b, c.b).count > 0) return c;
     }
+}
+
+/// For messages: a point, or the corners and the radius of a shape, as they can be pasted into a program.
+inline std::string text_of(Vec2 v) {
+    char number[64];
+    std::snprintf(number, sizeof number, "{%.9gf, %.9gf}", double(v.x), double(v.y));
+    return number;
+}
+inline std::string text_of(const ShapeProxy& p) {
+    char radius[32];
+    std::snprintf(radius, sizeof radius, "{r %.9g:", double(p.radius));
+    std::string text = radius;
+    for (std::uint32_t i = 0; i < p.count; ++i) text += " " + text_of(p.points[i]);
+    return text + "}";
 }
 
 }  // namespace islet::test

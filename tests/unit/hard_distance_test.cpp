@@ -22,17 +22,7 @@ using long_exact::Rounded;
 using long_exact::Solid;
 using test::cases;
 using test::HardPair;
-
-std::string corners_text(const ShapeProxy& p) {
-    char number[64];
-    std::snprintf(number, sizeof number, "{r %.9g:", double(p.radius));
-    std::string s = number;
-    for (std::uint32_t i = 0; i < p.count; ++i) {
-        std::snprintf(number, sizeof number, " {%.9gf, %.9gf}", double(p.points[i].x), double(p.points[i].y));
-        s += number;
-    }
-    return s + "}";
-}
+using test::text_of;
 
 // Without the radii; and what errors are measured by in one frame: the largest coordinate, or difference of two.
 Rounded cores_of(const Solid& a, const Solid& b) { return long_exact::difference({a.corners, 0}, {b.corners, 0}); }
@@ -50,7 +40,7 @@ TEST(HardDistance, IsThatOfLongDoubleIn400000Cases) {
         const Real want = std::max(Real{0}, long_exact::signed_distance(cores_of(a, b), {}));
         const detail::DistanceResult got = detail::core_distance(pa.points, pa.count, pb.points, pb.count);
         ASSERT_LE(std::fabs(Real(got.distance) - want), touching + relative_error * frame_of(a, b))
-            << i << ": " << corners_text(pa) << " and " << corners_text(pb) << ": " << got.distance << ", not " << double(want);
+            << i << ": " << text_of(pa) << " and " << text_of(pb) << ": " << got.distance << ", not " << double(want);
         apart += want > 0 ? 1 : 0;
     }
     EXPECT_GT(apart, cases(200000));
@@ -106,7 +96,7 @@ TEST(HardDistance, ContactsAreWhereLongDoubleHasThemIn400000Cases) {
         const Rounded w = cores_of(a, b);
         const Real radii = a.radius + b.radius, core = long_exact::signed_distance(w, {}), gap = core - radii;
         const Real rounding = 1e-7L + 3e-6L * frame_of(a, b);
-        const std::string what = std::to_string(i) + ": " + corners_text(c.a) + " and " + corners_text(c.b) + ", gap " + std::to_string(double(gap));
+        const std::string what = std::to_string(i) + ": " + text_of(c.a) + " and " + text_of(c.b) + ", gap " + std::to_string(double(gap));
         if (m.count == 0) {
             ASSERT_GE(gap, margin - tie - rounding) << what;
             continue;
@@ -192,7 +182,7 @@ TEST(HardDistance, NoTimeOfImpactIsLateIn40000Cases) {
             look(middle + step);
         }
         ASSERT_GE(least, (got > 1 ? 0.5L * Real(gap) : 0) - 2e-6L * frame)
-            << i << ": " << corners_text(c.a) << " and " << corners_text(c.b) << " end at " << got << ", near at " << at;
+            << i << ": " << text_of(c.a) << " and " << text_of(c.b) << " end at " << got << ", near at " << at;
     }
     EXPECT_GT(hits, tried / 4);
 }

@@ -154,6 +154,34 @@ TEST(Pairs, EveryPairThatIsNearHasAContactInAFallingHeap) {
     for (int i = 0; i < (slow_build ? 40 : 200); ++i) ASSERT_NO_FATAL_FAILURE(step_and_check(w)) << "in step " << i;
 }
 
+// Of more than a hundred shapes, of which few have a changed box, only those near a change are sorted.
+TEST(Pairs, EveryPairThatIsNearHasAContactInACrowdOfWhichFewMove) {
+    for (const Vec2 middle : {Vec2{0, 0}, Vec2{-4000, 900}}) {
+        WorldDef def;
+        def.gravity = {0, 0};
+        def.enable_sleep = false;
+        TestWorld w(islet::test::roomy, def);
+        Random random(11);
+        std::vector<BodyId> bodies;
+        const auto somewhere = [&] { return middle + Vec2{random.between(-60, 60), random.between(-30, 30)}; };
+        for (int i = 0; i < 240; ++i) {
+            const BodyId body = bodies.emplace_back(add_random(w, random));
+            w->set_transform(body, somewhere(), random.between(-3, 3));
+            w->set_linear_velocity(body, {0, 0});
+        }
+        for (int step = 0; step < (slow_build ? 20 : 120); ++step) {
+            const BodyId body = bodies[random.below(240)];
+            switch (step % 4) {
+                case 0: w->set_transform(body, w->position(bodies[random.below(240)]) + Vec2{random.between(-1, 1), 0.5f}, 0); break;
+                case 1: w->set_linear_velocity(body, {random.between(-60, 60), random.between(-60, 60)}); break;
+                case 2: w->set_type(body, static_cast<BodyType>(random.below(3))); break;
+                default: w->wake(body);
+            }
+            ASSERT_NO_FATAL_FAILURE(step_and_check(w)) << "in step " << step << " around (" << middle.x << ", " << middle.y << ")";
+        }
+    }
+}
+
 TEST(Pairs, TouchingBodiesFarFromTheOriginHaveContactsToo) {
     for (const Vec2 at : {Vec2{1e4f, 0}, Vec2{-1e5f, -1e5f}}) {
         TestWorld w;

@@ -153,6 +153,7 @@ class Reader:
     def __init__(self):
         self.constants, self.enums, self.structs, self.callbacks, self.functions = [], [], [], [], []
         self.aliases, self.left_out = [], []
+        self.above = None
         self.last = None  # the function before, and the line it ends on: a comment is for all that follow it without a gap
 
     def parameters(self, cursor):
@@ -191,6 +192,14 @@ class Reader:
         subject = re.sub(r"^(set|is|enable|lock)_|_enabled$", "", name)
         if "doc" not in entry and self.last and self.last[1] == subject and self.last[2] == cursor.extent.start.line - 1:
             entry["doc_with"] = self.last[0]  # of a getter and its setter, and of overloads, the first one is commented
+        # Below a commented function, without a gap: its comment may be for this one, too.
+        if "doc" in entry:
+            self.above = (name, cursor.extent.end.line)
+        elif self.above and self.above[1] == cursor.extent.start.line - 1:
+            entry["doc_above"] = self.above[0]
+            self.above = (self.above[0], cursor.extent.end.line)
+        else:
+            self.above = None
         self.last = (entry.get("doc_with", name), subject, cursor.extent.end.line) if "doc" in entry or "doc_with" in entry else None
         self.functions.append(entry)
 

@@ -13,8 +13,8 @@
 #include <CLI/CLI.hpp>
 
 #include "islet/version.hpp"
-#include "near_names.hpp"
-#include "printable.hpp"
+#include "scene_files/near_names.hpp"
+#include "scene_files/printable.hpp"
 
 namespace islet::tools {
 
@@ -38,9 +38,9 @@ inline std::string suggestion(const CLI::App& app, int argc, const char* const* 
     const CLI::App* command = &app;
     std::vector<std::string> names;
     const auto look_up = [&](const char* what, const std::string& word) {
-        const std::vector<std::string> near = near_names(word, names);
+        const std::vector<std::string> near = samples::near_names(word, names);
         return near.empty() ? std::string()
-                            : fmt::format("there is no {} '{}'; near names: {}", what, printable(word), fmt::join(near, ", "));
+                            : fmt::format("there is no {} '{}'; near names: {}", what, samples::printable(word), fmt::join(near, ", "));
     };
     int first = 1;
     const std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
@@ -76,7 +76,7 @@ inline std::optional<int> parse_or_explain(CLI::App& app, int argc, const char* 
         const bool is_name = is(CLI::ExitCodes::ExtrasError) || is(CLI::ExitCodes::RequiredError);
         if (argc <= 1) std::cerr << app.help() << "\n";
         const std::string near = is_name ? suggestion(app, argc, argv) : std::string();
-        std::cerr << fmt::format("{}: {}\nRun with --help for more information.\n", program, near.empty() ? printable(error.what()) : near);
+        std::cerr << fmt::format("{}: {}\nRun with --help for more information.\n", program, near.empty() ? samples::printable(error.what()) : near);
         return wrong_usage;
     }
 }

@@ -1,6 +1,6 @@
 #include "similar_scenes.hpp"
 
-#include "near_names.hpp"
+#include "scene_files/near_names.hpp"
 #include "scenes/catalogue.hpp"
 
 namespace islet::tools {
@@ -10,7 +10,7 @@ using namespace samples;
 std::vector<std::string> similar_scenes(const std::string& name) {
     std::vector<std::string> known;
     for (const SceneInfo& info : catalogue()) known.emplace_back(info.name);
-    return near_names(name, known);
+    return samples::near_names(name, known);
 }
 
 }  // namespace islet::tools

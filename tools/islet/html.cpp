@@ -1,5 +1,5 @@
 #include "html.hpp"
-#include "common/printable.hpp"
+#include "scene_files/printable.hpp"
 #include "scenes/catalogue.hpp"
 
 #include <bit>

@@ -1,15 +1,17 @@
 // The headless runner: lists the scenes, runs one, prints what happened, and says by its exit status whether the scene's check passed. Or it
-// times scenes, in Islet and in other engines, or runs those that show how steady an engine is from all their starts.
+// times scenes, in Islet and in other engines, runs those that show how steady an engine is from all their starts, or sweeps a scene over parameters.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -18,7 +20,6 @@
 #include "common/command_line.hpp"
 #include "common/finite_number.hpp"
 #include "common/output_file.hpp"
-#include "common/printable.hpp"
 #include "common/progress.hpp"
 #include "common/read_file.hpp"
 #include "common/similar_scenes.hpp"
@@ -27,9 +28,13 @@
 #include "replay_file.hpp"
 #include "report.hpp"
 #include "runner.hpp"
-#include "scene_file.hpp"
+#include "scene_files/printable.hpp"
+#include "scene_files/scene_file.hpp"
+#include "small_worlds.hpp"
 #include "steady.hpp"
 #include "svg.hpp"
+#include "sweep.hpp"
+#include "sweep_cluster.hpp"
 
 namespace {
 
@@ -56,7 +61,9 @@ struct ReplayCommand {
 struct BenchCommand {
     std::vector<std::string> scenes, engines;
     BenchOptions options;
-    bool json = false, quick = false;
+    bool json = false, quick = false, small = false;
+    std::string small_world;  // the one to step, for valgrind
+    std::uint32_t lanes = 0;  // of that one
 };
 
 struct SteadyCommand {
@@ -64,6 +71,16 @@ struct SteadyCommand {
     std::optional<int> starts;
     unsigned jobs = 0;
     bool json = false, quick = false;
+};
+
+struct SweepCommand {
+    Sweep sweep;
+    std::vector<std::string> vary, merge;  // axes; files
+    std::string csv_path, plot_path, manifest_path, scheduler;
+    std::uint64_t shards = 1, shard = 0;
+    std::uint32_t jobs = 0;
+    std::uint64_t memory_limit = islet::tools::usual_memory_limit;
+    bool json = false;
 };
 
 int wrong(const std::string& message) {
@@ -232,7 +249,28 @@ std::string duration(double seconds) {
     return seconds < 90 ? fmt::format("{:.0f} s", seconds) : seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
+int run_small_bench(const BenchCommand& command) {
+    if (!command.small_world.empty()) {
+        step_small_world(*find_small_world(command.small_world), command.options.steps.value_or(1), command.lanes);
+        return ok;
+    }
+    SmallOptions options;
+    for (const SmallWorld& world : small_worlds()) options.worlds.push_back(&world);
+    std::error_code error;
+    if (has_valgrind()) options.program = std::filesystem::read_symlink("/proc/self/exe", error).string();
+    const bool counts = !options.program.empty();
+    if (!counts) fmt::print(stderr, "islet: instructions are counted by valgrind, which is not installed; steps are timed instead\n");
+    if (!command.json) fmt::print("{}", small_header(counts));
+    const std::vector<SmallResult> results = measure_small_worlds(options, [&](const SmallResult& result) {
+        if (!command.json) fmt::print("{}", small_row(result));
+        std::fflush(stdout);
+    });
+    if (command.json) fmt::print("{}", json_of(results));
+    return ok;
+}
+
 int run_bench(const BenchCommand& command) {
+    if (command.small || !command.small_world.empty()) return run_small_bench(command);
     BenchOptions options = command.options;
     for (const std::string& name : command.scenes) {
         const SceneInfo* info = find_scene(name);
@@ -319,6 +357,75 @@ int run_steady_table(const SteadyCommand& command) {
     return table.broken.empty() ? ok : check_failed;
 }
 
+/// The scene of a sweep, made anew for each run; what is in a file has no script, and is copied.
+SceneMaker maker_of(const std::string& name) {
+    if (!is_file(name)) return [info = find_scene(name)](std::optional<int> start) { return start ? info->make_start(*start) : info->make(); };
+    return [scene = scene_named(name).scene](std::optional<int>) { return scene; };
+}
+
+SweepPart merged(const std::vector<std::string>& paths) {
+    std::vector<SweepPart> parts;
+    for (const std::string& path : paths) {
+        try {
+            parts.push_back(read_manifest(read_file(path)));
+        } catch (const std::exception& error) { throw SweepError(fmt::format("'{}': {}", path, error.what())); }
+    }
+    return merge(parts, paths);
+}
+
+/// The runs that the command asks for. What is wrong with the command, if something is, stands in `why`.
+SweepPart swept(const SweepCommand& command, std::string& why) {
+    SweepPart part{command.sweep, {}};
+    for (const std::string& axis : command.vary) part.sweep.axes.push_back(read_axis(axis));
+    const SceneMaker make = maker_of(command.sweep.scene);
+    if (command.sweep.start) {
+        Scene scene = make({});
+        why = choose_start(scene, command.sweep.scene, *command.sweep.start);
+        if (!why.empty()) return part;
+    }
+    prepare(part.sweep, make, command.memory_limit);
+    const std::uint32_t jobs = command.jobs != 0 ? command.jobs : std::max(1u, std::thread::hardware_concurrency());
+    ProgressBar bar(static_cast<int>((part.sweep.runs() + command.shards - 1) / command.shards), "run", 10);
+    part.runs = run_sweep(part.sweep, make, jobs, command.shard, command.shards, [&bar](int done) { bar.update(done); });
+    return part;
+}
+
+int run_sweep_command(const SweepCommand& command) {
+    const bool merges = !command.merge.empty();
+    if (merges == !command.sweep.scene.empty()) return wrong("a sweep needs a scene, or manifests to --merge");
+    if (merges && (!command.vary.empty() || command.shards > 1 || !command.manifest_path.empty()))
+        return wrong("--merge takes what the manifests say, and writes none");
+    if (!merges && !is_file(command.sweep.scene) && find_scene(command.sweep.scene) == nullptr) return unknown_scene(command.sweep.scene);
+    if (command.shard >= command.shards) return wrong(fmt::format("--shard is 0 to {}: there are {} shards", command.shards - 1, command.shards));
+    if (command.shards > 1 && command.manifest_path.empty()) return wrong("one shard makes no table: --manifest names the file for --merge");
+    const bool is_whole = command.shards == 1;
+    if (!is_whole && (command.json || !command.plot_path.empty())) return wrong("one shard makes no table: --json and --plot are for --merge");
+    if (!command.plot_path.empty() && !merges && command.vary.empty()) return wrong("--plot needs something to --vary");
+    OutputFile csv(command.csv_path), plot(command.plot_path), manifest(command.manifest_path);
+    OutputFile* const files[] = {&csv, &plot, &manifest};
+    for (const OutputFile* file : files)
+        if (!file->good()) return wrong(file->error());
+    std::string why;
+    const SweepPart part = merges ? merged(command.merge) : swept(command, why);
+    if (!why.empty()) return wrong(why);
+    if (csv.is_open()) csv.write(csv_of(part));
+    if (manifest.is_open()) manifest.write(manifest_of(part));
+    if (is_whole) {
+        const SweepTable table = tabulate(part);
+        if (plot.is_open() && part.sweep.axes.empty()) return wrong("--plot needs something to --vary");
+        if (plot.is_open()) plot.write(plot_of(part.sweep, table));
+        fmt::print("{}", command.json ? json_of(part.sweep, table) : table_of(part.sweep, table));
+    } else {
+        fmt::print("shard {} of {}: {} of {} runs\n", command.shard, command.shards, part.runs.size(), part.sweep.runs());
+    }
+    for (OutputFile* file : files)
+        if (!file->close()) return wrong(file->error());
+    const auto dropped = std::count_if(part.runs.begin(), part.runs.end(), [](const SweepRun& run) { return run.dropped_contacts > 0; });
+    if (dropped > 0)
+        fmt::print(stderr, "islet: in {} runs there was no room for some contacts, and what they would have kept apart passes through each other\n", dropped);
+    return ok;
+}
+
 void limit_memory(CLI::App& command, std::uint64_t& limit) {
     command.add_option("--memory-limit", limit, "the most bytes that the world may take, such as 500MB or 4GB; 2GB if not given")->transform(CLI::AsSizeValue(true));
 }
@@ -334,12 +441,14 @@ struct CommandLine {
         app.add_subcommand("bench", "times scenes in several engines, taken in turns: medians, and how many times Islet's time");
     CLI::App* steady =
         app.add_subcommand("steady", "runs scenes from many starts and prints the worst beside what is wanted; exit status 1 if a check failed");
+    CLI::App* sweep = app.add_subcommand("sweep", "runs a scene for each combination of parameters from many starts, and prints what the runs came to");
     bool list_json = false;
     std::string scene_name;
     RunCommand command;
     BenchCommand bench_command;
     ReplayCommand replay_command;
     SteadyCommand steady_command;
+    SweepCommand sweep_command;
 
     CommandLine() {
         app.require_subcommand(1);
@@ -394,6 +503,11 @@ struct CommandLine {
         CLI::Option* const quick = bench->add_flag("--quick", bench_command.quick, fmt::format("one run of at most {} steps: a first impression", quick_steps));
         bench->add_option("--repeat", b.repeat, "runs of each engine, of which the medians are taken")->check(CLI::Range(1, 100))->excludes(quick);
         bench->add_option("--steps", b.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(1, 100'000))->excludes(quick);
+        bench->add_flag("--small", bench_command.small, "small worlds in Islet alone: the instructions that a step takes, counted by valgrind")->excludes(quick);
+        std::vector<std::string> worlds;
+        for (const SmallWorld& world : small_worlds()) worlds.emplace_back(world.name);
+        bench->add_option("--small-world", bench_command.small_world, "step this small world and print nothing")->check(CLI::IsMember(worlds))->group("");
+        bench->add_option("--lanes", bench_command.lanes, "of --small-world")->check(CLI::IsMember({0, 1, 4, 8}))->group("");
         bench->add_flag("--json", bench_command.json, "print a JSON list; its profile is Islet's stages in ms, of all steps together");
 
         SteadyCommand& s = steady_command;
@@ -403,6 +517,40 @@ struct CommandLine {
         steady->add_option("--starts", s.starts, "so many starts of each scene; all if not given")->check(CLI::Range(1, 1'000'000))->excludes(one);
         steady->add_option("--jobs", s.jobs, "runs at a time; as many as there are processors if not given")->check(CLI::Range(1u, 256u));
         steady->add_flag("--json", s.json, "as a JSON list");
+        add_sweep();
+    }
+
+    void add_sweep() {
+        SweepCommand& w = sweep_command;
+        sweep->add_option("scene", w.sweep.scene, "name of the scene, or of a file with one that ends in .json");
+        sweep
+            ->add_option(
+                "--vary", w.vary,
+                fmt::format("a parameter and its values, NAME=FIRST:LAST:COUNT or NAME=VALUE,VALUE,...; given more than once, all combinations are run. "
+                            "Parameters: {}",
+                            fmt::join(parameter_names(), ", ")))
+            ->allow_extra_args(false);
+        sweep->add_option("--seeds", w.sweep.seeds, "runs of each combination: seed 0 is the scene as it is, others nudge the starts of dynamic bodies")
+            ->check(CLI::Range(1ull, 10'000'000ull))
+            ->capture_default_str();
+        sweep->add_option("--nudge", w.sweep.nudge, "the farthest that a seed moves a body along x and y, m")
+            ->check(CLI::Range(0.0, 1000.0))
+            ->check(finite_number)
+            ->capture_default_str();
+        sweep->add_option("--start", w.sweep.start, "which start, from 0, of a scene that has several")->check(CLI::Range(0, 1'000'000));
+        sweep->add_option("--steps", w.sweep.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(0, 100'000'000));
+        sweep->add_option("--jobs", w.jobs, "runs at a time; as many as there are processors if not given. The results are the same")
+            ->check(CLI::Range(1u, islet::max_workers));
+        sweep->add_option("--shards", w.shards, "make one share of the runs, of so many")->check(CLI::Range(1ull, 1'000'000ull));
+        sweep->add_option("--shard", w.shard, "which share, from 0");
+        sweep->add_option("--manifest", w.manifest_path, "write the runs to this JSON file, for --merge")->check(not_empty);
+        sweep->add_option("--merge", w.merge, "put the runs of these manifests together; they must be all runs of one sweep");
+        sweep->add_option("--csv", w.csv_path, "write a line for each run to this file")->check(not_empty);
+        sweep->add_option("--plot", w.plot_path, "draw the table to this SVG file")->check(not_empty);
+        sweep->add_flag("--json", w.json, "print the table as one JSON object");
+        sweep->add_option("--scheduler", w.scheduler, "address of a Dask scheduler whose workers make the runs: calls python3 -m islet.sweep")
+            ->check(not_empty);
+        limit_memory(*sweep, w.memory_limit);
     }
 };
 
@@ -414,6 +562,7 @@ int execute(CommandLine& line) {
     if (line.scene->parsed()) return write_scene_file(line.scene_name);
     if (line.replay->parsed()) return replay_recording(line.replay_command);
     if (line.steady->parsed()) return run_steady_table(line.steady_command);
+    if (line.sweep->parsed()) return run_sweep_command(line.sweep_command);
     return line.bench->parsed() ? run_bench(line.bench_command) : run_scene(line.command);
 }
 
@@ -423,8 +572,12 @@ int main(int argc, char** argv) {
     try {
         CommandLine line;
         if (const std::optional<int> status = parse_or_explain(line.app, argc, argv, "islet")) return *status;
-        const std::string& scene = line.scene->parsed() ? line.scene_name : line.replay->parsed() ? line.replay_command.path : line.command.scene;
+        const std::string& scene = line.scene->parsed()    ? line.scene_name
+                                   : line.replay->parsed() ? line.replay_command.path
+                                   : line.sweep->parsed()  ? line.sweep_command.sweep.scene
+                                                           : line.command.scene;
         try {
+            if (!line.sweep_command.scheduler.empty()) return wrong(sweep_on_cluster(argc, argv));
             const int status = execute(line);
             return all_printed() ? status : wrong("cannot write all of the standard output");
         } catch (const std::exception& error) { return wrong(is_file(scene) || line.replay->parsed() ? fmt::format("'{}': {}", scene, error.what()) : error.what()); }

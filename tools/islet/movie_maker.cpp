@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
+#include "first_contacts.hpp"
 #include "harness/checks.hpp"
 
 namespace islet::tools {
@@ -68,6 +70,17 @@ void for_each_slot(std::vector<const Stroke*>& strokes, const Visit& visit) {
     }
 }
 
+/// m, how far two shapes overlap at most.
+double deepest_contact(const World& world) {
+    double deepest = 0;
+    ContactInfo contact;
+    for (std::uint32_t slot = 0; slot < world.capacity().contacts; ++slot) {
+        if (!world.contact_at(slot, contact)) continue;
+        for (std::uint32_t i = 0; i < contact.point_count; ++i) deepest = std::max(deepest, -double(contact.points[i].separation));
+    }
+    return deepest;
+}
+
 }  // namespace
 
 Scale::Scale(const Aabb& view)
@@ -107,15 +120,23 @@ void MovieMaker::record(const StepRecord& step) {
     numbers.kinetic_energy = kinetic_energy(run_.engine);
     numbers.potential_energy = potential_energy(run_.engine, run_.scene.world.gravity);
     numbers.bodies = counts.bodies;
-    numbers.contacts = counts.contacts;
-    numbers.islands = counts.islands;
+    // Before the first step the world knows no contacts.
+    std::optional<FirstContacts> first;
+    if (run_.engine.world().step_count() == 0) first.emplace(run_.engine.world());
+    const World& touching = first ? first->world() : run_.engine.world();
+    numbers.contacts = touching.contact_count();
+    numbers.islands = touching.report().islands;
     numbers.joints = counts.joints;
     // Before the first step nobody has measured it yet.
     numbers.max_joint_error = double(step.step > 0 ? step.joint_error.linear : run_.engine.max_joint_error().linear);
-    numbers.max_penetration = run_.engine.max_penetration();
+    numbers.max_penetration = deepest_contact(touching);
 
     drawing_.clear();
-    drawing_.add(run_.engine.world(), what_);
+    DebugDraw only_contacts = what_, others = what_;
+    only_contacts.shapes = only_contacts.joints = false;
+    others.contacts = others.normals = false;
+    drawing_.add(run_.engine.world(), others);
+    drawing_.add(touching, only_contacts);
     std::vector<const Stroke*> shapes, contacts, joints;
     for (const Stroke& stroke : drawing_.strokes()) {
         const DrawPart part = stroke.style.part;

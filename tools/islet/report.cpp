@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/printable.hpp"
-#include "common/short_number.hpp"
+#include "scene_files/printable.hpp"
+#include "scene_files/short_number.hpp"
 #include "harness/checks.hpp"
 #include "scenes/catalogue.hpp"
 

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "common/printable.hpp"
+#include "scene_files/printable.hpp"
 #include "drawing.hpp"
 #include "svg_path.hpp"
 
@@ -324,9 +324,8 @@ DebugDraw usual_drawing() {
     return draw;
 }
 
-std::string draw_svg(const Run& run, const DebugDraw& what) {
-    const World& world = run.engine.world();
-    const Camera camera(run.scene.view, picture_width);
+std::string draw_svg(const World& world, const Picture& picture, const DebugDraw& what) {
+    const Camera camera(picture.view, picture_width);
     Drawing drawing;
     DebugDraw only_shapes;
     only_shapes.view = camera.view;
@@ -337,31 +336,34 @@ std::string draw_svg(const Run& run, const DebugDraw& what) {
     add_marks(drawing, world, what, camera, size);
     const MarkLayers layers = layers_of(drawing, camera, size >= smallest_ringed);
 
-    const EngineCounts counts = run.engine.counts();
-    std::string details = fmt::format("step {}  ·  {:.4g} s", world.step_count(), double(world.step_count()) * double(run.scene.dt));
+    std::string details = fmt::format("step {}  ·  {:.4g} s", world.step_count(), double(world.step_count()) * double(picture.dt));
     const auto count = [&](auto number, const char* one, const char* many) { details += fmt::format("  ·  {} {}", number, number == 1 ? one : many); };
-    count(counts.bodies, "body", "bodies");
-    count(counts.contacts, "contact", "contacts");
-    if (counts.joints > 0) count(counts.joints, "joint", "joints");
-    if (run.most_dropped_contacts > 0) details += fmt::format("  ·  {} without room", run.most_dropped_contacts);
+    count(world.body_count(), "body", "bodies");
+    count(world.contact_count(), "contact", "contacts");
+    if (world.joint_count() > 0) count(world.joint_count(), "joint", "joints");
+    if (picture.most_dropped_contacts > 0) details += fmt::format("  ·  {} without room", picture.most_dropped_contacts);
     const int height = camera.height + units(caption_height);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" "
         "font-family=\"Inter, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif\">\n",
         picture_width, height / units_per_pixel, camera.width, height);
-    text += fmt::format("<title>{}</title>\n<path fill=\"{}\" d=\"M0 0h{}v{}H0z\"/>\n", escaped(run.scene.name), paper, camera.width, height);
+    text += fmt::format("<title>{}</title>\n<path fill=\"{}\" d=\"M0 0h{}v{}H0z\"/>\n", escaped(picture.title), paper, camera.width, height);
     text += "<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     text += grid(camera);
-    text += trails(run.trails, camera);
+    text += trails(picture.trails, camera);
     text += shapes(drawing, camera, size);
     text += marks(layers, size, what.constraint_colors);
     text += impulses(drawing, camera, size);
     text += "</g>\n";
     text += words(drawing.words(), camera);
     text += "<g stroke-linecap=\"round\">\n";
-    text += caption(run.scene.name, details, drawing, layers, camera);
+    text += caption(picture.title, details, drawing, layers, camera);
     text += "</g>\n</svg>\n";
     return text;
+}
+
+std::string draw_svg(const Run& run, const DebugDraw& what) {
+    return draw_svg(run.engine.world(), {run.scene.view, run.scene.name, run.scene.dt, run.trails, run.most_dropped_contacts}, what);
 }
 
 }  // namespace islet::tools

@@ -12,7 +12,7 @@
 
 #include "common/command_line.hpp"
 #include "common/finite_number.hpp"
-#include "common/near_names.hpp"
+#include "scene_files/near_names.hpp"
 #include "common/output_file.hpp"
 #include "common/progress.hpp"
 #include "common/similar_scenes.hpp"
@@ -87,7 +87,7 @@ std::optional<std::vector<const MethodInfo*>> choose_methods(const Command& comm
     for (const std::string& name : command.methods) {
         const MethodInfo* info = find_method(name);
         if (info == nullptr) {
-            std::vector<std::string> near = islet::tools::near_names(name, known);
+            std::vector<std::string> near = islet::samples::near_names(name, known);
             unknown("method", name, near.empty() ? known : near);
             return std::nullopt;
         }

@@ -3,6 +3,7 @@
 //     islet-pictures NAME        writes the picture to standard output
 //
 // Exit status: 0 done, 2 there is no such picture.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -11,7 +12,7 @@
 
 #include <islet/lcp.hpp>
 
-#include "sketch.hpp"
+#include "film.hpp"
 
 namespace islet::pictures {
 namespace {
@@ -320,22 +321,60 @@ Sketch draw_folders() {
     return sketch;
 }
 
+// -- pgs: the plane of two impulses, and where the updates lead ------------------------------------------------------------------------
+
+/// The tower of docs/pgs.md: a box of `upper` kg on one of 1 kg, which falls at 1 m/s.
+void draw_plane(Sketch& sketch, float left, float upper, const char* title) {
+    const float m[] = {1, -1, -1, 1 + 1 / upper}, q[] = {-1, 0}, side = 250, range = 1.45f * (1 + upper);
+    const auto at = [&](float x, float y) { return Vec2{left + side * x / range, 290 - side * y / range}; };
+    const auto line = [&](Vec2 a, Vec2 b, const Pen& pen) { sketch.line(at(a.x, a.y), at(b.x, b.y), pen); };
+    line({0, 0}, {range, 0}, {.stroke = grey});
+    line({0, 0}, {0, range}, {.stroke = grey});
+    line({1, 0}, {range, range - 1}, {.stroke = blue});                 // w0 = 0: x = 1 + y
+    line({0, 0}, {range, range / m[3]}, {.stroke = green});             // w1 = 0: y = x / m11
+    sketch.text(at(range, range - 1) + Vec2{4, 4}, "w0 = 0", blue, 12);
+    sketch.text(at(range, range / m[3]) + Vec2{4, 10}, "w1 = 0", green, 12);
+    float x[] = {0, 0};
+    for (int i = 0; i < 24; ++i) {
+        const int row = i % 2;
+        const Vec2 from = {x[0], x[1]};
+        x[row] = std::max(0.0f, x[row] - (q[row] + m[2 * row] * x[0] + m[2 * row + 1] * x[1]) / m[3 * row]);
+        line(from, {x[0], x[1]}, {.stroke = "#c26a12", .width = 2});
+        sketch.circle(at(x[0], x[1]), 2.5f, {.stroke = "#c26a12", .fill = "#c26a12"});
+    }
+    sketch.circle(at(1 + upper, upper), 7, {.stroke = red, .width = 2});
+    sketch.text({left + 8, 28}, title, "#2c3440", 14);
+    sketch.text({left + side / 2, 312}, "impulse from the ground", grey, 12, "middle");
+    sketch.text({left + 8, 52}, "impulse between the boxes", grey, 12);
+}
+
+Sketch draw_pgs() {
+    Sketch sketch(760, 325);
+    draw_plane(sketch, 40, 1, "two boxes of 1 kg: 12 sweeps");
+    draw_plane(sketch, 420, 9, "a box of 9 kg on one of 1 kg: 12 sweeps");
+    return sketch;
+}
+
 constexpr struct {
     const char* name;
     Sketch (*draw)();
 } pictures[] = {{"queries", draw_queries}, {"snapshots", draw_snapshots}, {"recording", draw_recording}, {"memory", draw_memory},
-                {"lcp", draw_lcp},         {"step", draw_step},           {"folders", draw_folders}};
+                {"lcp", draw_lcp},         {"step", draw_step},           {"folders", draw_folders},     {"pgs", draw_pgs}};
 
 }  // namespace
 }  // namespace islet::pictures
 
 int main(int argc, char** argv) {
+    if (argc == 2 && std::string_view(argv[1]) == "film") {
+        std::fputs(islet::pictures::opening_film().c_str(), stdout);
+        return 0;
+    }
     for (const auto& picture : islet::pictures::pictures) {
         if (argc != 2 || std::string_view(argv[1]) != picture.name) continue;
         std::fputs(picture.draw().svg().c_str(), stdout);
         return 0;
     }
-    std::fputs("usage: islet-pictures NAME, one of", stderr);
+    std::fputs("usage: islet-pictures NAME, one of film", stderr);
     for (const auto& picture : islet::pictures::pictures) std::fprintf(stderr, " %s", picture.name);
     std::fputs("\n", stderr);
     return 2;

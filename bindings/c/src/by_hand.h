@@ -9,6 +9,10 @@ ISLET_C_API IsletError islet_world_clear_error(IsletWorld* world);
 /// A sentence: what was wrong and how to mend it. Never null.
 ISLET_C_API const char* islet_describe(IsletError error);
 
+/// The first field for whose sake islet_create_world refuses the definition, as the functions for other definitions do. If def is null, null_pointer; if a struct
+/// has a wrong size, struct_size.
+ISLET_C_API IsletFieldFault islet_find_world_def_fault(const IsletWorldDef* def);
+
 /// Distance and closest points of two shapes in one frame. Of shapes that are not valid, or null: distance 3.4e38, no normal.
 ISLET_C_API IsletSeparation islet_separation(const IsletShapeProxy* a, const IsletShapeProxy* b);
 
@@ -57,3 +61,63 @@ static inline IsletIslandProblem islet_default_island_problem(void) {
 /// error: null_id; stale_id; no_dynamic_body; bad_time_step of h; in_step; out_of_range if the problem is too large.
 ISLET_C_API size_t islet_body_export_island(const IsletWorld* world, IsletBodyId body, float h, void* memory, size_t memory_bytes, IsletIslandProblem* out);
 
+/// A fleet: many worlds of one capacity, which start as copies of one world and step together. It lives in memory of yours (islet_create_fleet). Errors of a
+/// fleet are returned, and no hook is told of them. not_a_fleet: the pointer points to something else, or the fleet was moved.
+typedef struct IsletFleet IsletFleet;
+
+/// What islet_fleet_step does. A count of 0 stands for nothing to do; all arrays are read and written during the call only.
+typedef struct IsletFleetStep {
+    uint32_t struct_size;  ///< sizeof(IsletFleetStep)
+    float dt;              ///< s, ISLET_MIN_TIME_STEP to 1
+    uint32_t repeat;       ///< Steps of each world, 1 to 1000; each repeats the actions.
+    uint32_t reserved;     ///< 0
+    const uint8_t* mask;   ///< islet_fleet_size() numbers: where one is 0, that world stays as it is. None: all step.
+    size_t mask_count;
+    const IsletDrive* drives;
+    size_t drives_count;
+    const float* actions;  ///< islet_fleet_size() rows of drives_count numbers. Finite.
+    size_t actions_count;
+    const IsletSense* senses;
+    size_t senses_count;
+    float* observations;  ///< islet_fleet_size() rows of islet_sense_columns() numbers. Rows of worlds that did not step stay as they are.
+    size_t observations_count;
+} IsletFleetStep;
+
+static inline IsletFleetStep islet_default_fleet_step(void) {
+    IsletFleetStep what = ISLET_ZERO;
+    what.struct_size = sizeof what;
+    what.dt = 1.0f / 60;
+    what.repeat = 1;
+    return what;
+}
+
+/// Bytes of memory that a fleet needs; 0 if the capacity is not valid or null, or there is no world or no worker, or more than 2^20 worlds or
+/// ISLET_MAX_WORKERS.
+ISLET_C_API size_t islet_fleet_bytes(uint32_t worlds, const IsletCapacity* capacity, uint32_t workers);
+/// Makes a fleet of `worlds` copies of `prototype` in `block`, which must be aligned to ISLET_WORLD_ALIGNMENT and hold at least
+/// islet_fleet_bytes(worlds, the prototype's capacity, tasks->workers) bytes. The worlds have the prototype's state, settings and hooks, but no recording and
+/// no clock; each steps on one thread, and `tasks` steps many at a time. Hooks are then called on several threads at once. tasks may be null: one thread.
+/// There is nothing to destroy. Returns null with *error set, if given: block_too_small; block_misaligned; out_of_range (of worlds or workers); in_step (of the
+/// prototype); null_pointer; struct_size.
+ISLET_C_API IsletFleet* islet_create_fleet(void* block, size_t block_bytes, const IsletWorld* prototype, uint32_t worlds, const IsletTaskSystem* tasks,
+                                           IsletError* error);
+/// How many worlds there are.
+ISLET_C_API uint32_t islet_fleet_size(const IsletFleet* fleet);
+/// World k, 0 <= k < islet_fleet_size(). It can be read and changed like any other. Null if there is none.
+ISLET_C_API IsletWorld* islet_fleet_world(IsletFleet* fleet, uint32_t k);
+/// In each world that the mask names: applies the actions and steps, `repeat` times, then observes. An action or a sense whose body or joint is gone from a
+/// world, or is of the wrong type, does nothing there, or reads 0. Errors: bad_time_step; out_of_range (repeat, an unknown kind, arrays of other sizes);
+/// not_finite (an action, a scale or a ray).
+ISLET_C_API IsletError islet_fleet_step(IsletFleet* fleet, const IsletFleetStep* what);
+/// Observes without a step. Errors as in islet_fleet_step.
+ISLET_C_API IsletError islet_fleet_observe(IsletFleet* fleet, const IsletSense* senses, size_t senses_count, float* observations, size_t observations_count,
+                                           const uint8_t* mask, size_t mask_count);
+/// Takes world k back to an image made by this program (islet_world_save of a world of no greater capacity), and changes bodies at random: the same seed gives
+/// the same changes. Errors: out_of_range (k, or a negative width); not_finite; those of islet_world_restore. A body that the image does not hold is left out.
+ISLET_C_API IsletError islet_fleet_reset(IsletFleet* fleet, uint32_t k, const void* image, size_t image_bytes, uint64_t seed,
+                                         const IsletVariation* variations, size_t variations_count);
+/// Makes world `to` a copy of world `from`; a recording of `to` ends. Errors: out_of_range.
+ISLET_C_API IsletError islet_fleet_copy(IsletFleet* fleet, uint32_t from, uint32_t to);
+/// Makes each world k a copy of world parents[k], at once, to go on with the best futures of a search. A parent stays as it is: parents[parents[k]] is
+/// parents[k], and so does a recording of it. Errors: out_of_range (a parent that is not so, or not islet_fleet_size() of them).
+ISLET_C_API IsletError islet_fleet_fork(IsletFleet* fleet, const uint32_t* parents, size_t parents_count);

@@ -9,13 +9,15 @@ using namespace islet::c;
 extern "C" {
 
 uint64_t islet_world_hash(const IsletWorld* world) {
-    if (world == nullptr) return 0;
-    return of(world).hash();
+    uint64_t found = {};
+    if (world != nullptr) found = of(world).hash();
+    return found;
 }
 
 const char* islet_world_validate(const IsletWorld* world) {
-    if (world == nullptr) return nullptr;
-    return of(world).validate();
+    const char* found = {};
+    if (world != nullptr) found = of(world).validate();
+    return found;
 }
 
 }  // extern "C"

@@ -4,16 +4,13 @@
 namespace islet::c {
 
 IsletError refuse(const IsletWorld* world, int error) {
-    if (world != nullptr) detail::replace_error(of(world), static_cast<Error>(error), true);
-    return static_cast<IsletError>(error);
+    return static_cast<IsletError>(detail::refuse_call(cast<const World>(world), static_cast<Error>(error)));
 }
 
-Error begin(IsletWorld* world) { return detail::replace_error(of(world), Error::none, false); }
-
-IsletError end(IsletWorld* world, Error before) {
-    const Error error = of(world).last_error();
-    if (error == Error::none) detail::replace_error(of(world), before, false);
-    return static_cast<IsletError>(error);
+bool is_there(const IsletWorld* world, const void* given, std::size_t count) {
+    if (given != nullptr || count == 0) return true;
+    refuse(world, ISLET_ERROR_NULL_POINTER);
+    return false;
 }
 
 const void* take_exact(const IsletWorld* world, const void* given, std::uint32_t size, std::uint32_t start) {

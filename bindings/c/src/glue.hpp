@@ -7,6 +7,7 @@
 #include <cstring>
 #include <span>
 
+#include "islet/fleet.hpp"
 #include "islet/island.hpp"
 #include "islet/islet.h"
 #include "islet/islet.hpp"
@@ -47,15 +48,35 @@ inline constexpr std::uint32_t start_of = Twin<T>::start;
 inline World& of(IsletWorld* world) { return *reinterpret_cast<World*>(world); }
 inline const World& of(const IsletWorld* world) { return *reinterpret_cast<const World*>(world); }
 
-/// A value of C as that of C++, and back.
+/// A value of C as that of C++, and back. (Those that most calls have are made field by field, which takes less code than a copy of their bytes.)
 template <class T>
 T in(const typename Twin<T>::Type& value) {
     return __builtin_bit_cast(T, value);
+}
+template <>
+inline BodyId in<BodyId>(const IsletBodyId& id) {
+    return {id.index1, id.generation};
+}
+template <>
+inline ShapeId in<ShapeId>(const IsletShapeId& id) {
+    return {id.index1, id.generation};
+}
+template <>
+inline JointId in<JointId>(const IsletJointId& id) {
+    return {id.index1, id.generation};
+}
+template <>
+inline Vec2 in<Vec2>(const IsletVec2& v) {
+    return {v.x, v.y};
 }
 template <class T>
 typename Twin<T>::Type out(const T& value) {
     return __builtin_bit_cast(typename Twin<T>::Type, value);
 }
+inline IsletVec2 out(const Vec2& v) { return {v.x, v.y}; }
+inline IsletBodyId out(const BodyId& id) { return {id.index1, id.generation}; }
+inline IsletShapeId out(const ShapeId& id) { return {id.index1, id.generation}; }
+inline IsletJointId out(const JointId& id) { return {id.index1, id.generation}; }
 
 template <class To, class From>
 To* cast(From* pointer) {
@@ -84,9 +105,15 @@ std::span<T> span_of(void* pointer, std::size_t count) {
 /// Records an error of C, as the world records its own, and returns it. Without a world it is returned alone.
 IsletError refuse(const IsletWorld* world, int error);
 
-/// Around a call that returns a code: its own error, none if it had none. The world's last error is then what it would be without these two.
-Error begin(IsletWorld* world);
-IsletError end(IsletWorld* world, Error before);
+/// Around a call that returns a code: its own error, none if it had none. The world's last error is then what it would be without these two. Of no world
+/// begin() is false, and end() is null_pointer.
+inline bool begin(IsletWorld* world) { return detail::begin_call(cast<World>(world)); }
+inline IsletError end(IsletWorld* world) {
+    return static_cast<IsletError>(detail::end_call(cast<World>(world), static_cast<Error>(ISLET_ERROR_NULL_POINTER)));
+}
+
+/// Whether a pointer is not null, or what it points to has no elements; if not, the error is recorded.
+bool is_there(const IsletWorld* world, const void* given, std::size_t count = 1);
 
 template <class T>
 concept HasGrown = requires {
@@ -131,6 +158,12 @@ const T* take_default() {
     return &value;
 }
 
+/// A definition that may be left out. One function for all that take it.
+template <class T>
+[[gnu::noinline]] const T* take_or_default(const IsletWorld* world, const typename Twin<T>::Type* given, Room<T>& room) {
+    return given == nullptr ? take_default<T>() : take<T>(world, given, room);
+}
+
 /// Whether a result can be written to a struct of the caller's; if not, the error is recorded.
 template <class T>
 bool fits(const IsletWorld* world, const typename Twin<T>::Type* out) {
@@ -151,6 +184,9 @@ inline IsletError why(const void* given) { return given == nullptr ? ISLET_ERROR
 
 /// Whether a capacity can be written where the caller wants it, if anywhere.
 inline bool fits_if_wanted(const IsletCapacity* out) { return out == nullptr || fits<Capacity>(nullptr, out); }
+
+/// A world's definition, with the structs that it points to. False if one has a wrong size. (`given` may be null.)
+bool take_world_def(const IsletWorldDef* given, WorldDef& def);
 
 /// Functions that draw, of C. A polygon's corners are a pointer and a count there.
 struct Drawing {

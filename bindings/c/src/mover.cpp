@@ -9,15 +9,17 @@ using namespace islet::c;
 extern "C" {
 
 bool islet_step_mover(IsletWorld* world, const IsletMoverDef* def, IsletMoverState* state, const IsletMoverInput* input, float dt) {
-    if (world == nullptr) return false;
     Room<MoverDef> def_room;
-    const MoverDef* def_taken = take<MoverDef>(world, def, def_room);
-    if (def_taken == nullptr) return false;
-    if (state == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER), false;
+    const MoverDef* def_taken = nullptr;
     Room<MoverInput> input_room;
-    const MoverInput* input_taken = take<MoverInput>(world, input, input_room);
-    if (input_taken == nullptr) return false;
-    return islet::step_mover(of(world), *def_taken, *cast<MoverState>(state), *input_taken, dt);
+    const MoverInput* input_taken = nullptr;
+    bool found = {};
+    if (world != nullptr &&
+        (def_taken = take<MoverDef>(world, def, def_room)) != nullptr &&
+        is_there(world, state) &&
+        (input_taken = take<MoverInput>(world, input, input_room)) != nullptr)
+        found = islet::step_mover(of(world), *def_taken, *cast<MoverState>(state), *input_taken, dt);
+    return found;
 }
 
 }  // extern "C"

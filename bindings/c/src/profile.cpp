@@ -16,10 +16,8 @@ IsletError islet_world_profile(const IsletWorld* world, IsletStepProfile* out) {
 }
 
 IsletError islet_world_set_clock(IsletWorld* world, IsletClock clock, void* context) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).set_clock(function<Clock>(clock), context);
-    return end(world, before);
+    if (begin(world)) of(world).set_clock(function<Clock>(clock), context);
+    return end(world);
 }
 
 }  // extern "C"

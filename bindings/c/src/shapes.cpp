@@ -9,320 +9,296 @@ using namespace islet::c;
 extern "C" {
 
 IsletShapeId islet_create_circle(IsletWorld* world, IsletBodyId body, const IsletCircle* circle, const IsletShapeDef* def) {
-    if (world == nullptr) return out(ShapeId{});
-    if (circle == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER), out(ShapeId{});
     Room<ShapeDef> def_room;
-    const ShapeDef* def_taken = def == nullptr ? take_default<ShapeDef>() : take<ShapeDef>(world, def, def_room);
-    if (def_taken == nullptr) return out(ShapeId{});
-    return out(of(world).create_shape(in<BodyId>(body), *cast<const Circle>(circle), *def_taken));
+    const ShapeDef* def_taken = nullptr;
+    ShapeId found = {};
+    if (world != nullptr && is_there(world, circle) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
+        found = of(world).create_shape(in<BodyId>(body), *cast<const Circle>(circle), *def_taken);
+    return out(found);
 }
 
 IsletShapeId islet_create_capsule(IsletWorld* world, IsletBodyId body, const IsletCapsule* capsule, const IsletShapeDef* def) {
-    if (world == nullptr) return out(ShapeId{});
-    if (capsule == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER), out(ShapeId{});
     Room<ShapeDef> def_room;
-    const ShapeDef* def_taken = def == nullptr ? take_default<ShapeDef>() : take<ShapeDef>(world, def, def_room);
-    if (def_taken == nullptr) return out(ShapeId{});
-    return out(of(world).create_shape(in<BodyId>(body), *cast<const Capsule>(capsule), *def_taken));
+    const ShapeDef* def_taken = nullptr;
+    ShapeId found = {};
+    if (world != nullptr && is_there(world, capsule) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
+        found = of(world).create_shape(in<BodyId>(body), *cast<const Capsule>(capsule), *def_taken);
+    return out(found);
 }
 
 IsletShapeId islet_create_segment(IsletWorld* world, IsletBodyId body, const IsletSegment* segment, const IsletShapeDef* def) {
-    if (world == nullptr) return out(ShapeId{});
-    if (segment == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER), out(ShapeId{});
     Room<ShapeDef> def_room;
-    const ShapeDef* def_taken = def == nullptr ? take_default<ShapeDef>() : take<ShapeDef>(world, def, def_room);
-    if (def_taken == nullptr) return out(ShapeId{});
-    return out(of(world).create_shape(in<BodyId>(body), *cast<const Segment>(segment), *def_taken));
+    const ShapeDef* def_taken = nullptr;
+    ShapeId found = {};
+    if (world != nullptr && is_there(world, segment) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
+        found = of(world).create_shape(in<BodyId>(body), *cast<const Segment>(segment), *def_taken);
+    return out(found);
 }
 
 IsletShapeId islet_create_polygon(IsletWorld* world, IsletBodyId body, const IsletPolygon* polygon, const IsletShapeDef* def) {
-    if (world == nullptr) return out(ShapeId{});
-    if (polygon == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER), out(ShapeId{});
     Room<ShapeDef> def_room;
-    const ShapeDef* def_taken = def == nullptr ? take_default<ShapeDef>() : take<ShapeDef>(world, def, def_room);
-    if (def_taken == nullptr) return out(ShapeId{});
-    return out(of(world).create_shape(in<BodyId>(body), *cast<const Polygon>(polygon), *def_taken));
+    const ShapeDef* def_taken = nullptr;
+    ShapeId found = {};
+    if (world != nullptr && is_there(world, polygon) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
+        found = of(world).create_shape(in<BodyId>(body), *cast<const Polygon>(polygon), *def_taken);
+    return out(found);
 }
 
 IsletShapeId islet_create_half_space(IsletWorld* world, IsletBodyId body, const IsletHalfSpace* half_space, const IsletShapeDef* def) {
-    if (world == nullptr) return out(ShapeId{});
-    if (half_space == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER), out(ShapeId{});
     Room<ShapeDef> def_room;
-    const ShapeDef* def_taken = def == nullptr ? take_default<ShapeDef>() : take<ShapeDef>(world, def, def_room);
-    if (def_taken == nullptr) return out(ShapeId{});
-    return out(of(world).create_shape(in<BodyId>(body), *cast<const HalfSpace>(half_space), *def_taken));
+    const ShapeDef* def_taken = nullptr;
+    ShapeId found = {};
+    if (world != nullptr && is_there(world, half_space) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
+        found = of(world).create_shape(in<BodyId>(body), *cast<const HalfSpace>(half_space), *def_taken);
+    return out(found);
 }
 
 IsletError islet_destroy_shape(IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).destroy_shape(in<ShapeId>(shape));
-    return end(world, before);
+    if (begin(world)) of(world).destroy_shape(in<ShapeId>(shape));
+    return end(world);
 }
 
 bool islet_shape_is_valid(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return false;
-    return of(world).is_valid(in<ShapeId>(shape));
+    bool found = {};
+    if (world != nullptr) found = of(world).is_valid(in<ShapeId>(shape));
+    return found;
 }
 
 uint32_t islet_shape_contacts(const IsletWorld* world, IsletShapeId shape, IsletContactInfo* out, size_t out_count) {
-    if (world == nullptr) return 0;
-    if (out == nullptr && out_count != 0) return refuse(world, ISLET_ERROR_NULL_POINTER), 0;
-    return of(world).contacts(in<ShapeId>(shape), span_of<ContactInfo>(out, out_count));
+    uint32_t found = {};
+    if (world != nullptr && is_there(world, out, out_count)) found = of(world).contacts(in<ShapeId>(shape), span_of<ContactInfo>(out, out_count));
+    return found;
 }
 
 IsletBodyId islet_shape_body(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return out(BodyId{});
-    return out(of(world).body(in<ShapeId>(shape)));
+    BodyId found = {};
+    if (world != nullptr) found = of(world).body(in<ShapeId>(shape));
+    return out(found);
 }
 
 IsletShapeType islet_shape_type(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return out(ShapeType{});
-    return out(of(world).shape_type(in<ShapeId>(shape)));
+    ShapeType found = {};
+    if (world != nullptr) found = of(world).shape_type(in<ShapeId>(shape));
+    return out(found);
 }
 
 const IsletCircle* islet_shape_circle(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return nullptr;
-    return cast<const IsletCircle>(of(world).circle(in<ShapeId>(shape)));
+    const Circle* found = nullptr;
+    if (world != nullptr) found = of(world).circle(in<ShapeId>(shape));
+    return cast<const IsletCircle>(found);
 }
 
 const IsletCapsule* islet_shape_capsule(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return nullptr;
-    return cast<const IsletCapsule>(of(world).capsule(in<ShapeId>(shape)));
+    const Capsule* found = nullptr;
+    if (world != nullptr) found = of(world).capsule(in<ShapeId>(shape));
+    return cast<const IsletCapsule>(found);
 }
 
 const IsletSegment* islet_shape_segment(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return nullptr;
-    return cast<const IsletSegment>(of(world).segment(in<ShapeId>(shape)));
+    const Segment* found = nullptr;
+    if (world != nullptr) found = of(world).segment(in<ShapeId>(shape));
+    return cast<const IsletSegment>(found);
 }
 
 const IsletPolygon* islet_shape_polygon(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return nullptr;
-    return cast<const IsletPolygon>(of(world).polygon(in<ShapeId>(shape)));
+    const Polygon* found = nullptr;
+    if (world != nullptr) found = of(world).polygon(in<ShapeId>(shape));
+    return cast<const IsletPolygon>(found);
 }
 
 const IsletHalfSpace* islet_shape_half_space(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return nullptr;
-    return cast<const IsletHalfSpace>(of(world).half_space(in<ShapeId>(shape)));
+    const HalfSpace* found = nullptr;
+    if (world != nullptr) found = of(world).half_space(in<ShapeId>(shape));
+    return cast<const IsletHalfSpace>(found);
 }
 
 IsletError islet_shape_set_circle(IsletWorld* world, IsletShapeId shape, const IsletCircle* circle) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    if (circle == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER);
-    const Error before = begin(world);
-    of(world).set_circle(in<ShapeId>(shape), *cast<const Circle>(circle));
-    return end(world, before);
+    if (begin(world) && is_there(world, circle)) of(world).set_circle(in<ShapeId>(shape), *cast<const Circle>(circle));
+    return end(world);
 }
 
 IsletError islet_shape_set_capsule(IsletWorld* world, IsletShapeId shape, const IsletCapsule* capsule) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    if (capsule == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER);
-    const Error before = begin(world);
-    of(world).set_capsule(in<ShapeId>(shape), *cast<const Capsule>(capsule));
-    return end(world, before);
+    if (begin(world) && is_there(world, capsule)) of(world).set_capsule(in<ShapeId>(shape), *cast<const Capsule>(capsule));
+    return end(world);
 }
 
 IsletError islet_shape_set_segment(IsletWorld* world, IsletShapeId shape, const IsletSegment* segment) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    if (segment == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER);
-    const Error before = begin(world);
-    of(world).set_segment(in<ShapeId>(shape), *cast<const Segment>(segment));
-    return end(world, before);
+    if (begin(world) && is_there(world, segment)) of(world).set_segment(in<ShapeId>(shape), *cast<const Segment>(segment));
+    return end(world);
 }
 
 IsletError islet_shape_set_polygon(IsletWorld* world, IsletShapeId shape, const IsletPolygon* polygon) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    if (polygon == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER);
-    const Error before = begin(world);
-    of(world).set_polygon(in<ShapeId>(shape), *cast<const Polygon>(polygon));
-    return end(world, before);
+    if (begin(world) && is_there(world, polygon)) of(world).set_polygon(in<ShapeId>(shape), *cast<const Polygon>(polygon));
+    return end(world);
 }
 
 IsletError islet_shape_set_half_space(IsletWorld* world, IsletShapeId shape, const IsletHalfSpace* half_space) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    if (half_space == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER);
-    const Error before = begin(world);
-    of(world).set_half_space(in<ShapeId>(shape), *cast<const HalfSpace>(half_space));
-    return end(world, before);
+    if (begin(world) && is_there(world, half_space)) of(world).set_half_space(in<ShapeId>(shape), *cast<const HalfSpace>(half_space));
+    return end(world);
 }
 
 float islet_shape_density(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return 0;
-    return of(world).density(in<ShapeId>(shape));
+    float found = {};
+    if (world != nullptr) found = of(world).density(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_set_density(IsletWorld* world, IsletShapeId shape, float density) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).set_density(in<ShapeId>(shape), density);
-    return end(world, before);
+    if (begin(world)) of(world).set_density(in<ShapeId>(shape), density);
+    return end(world);
 }
 
 IsletAabb islet_shape_aabb(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return out(Aabb{});
-    return out(of(world).aabb(in<ShapeId>(shape)));
+    Aabb found = {};
+    if (world != nullptr) found = of(world).aabb(in<ShapeId>(shape));
+    return out(found);
 }
 
 float islet_shape_friction(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return 0;
-    return of(world).friction(in<ShapeId>(shape));
+    float found = {};
+    if (world != nullptr) found = of(world).friction(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_set_friction(IsletWorld* world, IsletShapeId shape, float friction) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).set_friction(in<ShapeId>(shape), friction);
-    return end(world, before);
+    if (begin(world)) of(world).set_friction(in<ShapeId>(shape), friction);
+    return end(world);
 }
 
 float islet_shape_restitution(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return 0;
-    return of(world).restitution(in<ShapeId>(shape));
+    float found = {};
+    if (world != nullptr) found = of(world).restitution(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_set_restitution(IsletWorld* world, IsletShapeId shape, float restitution) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).set_restitution(in<ShapeId>(shape), restitution);
-    return end(world, before);
+    if (begin(world)) of(world).set_restitution(in<ShapeId>(shape), restitution);
+    return end(world);
 }
 
 float islet_shape_rolling_resistance(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return 0;
-    return of(world).rolling_resistance(in<ShapeId>(shape));
+    float found = {};
+    if (world != nullptr) found = of(world).rolling_resistance(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_set_rolling_resistance(IsletWorld* world, IsletShapeId shape, float resistance) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).set_rolling_resistance(in<ShapeId>(shape), resistance);
-    return end(world, before);
+    if (begin(world)) of(world).set_rolling_resistance(in<ShapeId>(shape), resistance);
+    return end(world);
 }
 
 float islet_shape_tangent_speed(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return 0;
-    return of(world).tangent_speed(in<ShapeId>(shape));
+    float found = {};
+    if (world != nullptr) found = of(world).tangent_speed(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_set_tangent_speed(IsletWorld* world, IsletShapeId shape, float speed) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).set_tangent_speed(in<ShapeId>(shape), speed);
-    return end(world, before);
+    if (begin(world)) of(world).set_tangent_speed(in<ShapeId>(shape), speed);
+    return end(world);
 }
 
 IsletSurfaceMaterial islet_shape_material(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return out(SurfaceMaterial{});
-    return out(of(world).material(in<ShapeId>(shape)));
+    SurfaceMaterial found = {};
+    if (world != nullptr) found = of(world).material(in<ShapeId>(shape));
+    return out(found);
 }
 
 IsletError islet_shape_set_material(IsletWorld* world, IsletShapeId shape, const IsletSurfaceMaterial* material) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    if (material == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER);
-    const Error before = begin(world);
-    of(world).set_material(in<ShapeId>(shape), *cast<const SurfaceMaterial>(material));
-    return end(world, before);
+    if (begin(world) && is_there(world, material)) of(world).set_material(in<ShapeId>(shape), *cast<const SurfaceMaterial>(material));
+    return end(world);
 }
 
 bool islet_shape_is_sensor(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return false;
-    return of(world).is_sensor(in<ShapeId>(shape));
+    bool found = {};
+    if (world != nullptr) found = of(world).is_sensor(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_set_sensor(IsletWorld* world, IsletShapeId shape, bool sensor) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).set_sensor(in<ShapeId>(shape), sensor);
-    return end(world, before);
+    if (begin(world)) of(world).set_sensor(in<ShapeId>(shape), sensor);
+    return end(world);
 }
 
 uint32_t islet_shape_sensor_overlaps(const IsletWorld* world, IsletShapeId sensor, IsletShapeId* out, size_t out_count) {
-    if (world == nullptr) return 0;
-    if (out == nullptr && out_count != 0) return refuse(world, ISLET_ERROR_NULL_POINTER), 0;
-    return of(world).sensor_overlaps(in<ShapeId>(sensor), span_of<ShapeId>(out, out_count));
+    uint32_t found = {};
+    if (world != nullptr && is_there(world, out, out_count))
+        found = of(world).sensor_overlaps(in<ShapeId>(sensor), span_of<ShapeId>(out, out_count));
+    return found;
 }
 
 bool islet_shape_sensor_events_enabled(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return false;
-    return of(world).sensor_events_enabled(in<ShapeId>(shape));
+    bool found = {};
+    if (world != nullptr) found = of(world).sensor_events_enabled(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_enable_sensor_events(IsletWorld* world, IsletShapeId shape, bool enable) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).enable_sensor_events(in<ShapeId>(shape), enable);
-    return end(world, before);
+    if (begin(world)) of(world).enable_sensor_events(in<ShapeId>(shape), enable);
+    return end(world);
 }
 
 bool islet_shape_hit_events_enabled(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return false;
-    return of(world).hit_events_enabled(in<ShapeId>(shape));
+    bool found = {};
+    if (world != nullptr) found = of(world).hit_events_enabled(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_enable_hit_events(IsletWorld* world, IsletShapeId shape, bool enable) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).enable_hit_events(in<ShapeId>(shape), enable);
-    return end(world, before);
+    if (begin(world)) of(world).enable_hit_events(in<ShapeId>(shape), enable);
+    return end(world);
 }
 
 bool islet_shape_pre_solve_enabled(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return false;
-    return of(world).pre_solve_enabled(in<ShapeId>(shape));
+    bool found = {};
+    if (world != nullptr) found = of(world).pre_solve_enabled(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_enable_pre_solve(IsletWorld* world, IsletShapeId shape, bool enable) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).enable_pre_solve(in<ShapeId>(shape), enable);
-    return end(world, before);
+    if (begin(world)) of(world).enable_pre_solve(in<ShapeId>(shape), enable);
+    return end(world);
 }
 
 IsletVec2 islet_shape_one_way(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return out(Vec2{});
-    return out(of(world).one_way(in<ShapeId>(shape)));
+    Vec2 found = {};
+    if (world != nullptr) found = of(world).one_way(in<ShapeId>(shape));
+    return out(found);
 }
 
 IsletError islet_shape_set_one_way(IsletWorld* world, IsletShapeId shape, IsletVec2 direction) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).set_one_way(in<ShapeId>(shape), in<Vec2>(direction));
-    return end(world, before);
+    if (begin(world)) of(world).set_one_way(in<ShapeId>(shape), in<Vec2>(direction));
+    return end(world);
 }
 
 IsletError islet_shape_apply_wind(IsletWorld* world, IsletShapeId shape, const IsletWindDef* wind) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
     Room<WindDef> wind_room;
-    const WindDef* wind_taken = take<WindDef>(world, wind, wind_room);
-    if (wind_taken == nullptr) return why(wind);
-    const Error before = begin(world);
-    of(world).apply_wind(in<ShapeId>(shape), *wind_taken);
-    return end(world, before);
+    const WindDef* wind_taken = nullptr;
+    if (begin(world) && (wind_taken = take<WindDef>(world, wind, wind_room)) != nullptr)
+        of(world).apply_wind(in<ShapeId>(shape), *wind_taken);
+    return end(world);
 }
 
 IsletFilter islet_shape_filter(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return out(Filter{});
-    return out(of(world).filter(in<ShapeId>(shape)));
+    Filter found = {};
+    if (world != nullptr) found = of(world).filter(in<ShapeId>(shape));
+    return out(found);
 }
 
 IsletError islet_shape_set_filter(IsletWorld* world, IsletShapeId shape, const IsletFilter* filter) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    if (filter == nullptr) return refuse(world, ISLET_ERROR_NULL_POINTER);
-    const Error before = begin(world);
-    of(world).set_filter(in<ShapeId>(shape), *cast<const Filter>(filter));
-    return end(world, before);
+    if (begin(world) && is_there(world, filter)) of(world).set_filter(in<ShapeId>(shape), *cast<const Filter>(filter));
+    return end(world);
 }
 
 uint64_t islet_shape_user_data(const IsletWorld* world, IsletShapeId shape) {
-    if (world == nullptr) return 0;
-    return of(world).user_data(in<ShapeId>(shape));
+    uint64_t found = {};
+    if (world != nullptr) found = of(world).user_data(in<ShapeId>(shape));
+    return found;
 }
 
 IsletError islet_shape_set_user_data(IsletWorld* world, IsletShapeId shape, uint64_t data) {
-    if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
-    const Error before = begin(world);
-    of(world).set_user_data(in<ShapeId>(shape), data);
-    return end(world, before);
+    if (begin(world)) of(world).set_user_data(in<ShapeId>(shape), data);
+    return end(world);
 }
 
 }  // extern "C"

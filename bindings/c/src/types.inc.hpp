@@ -8,13 +8,15 @@
     X(ShapeType) \
     X(DrawPart) \
     X(BodyColors) \
-    X(FormatKind) \
     X(Error) \
     X(Schedule) \
     X(JointTrees) \
     X(SweepOrder) \
     X(BodyType) \
     X(JointType) \
+    X(DriveKind) \
+    X(SenseKind) \
+    X(FormatKind) \
     X(RowKind) \
     X(ReplayEnd) \
     X(Vec2) \
@@ -50,9 +52,7 @@
     X(JointRatchet) \
     X(JointError) \
     X(JointBreakEvent) \
-    X(RowEnd) \
-    X(IslandRow) \
-    X(IslandBody) \
+    X(FieldFault) \
     X(ShapeProxy) \
     X(CastHit) \
     X(Separation) \
@@ -60,11 +60,16 @@
     X(QueryHit) \
     X(ClosestHit) \
     X(Surface) \
+    X(Drive) \
+    X(Sense) \
+    X(Variation) \
+    X(RowEnd) \
+    X(IslandRow) \
+    X(IslandBody) \
     X(MoverState)
 
 #define ISLET_C_GROWS(X) \
     X(DebugDraw, 8) \
-    X(FormatInfo, 4) \
     X(TaskSystem, 8) \
     X(Capacity, 4) \
     X(Hooks, 8) \
@@ -86,6 +91,7 @@
     X(PulleyJointDef, 8) \
     X(GearJointDef, 8) \
     X(AngleJointDef, 8) \
+    X(FormatInfo, 4) \
     X(MoverDef, 8) \
     X(MoverInput, 4) \
     X(ReplayResult, 8)

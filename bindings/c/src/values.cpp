@@ -161,13 +161,15 @@ IsletRot islet_rot_integrate(IsletRot q, float delta_radians) {
 }
 
 IsletHull islet_compute_hull(const IsletVec2* points, size_t points_count) {
-    if (points == nullptr && points_count != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(Hull{});
-    return out(islet::compute_hull(span_of<const Vec2>(points, points_count)));
+    Hull found = {};
+    if (is_there(nullptr, points, points_count)) found = islet::compute_hull(span_of<const Vec2>(points, points_count));
+    return out(found);
 }
 
 IsletPolygon islet_make_polygon(const IsletHull* hull, float radius) {
-    if (hull == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(Polygon{});
-    return out(islet::make_polygon(*cast<const Hull>(hull), radius));
+    Polygon found = {};
+    if (is_there(nullptr, hull)) found = islet::make_polygon(*cast<const Hull>(hull), radius);
+    return out(found);
 }
 
 IsletPolygon islet_make_box(float hx, float hy) {
@@ -183,100 +185,119 @@ IsletPolygon islet_make_offset_box(float hx, float hy, IsletTransform pose, floa
 }
 
 IsletPolygon islet_transform_polygon(IsletTransform t, const IsletPolygon* p) {
-    if (p == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(Polygon{});
-    return out(islet::transform_polygon(in<Transform>(t), *cast<const Polygon>(p)));
+    Polygon found = {};
+    if (is_there(nullptr, p)) found = islet::transform_polygon(in<Transform>(t), *cast<const Polygon>(p));
+    return out(found);
 }
 
 bool islet_circle_is_valid(const IsletCircle* c) {
-    if (c == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), false;
-    return islet::is_valid(*cast<const Circle>(c));
+    bool found = {};
+    if (is_there(nullptr, c)) found = islet::is_valid(*cast<const Circle>(c));
+    return found;
 }
 
 bool islet_capsule_is_valid(const IsletCapsule* c) {
-    if (c == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), false;
-    return islet::is_valid(*cast<const Capsule>(c));
+    bool found = {};
+    if (is_there(nullptr, c)) found = islet::is_valid(*cast<const Capsule>(c));
+    return found;
 }
 
 bool islet_segment_is_valid(const IsletSegment* s) {
-    if (s == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), false;
-    return islet::is_valid(*cast<const Segment>(s));
+    bool found = {};
+    if (is_there(nullptr, s)) found = islet::is_valid(*cast<const Segment>(s));
+    return found;
 }
 
 bool islet_half_space_is_valid(const IsletHalfSpace* h) {
-    if (h == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), false;
-    return islet::is_valid(*cast<const HalfSpace>(h));
+    bool found = {};
+    if (is_there(nullptr, h)) found = islet::is_valid(*cast<const HalfSpace>(h));
+    return found;
 }
 
 bool islet_polygon_is_valid(const IsletPolygon* p) {
-    if (p == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), false;
-    return islet::is_valid(*cast<const Polygon>(p));
+    bool found = {};
+    if (is_there(nullptr, p)) found = islet::is_valid(*cast<const Polygon>(p));
+    return found;
 }
 
 IsletMassData islet_circle_compute_mass(const IsletCircle* c, float density) {
-    if (c == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(MassData{});
-    return out(islet::compute_mass(*cast<const Circle>(c), density));
+    MassData found = {};
+    if (is_there(nullptr, c)) found = islet::compute_mass(*cast<const Circle>(c), density);
+    return out(found);
 }
 
 IsletMassData islet_capsule_compute_mass(const IsletCapsule* c, float density) {
-    if (c == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(MassData{});
-    return out(islet::compute_mass(*cast<const Capsule>(c), density));
+    MassData found = {};
+    if (is_there(nullptr, c)) found = islet::compute_mass(*cast<const Capsule>(c), density);
+    return out(found);
 }
 
 IsletMassData islet_polygon_compute_mass(const IsletPolygon* p, float density) {
-    if (p == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(MassData{});
-    return out(islet::compute_mass(*cast<const Polygon>(p), density));
+    MassData found = {};
+    if (is_there(nullptr, p)) found = islet::compute_mass(*cast<const Polygon>(p), density);
+    return out(found);
 }
 
 IsletAabb islet_circle_compute_aabb(const IsletCircle* c, IsletTransform t) {
-    if (c == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(Aabb{});
-    return out(islet::compute_aabb(*cast<const Circle>(c), in<Transform>(t)));
+    Aabb found = {};
+    if (is_there(nullptr, c)) found = islet::compute_aabb(*cast<const Circle>(c), in<Transform>(t));
+    return out(found);
 }
 
 IsletAabb islet_capsule_compute_aabb(const IsletCapsule* c, IsletTransform t) {
-    if (c == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(Aabb{});
-    return out(islet::compute_aabb(*cast<const Capsule>(c), in<Transform>(t)));
+    Aabb found = {};
+    if (is_there(nullptr, c)) found = islet::compute_aabb(*cast<const Capsule>(c), in<Transform>(t));
+    return out(found);
 }
 
 IsletAabb islet_segment_compute_aabb(const IsletSegment* s, IsletTransform t) {
-    if (s == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(Aabb{});
-    return out(islet::compute_aabb(*cast<const Segment>(s), in<Transform>(t)));
+    Aabb found = {};
+    if (is_there(nullptr, s)) found = islet::compute_aabb(*cast<const Segment>(s), in<Transform>(t));
+    return out(found);
 }
 
 IsletAabb islet_polygon_compute_aabb(const IsletPolygon* p, IsletTransform t) {
-    if (p == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(Aabb{});
-    return out(islet::compute_aabb(*cast<const Polygon>(p), in<Transform>(t)));
+    Aabb found = {};
+    if (is_there(nullptr, p)) found = islet::compute_aabb(*cast<const Polygon>(p), in<Transform>(t));
+    return out(found);
 }
 
 bool islet_capacity_is_valid(const IsletCapacity* c) {
     Room<Capacity> c_room;
-    const Capacity* c_taken = take<Capacity>(nullptr, c, c_room);
-    if (c_taken == nullptr) return false;
-    return islet::is_valid(*c_taken);
+    const Capacity* c_taken = nullptr;
+    bool found = {};
+    if ((c_taken = take<Capacity>(nullptr, c, c_room)) != nullptr) found = islet::is_valid(*c_taken);
+    return found;
 }
 
 IsletShapeProxy islet_make_circle_proxy(const IsletCircle* circle) {
-    if (circle == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(ShapeProxy{});
-    return out(islet::make_proxy(*cast<const Circle>(circle)));
+    ShapeProxy found = {};
+    if (is_there(nullptr, circle)) found = islet::make_proxy(*cast<const Circle>(circle));
+    return out(found);
 }
 
 IsletShapeProxy islet_make_capsule_proxy(const IsletCapsule* capsule) {
-    if (capsule == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(ShapeProxy{});
-    return out(islet::make_proxy(*cast<const Capsule>(capsule)));
+    ShapeProxy found = {};
+    if (is_there(nullptr, capsule)) found = islet::make_proxy(*cast<const Capsule>(capsule));
+    return out(found);
 }
 
 IsletShapeProxy islet_make_segment_proxy(const IsletSegment* segment) {
-    if (segment == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(ShapeProxy{});
-    return out(islet::make_proxy(*cast<const Segment>(segment)));
+    ShapeProxy found = {};
+    if (is_there(nullptr, segment)) found = islet::make_proxy(*cast<const Segment>(segment));
+    return out(found);
 }
 
 IsletShapeProxy islet_make_polygon_proxy(const IsletPolygon* polygon) {
-    if (polygon == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(ShapeProxy{});
-    return out(islet::make_proxy(*cast<const Polygon>(polygon)));
+    ShapeProxy found = {};
+    if (is_there(nullptr, polygon)) found = islet::make_proxy(*cast<const Polygon>(polygon));
+    return out(found);
 }
 
 IsletShapeProxy islet_make_proxy(const IsletVec2* points, size_t points_count, float radius) {
-    if (points == nullptr && points_count != 0) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(ShapeProxy{});
-    return out(islet::make_proxy(span_of<const Vec2>(points, points_count), radius));
+    ShapeProxy found = {};
+    if (is_there(nullptr, points, points_count)) found = islet::make_proxy(span_of<const Vec2>(points, points_count), radius);
+    return out(found);
 }
 
 IsletShapeProxy islet_make_box_proxy(IsletAabb box) {
@@ -284,35 +305,40 @@ IsletShapeProxy islet_make_box_proxy(IsletAabb box) {
 }
 
 IsletShapeProxy islet_transform_proxy(IsletTransform t, const IsletShapeProxy* p) {
-    if (p == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(ShapeProxy{});
-    return out(islet::transform_proxy(in<Transform>(t), *cast<const ShapeProxy>(p)));
+    ShapeProxy found = {};
+    if (is_there(nullptr, p)) found = islet::transform_proxy(in<Transform>(t), *cast<const ShapeProxy>(p));
+    return out(found);
 }
 
 bool islet_proxy_is_valid(const IsletShapeProxy* p) {
-    if (p == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), false;
-    return islet::is_valid(*cast<const ShapeProxy>(p));
+    bool found = {};
+    if (is_there(nullptr, p)) found = islet::is_valid(*cast<const ShapeProxy>(p));
+    return found;
 }
 
 IsletCastHit islet_cast_ray(const IsletShapeProxy* target, IsletVec2 origin, IsletVec2 translation) {
-    if (target == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(CastHit{});
-    return out(islet::cast_ray(*cast<const ShapeProxy>(target), in<Vec2>(origin), in<Vec2>(translation)));
+    CastHit found = {};
+    if (is_there(nullptr, target)) found = islet::cast_ray(*cast<const ShapeProxy>(target), in<Vec2>(origin), in<Vec2>(translation));
+    return out(found);
 }
 
 IsletCastHit islet_cast_shape(const IsletShapeProxy* moving, IsletVec2 translation, const IsletShapeProxy* target) {
-    if (moving == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(CastHit{});
-    if (target == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), out(CastHit{});
-    return out(islet::cast_shape(*cast<const ShapeProxy>(moving), in<Vec2>(translation), *cast<const ShapeProxy>(target)));
+    CastHit found = {};
+    if (is_there(nullptr, moving) && is_there(nullptr, target))
+        found = islet::cast_shape(*cast<const ShapeProxy>(moving), in<Vec2>(translation), *cast<const ShapeProxy>(target));
+    return out(found);
 }
 
 bool islet_proxy_overlaps(const IsletShapeProxy* a, const IsletShapeProxy* b) {
-    if (a == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), false;
-    if (b == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), false;
-    return islet::overlaps(*cast<const ShapeProxy>(a), *cast<const ShapeProxy>(b));
+    bool found = {};
+    if (is_there(nullptr, a) && is_there(nullptr, b)) found = islet::overlaps(*cast<const ShapeProxy>(a), *cast<const ShapeProxy>(b));
+    return found;
 }
 
 bool islet_proxy_contains(const IsletShapeProxy* shape, IsletVec2 point) {
-    if (shape == nullptr) return refuse(nullptr, ISLET_ERROR_NULL_POINTER), false;
-    return islet::contains(*cast<const ShapeProxy>(shape), in<Vec2>(point));
+    bool found = {};
+    if (is_there(nullptr, shape)) found = islet::contains(*cast<const ShapeProxy>(shape), in<Vec2>(point));
+    return found;
 }
 
 }  // extern "C"

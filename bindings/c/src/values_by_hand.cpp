@@ -10,6 +10,7 @@ const char* islet_describe(IsletError error) {
     if (error == ISLET_ERROR_NULL_POINTER) return "A pointer that must not be null is: check what the call was given, the world among it.";
     if (error == ISLET_ERROR_STRUCT_SIZE)
         return "A struct has no size that this version of Islet knows: start from its islet_default_..., which sets struct_size.";
+    if (error == ISLET_ERROR_NOT_A_FLEET) return "The pointer points to no fleet: take the one that islet_create_fleet returned, and do not move its memory.";
     return islet::describe(in<Error>(error));
 }
 

@@ -75,6 +75,11 @@ export declare class World extends Calls {
     startRecording(options?: {bodies?: boolean}): void;
     /** The recording, which `islet replay` and replay() repeat anywhere. */
     stopRecording(): Uint8Array;
+    /**
+     * Makes room for what the next step records, and gives the bytes recorded so far. step() does it by itself; call it before a step that other code in the
+     * same WebAssembly makes.
+     */
+    growRecording(): number;
     /** Repeats a recording, at most so many steps. The world needs the capacity that readRecording() names. */
     replay(recording: Uint8Array, steps?: number, out?: ReplayResult): ReplayResult;
 }

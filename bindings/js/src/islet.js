@@ -156,7 +156,7 @@ export class World extends calls.Calls {
     }
 
     step(dt = 1 / 60) {
-        if (this.recording.at !== 0) this.growRecording();
+        this.growRecording();
         super.step(dt);
     }
 
@@ -230,12 +230,15 @@ export class World extends calls.Calls {
 
     growRecording() {
         const {at, bytes} = this.recording;
-        if (wasm.islet_world_recorded_bytes(this.pointer) < bytes - 2 ** 19) return;
+        if (at === 0) return 0;
+        const used = wasm.islet_world_recorded_bytes(this.pointer);
+        if (used < bytes - 2 ** 19) return used;
         const larger = allocate(2 * bytes);
         wasm.islet_world_move_recording(this.pointer, larger, 2 * bytes);
         wasm.free(at);
         this.recording = {at: larger, bytes: 2 * bytes};
         check();
+        return used;
     }
 
     replay(recording, steps = Number.MAX_SAFE_INTEGER, out = undefined) {

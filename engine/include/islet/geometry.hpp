@@ -50,7 +50,7 @@ struct HalfSpace {
     float offset = 0;      ///< m, from the body's origin to the surface along the normal; 1e7 m at most
 };
 
-/// The corners of a convex polygon, counter-clockwise. count = 0 means that no hull could be made.
+/// The corners of a convex polygon, m, counter-clockwise. count = 0 means that no hull could be made.
 struct Hull {
     Vec2 points[max_polygon_vertices];
     std::uint32_t count = 0;
@@ -77,13 +77,13 @@ struct MassData {
 /// than 0.005 m) and collinear points (standing out by less than 0.0005 m) are dropped. The result depends on the set of points, not on their order. Returns
 /// count 0 if fewer than 3 points remain, if there are more than 8 points given, or if a coordinate is not finite or above 1e7 m.
 Hull compute_hull(span<const Vec2> points);
-/// Polygon from a hull; count 0 if the hull has fewer than 3 points or is not convex, or if radius is negative or not finite.
+/// Polygon from a hull; count 0 if the hull has fewer than 3 points or is not convex, or if radius (m) is negative or not finite.
 Polygon make_polygon(const Hull& hull, float radius = 0);
 /// Axis-aligned box of half-width hx and half-height hy (metres, > 0; count 0 otherwise), centred on the body's origin.
 Polygon make_box(float hx, float hy);
-/// Box with rounded corners: the total half extents are hx + radius and hy + radius.
+/// Box with rounded corners: the total half extents are hx + radius and hy + radius, m.
 Polygon make_rounded_box(float hx, float hy, float radius);
-/// Box with its centre at pose.p, turned by pose.q.
+/// Box with its centre at pose.p, turned by pose.q; half extents and radius in m.
 Polygon make_offset_box(float hx, float hy, const Transform& pose, float radius = 0);
 /// p moved by t; count 0 if the result is not valid (t not finite, or so far away that rounding destroys the shape).
 Polygon transform_polygon(const Transform& t, const Polygon& p);

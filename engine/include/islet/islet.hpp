@@ -1,7 +1,9 @@
-// Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all public headers except lcp.hpp, island.hpp and hash.hpp.
+// Islet: a 2D rigid-body physics engine in one fixed block of memory. This header includes all public headers except fleet.hpp, lcp.hpp, island.hpp
+// and hash.hpp.
 #pragma once
 
 #include "islet/debug_draw.hpp"
+#include "islet/fault.hpp"
 #include "islet/format.hpp"
 #include "islet/geometry.hpp"
 #include "islet/joints.hpp"

@@ -129,9 +129,9 @@ struct DistanceJointDef {
 struct WeldJointDef {
     JointBase base = {};
     float linear_hertz = 0;  ///< Hz, >= 0; 0 is rigid
-    float linear_damping_ratio = 1;
+    float linear_damping_ratio = 1;  ///< >= 0; 1 is critical
     float angular_hertz = 0;  ///< Hz, >= 0; 0 is rigid
-    float angular_damping_ratio = 1;
+    float angular_damping_ratio = 1;  ///< >= 0; 1 is critical
 };
 
 /// A wheel (B) on a sprung strut along A's x axis.
@@ -152,9 +152,9 @@ struct MotorJointDef {
     float max_force = 0;         ///< N, >= 0
     float max_torque = 0;        ///< N m, >= 0
     float linear_hertz = 0;      ///< Hz, >= 0; 0 drives the velocity, more the position
-    float linear_damping_ratio = 1;
+    float linear_damping_ratio = 1;  ///< >= 0; 1 is critical
     float angular_hertz = 0;  ///< Hz, >= 0; as above, for the angle
-    float angular_damping_ratio = 1;
+    float angular_damping_ratio = 1;  ///< >= 0; 1 is critical
 };
 
 /// Pulls a point of `body` to the target, which you can move: the point that is at `target` when the joint is made.
@@ -162,7 +162,7 @@ struct MouseJointDef {
     BodyId body = {};
     Vec2 target = {};  ///< m, world
     float hertz = 5;   ///< Hz, > 0
-    float damping_ratio = 0.7f;
+    float damping_ratio = 0.7f;  ///< >= 0; 1 is critical
     float max_force = 0;  ///< N, >= 0
     std::uint64_t user_data = 0;
 };

@@ -204,27 +204,32 @@ struct Layout {
     constexpr std::size_t operator[](Array a) const { return arrays[static_cast<std::uint32_t>(a)]; }
 };
 
-constexpr std::size_t align_up(std::size_t n) { return (n + 63) / 64 * 64; }
+// What arrays begin at a multiple of: a cache line, or what their elements need where there are no lanes, and memory is small.
+inline constexpr std::size_t line_bytes = layout_lanes > 1 ? 64 : 8;
+
+constexpr std::size_t align_up(std::size_t n) { return (n + line_bytes - 1) / line_bytes * line_bytes; }
 
 constexpr std::size_t max_of(std::size_t a, std::size_t b) { return a > b ? a : b; }
 
 // Bytes that the stages of a step take from scratch, at most (tests/unit/scratch_test.cpp checks that). Other calls take less.
 constexpr std::size_t scratch_bytes(const Capacity& c) {
     // Pairs: sort keys, and boxes as columns. Collide: which contacts changed, and which bodies wake. Plan: bodies and constraints in the order of batches,
-    // kept until the step ends. What the plan leaves free serves planning first (islands, lists of constraints), then the solve (bodies and rows), and then
-    // finishing, in place of the rows.
+    // kept until the step ends. What the plan leaves free serves planning first (islands, lists of constraints), then the solve (bodies and rows), and then,
+    // in place of the rows, weighing what bodies bear, and finishing.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
-    const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + sort_digits * 4 + 12 * 4 * layout_lanes + 20 * 64;
-    const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * 64;
+    const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + words_for(c.bodies) * 8 + sort_digits * 4 + 12 * 4 * layout_lanes + 20 * line_bytes;
+    const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * line_bytes;
     const std::size_t plan = bodies * 4 * 4 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
-                             joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 10 * 64;
-    const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_kernel_count) * 4 + 5 * 64;
-    const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * 64;
-    const std::size_t planning = bodies * 4 * 4 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 6 * 64 + max_of(tables, trees);
-    const std::size_t rows =
-        row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * 64 + tree_capacity(c) * tree_link_bytes + 5 * 64;
-    const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * 64;
-    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + c.contacts * std::size_t{4} + max_of(rows, finish) + 4 * 64;
+                             joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 10 * line_bytes;
+    const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_kernel_count) * 4 + 5 * line_bytes;
+    const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * line_bytes;
+    const std::size_t planning = bodies * 4 * 4 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 6 * line_bytes + max_of(tables, trees);
+    const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * line_bytes +
+                             tree_capacity(c) * tree_link_bytes + 5 * line_bytes;
+    const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * line_bytes;
+    const std::size_t weighing = bodies * 8 + c.contacts * std::size_t{16} + 2 * line_bytes;
+    const std::size_t after = max_of(rows, max_of(weighing, finish));
+    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + c.contacts * std::size_t{4} + after + 4 * line_bytes;
     return max_of(plan + max_of(planning, solve), max_of(pairs, collide));
 }
 

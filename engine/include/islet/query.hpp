@@ -33,7 +33,7 @@ ShapeProxy make_proxy(const Capsule& capsule);
 ShapeProxy make_proxy(const Segment& segment);
 ShapeProxy make_proxy(const Polygon& polygon);
 ShapeProxy make_proxy(const ChainSegment& segment);
-/// The hull of up to 8 points (one and two are taken as they are, more by compute_hull), grown by radius; count 0 if there is none.
+/// The hull of up to 8 points (one and two are taken as they are, more by compute_hull), grown by radius (m); count 0 if there is none.
 ShapeProxy make_proxy(span<const Vec2> points, float radius = 0);
 /// An upright box; count 0 unless lower < upper on both axes.
 ShapeProxy make_proxy(const Aabb& box);
@@ -69,8 +69,8 @@ CastHit cast_shape(const ShapeProxy& moving, Vec2 translation, const ShapeProxy&
 struct Separation {
     float distance = 0;  ///< m; for shapes that overlap, minus the length of the shortest way that parts them
     Vec2 point_a = {};   ///< m, the closest points of the surfaces; of overlapping shapes the deepest
-    Vec2 point_b = {};
-    Vec2 normal = {};  ///< unit, from a to b. For coinciding points (0, -1), on a line across it.
+    Vec2 point_b = {};   ///< m
+    Vec2 normal = {};    ///< unit, from a to b. For coinciding points (0, -1), on a line across it.
 };
 
 /// Distance and closest points of two shapes in one frame. Of shapes that are not valid: distance 3.4e38, no normal.
@@ -95,7 +95,7 @@ struct QueryHit {
     ShapeId shape = {};
     Vec2 point = {};   ///< m, world
     Vec2 normal = {};  ///< unit, world
-    float fraction = 0;
+    float fraction = 0;    ///< 0 to 1, of the translation
     float separation = 0;  ///< m, 0; for shapes that overlapped at the start, minus the depth
     explicit constexpr operator bool() const { return bool(shape); }
 };

@@ -56,9 +56,11 @@ inline bool read_contact_slot(const World& of, std::uint32_t slot, ContactInfo& 
 
 }  // namespace detail
 
-/// Ids of all bodies, shapes and joints.
+/// Ids of all bodies.
 inline auto all_bodies(const World& of) { return detail::SlotRange<BodyId, detail::read_slot<BodyId, &World::body_at>>(of, of.capacity().bodies); }
+/// Ids of all shapes.
 inline auto all_shapes(const World& of) { return detail::SlotRange<ShapeId, detail::read_slot<ShapeId, &World::shape_at>>(of, of.capacity().shapes); }
+/// Ids of all joints.
 inline auto all_joints(const World& of) { return detail::SlotRange<JointId, detail::read_slot<JointId, &World::joint_at>>(of, of.capacity().joints); }
 /// All contacts that touch, as ContactInfo.
 inline auto all_contacts(const World& of) { return detail::SlotRange<ContactInfo, detail::read_contact_slot>(of, of.capacity().contacts); }

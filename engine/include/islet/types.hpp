@@ -184,8 +184,8 @@ struct SolverDef {
     SweepOrder sweep_order = SweepOrder::colored;  ///< With block_contacts, colored stands for as_found.
     bool block_contacts = false;                   ///< Solve the two normal impulses of a contact together, exactly.
     float shock = 0;  ///< 0 to max_shock. Shock propagation: the solver treats each body as lighter, by this share, than the body it lies on. Use it
-                      ///< for stacks at rest: impacts and reported forces are those of the lighter bodies. Do not use 0.5 with joints in the
-                      ///< pile.
+                      ///< for stacks at rest: impacts, and the forces that joints report, are those of the lighter bodies. (Contacts report the
+                      ///< weight of what lies on them.) Do not use 0.5 with joints in the pile.
     bool measure_residual = false;  ///< Measure after each step how far the impulses are from a solution: World::residual.
     float tolerance = 0;            ///< m/s, >= 0. Above 0, a substep ends its biased sweeps, and then its relaxing sweeps, as soon as the residual is at
                                     ///< most this. The islands of one batch (StepReport::batches) end together. Each measurement costs two to three
@@ -234,7 +234,7 @@ struct BodyDef {
     float angular_velocity = 0;  ///< rad/s
     float linear_damping = 0;    ///< 1/s, >= 0
     float angular_damping = 0;   ///< 1/s, >= 0
-    float gravity_scale = 1;
+    float gravity_scale = 1;     ///< multiple of the gravity that the body feels
     float sleep_threshold = 0.05f;  ///< m/s, >= 0. Slower bodies may fall asleep.
     bool enable_sleep = true;       ///< false: the body keeps itself and its island awake.
     bool awake = true;              ///< false: the body starts asleep.
@@ -255,7 +255,7 @@ struct Filter {
     std::int32_t group = 0;
 };
 
-/// The material of a surface: four fields as in ShapeDef, and a number of yours, which the mixing hooks get.
+/// The material of a surface: four fields as in ShapeDef (ShapeDef::friction and so on, with their units), and a number of yours, which the mixing hooks get.
 struct SurfaceMaterial {
     float friction = 0.6f;
     float restitution = 0;
@@ -398,8 +398,8 @@ struct ContactInfo {
     Vec2 normal = {};  ///< unit, from a to b
     ContactPoint points[2];
     std::uint32_t point_count = 0;
-    float friction = 0;
-    float restitution = 0;
+    float friction = 0;     ///< Coulomb coefficient of the two surfaces
+    float restitution = 0;  ///< 0 to 1
 };
 
 /// A contact as the pre_solve hook sees it, and what the hook may change for this one step.

@@ -25,15 +25,22 @@ struct Core;
 ISLET_INTERNAL_END
 /// Makes the world of a StaticWorld. The capacity is valid, and the block has the layout's size.
 World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& def);
-/// For interfaces of other languages, which refuse arguments themselves: the world's last error becomes `error`. With `tell`, the error hook is called as for
-/// any error. Returns the last error before.
-Error replace_error(const World& world, Error error, bool tell);
+// For interfaces of other languages, which refuse arguments themselves, and return the error of each call that changes a world.
+/// Records an error and calls the error hook, as the world does, unless `world` is null. Returns the error.
+Error refuse_call(const World* world, Error error);
+/// Before a call: no error is known, until end_call. False if `world` is null.
+bool begin_call(World* world);
+/// After it: its error. If it had none, the last error is again that before begin_call. If `world` is null, returns `without`.
+Error end_call(World* world, Error without);
 }  // namespace detail
 
 /// A world lives at the start of the block of memory it was created in and never moves, allocates or frees. Not copyable.
 ///
 /// Every function checks its arguments in every build. On bad input it changes nothing, returns a null or zero value, sets last_error() and
 /// calls the error hook, if there is one. Units: metres, kilograms, seconds, radians.
+///
+/// Comments name a function's errors but for those that are the same everywhere: null_id and stale_id of an id; not_finite and out_of_range of a number;
+/// feature_cut of what this build leaves out; in_step of a call that the next paragraph forbids.
 ///
 /// Functions of yours that a world calls (hooks, the error hook, the clock, the task system, drawing functions, a mover's filter) may read its
 /// bodies and shapes. They may not change the world, nor step, save, hash, validate, export or draw it: such a call fails with in_step,
@@ -56,6 +63,7 @@ public:
     /// bad_time_step; in_step; inexact_build (of a StaticWorld).
     void step(float dt);
 
+    /// m/s^2
     Vec2 gravity() const;
     void set_gravity(Vec2 gravity);
     SolverDef solver() const;
@@ -89,10 +97,12 @@ public:
     bool continuous() const;
     void enable_continuous(bool enable);
 
+    /// The hooks as they were last set; none by default.
     Hooks hooks() const;
     /// Sets the hooks. Two shapes in contact keep their mixed friction, and whether they bounce, until a material changes or the shapes part. How much they
     /// bounce is mixed anew in every step.
     void set_hooks(const Hooks& hooks);
+    /// m/s, >= 0 (WorldDef::hit_threshold)
     float hit_threshold() const;
     void set_hit_threshold(float speed);
     /// Pushes the circles, capsules and polygons of dynamic bodies in reach away from a point. The impulse is impulse_per_length times the shape's width
@@ -100,6 +110,7 @@ public:
     /// that to the shape's middle.) Shapes do not shield each other. Sensors feel nothing. The bodies pushed wake up.
     void explode(const ExplosionDef& explosion);
 
+    /// How many objects of each kind there is room for, as create() was told.
     const Capacity& capacity() const;
     /// What the last step did, and how many objects the world holds.
     const StepReport& report() const;
@@ -141,14 +152,15 @@ public:
     bool is_recording() const;
     /// Bytes used so far; 0 if nothing is being recorded.
     std::size_t recorded_bytes() const;
-    /// Continues the recording in a larger buffer. Returns false, and changes nothing, if the buffer is smaller than recorded_bytes() or misaligned, or if
-    /// nothing is being recorded.
+    /// Continues the recording in a larger buffer. Returns false, and changes nothing, if the buffer is smaller than recorded_bytes() (recording_full) or
+    /// misaligned (image_misaligned), or if nothing is being recorded (not_a_recording).
     bool move_recording(span<std::byte> buffer);
     /// Ends the recording; returns its bytes, or 0 if nothing is being recorded (not_a_recording).
     std::size_t stop_recording();
 
     // -- events of the last step -----------------------------------------------------------------------------------------------
 
+    /// Pairs of shapes that began to touch in the last step.
     span<const TouchEvent> begin_touch_events() const;
     /// Contacts that ended in the last step, and in calls made since. This list and sensor_end_events() have room for Capacity::contacts events together. If
     /// calls need that room, they remove the events of the last step, so read these events before you make calls.
@@ -168,6 +180,7 @@ public:
 
     // -- bodies ----------------------------------------------------------------------------------------------------------------
 
+    /// Returns null on an error: bodies_full; not_finite, out_of_range and feature_cut of a field, which find_fault names (fault.hpp).
     BodyId create_body(const BodyDef& def);
     /// Destroys the body with its shapes, contacts and joints. Wakes the bodies that touched it or were joined to it.
     void destroy_body(BodyId body);
@@ -177,25 +190,30 @@ public:
     /// Id of the body in slot 0 <= slot < capacity().bodies; null if the slot is free. For walking over all bodies.
     BodyId body_at(std::uint32_t slot) const;
 
+    /// The pose of the body's origin, m.
     Transform transform(BodyId body) const;
     /// The body's origin.
     Vec2 position(BodyId body) const;
-    /// (-pi, pi]
+    /// rad, in (-pi, pi]
     float angle(BodyId body) const;
+    /// m, in the world
     Vec2 center_of_mass(BodyId body) const;
+    /// m, from the origin, in the body's frame
     Vec2 local_center_of_mass(BodyId body) const;
-    /// Of the centre of mass.
+    /// m/s, of the centre of mass
     Vec2 linear_velocity(BodyId body) const;
+    /// rad/s
     float angular_velocity(BodyId body) const;
-    /// Velocity of the point of the body that is now at world position `point`.
+    /// m/s: the velocity of the point of the body that is now at world position `point`.
     Vec2 velocity_at(BodyId body, Vec2 point) const;
-    /// Teleports the body. Its contacts are found anew; it keeps its velocity. Wakes the body, and the bodies that touched it or are joined to it.
+    /// Teleports the body to a position, m, and an angle, rad. Its contacts are found anew; it keeps its velocity. Wakes the body, and the bodies that
+    /// touched it or are joined to it.
     void set_transform(BodyId body, Vec2 position, float angle);
     /// The same. pose.q must be of unit length (out_of_range).
     void set_transform(BodyId body, const Transform& pose);
-    /// No effect on static bodies. Wakes the body if the velocity is not zero.
+    /// m/s, of the centre of mass. No effect on static bodies. Wakes the body if the velocity is not zero.
     void set_linear_velocity(BodyId body, Vec2 velocity);
-    /// The same; no effect on bodies of fixed rotation either.
+    /// The same, rad/s; no effect on bodies of fixed rotation either.
     void set_angular_velocity(BodyId body, float velocity);
     /// Gives a kinematic body the velocities that take it to a pose in a step of dt seconds, except for rounding: at most max_speed, and at most a quarter
     /// turn. The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
@@ -210,22 +228,27 @@ public:
     void apply_linear_impulse_to_center(BodyId body, Vec2 impulse);
     void apply_angular_impulse(BodyId body, float impulse);
 
+    /// Static, kinematic or dynamic.
     BodyType type(BodyId body) const;
     /// Changes the type. Contacts are found anew, and the body gets the mass of its shapes again. Wakes the bodies that touched it or are joined to it. A body
     /// that becomes static loses its velocity.
     void set_type(BodyId body, BodyType type);
+    /// kg; 0 for a body that is not dynamic
     float mass(BodyId body) const;
-    /// About the centre of mass.
+    /// kg m^2, about the centre of mass
     float rotational_inertia(BodyId body) const;
     /// Replaces the mass, centre and inertia that follow from the shapes, until a shape is added or removed, the type changes or reset_mass is called. mass:
     /// 1e-12 to 1e30 kg; inertia: 1e-15 to 1e30 kg m^2, or 0 for a body that does not turn; centre: within max_position.
     void set_mass(BodyId body, const MassData& mass);
     /// Takes mass, centre and inertia from the shapes' densities again.
     void reset_mass(BodyId body);
+    /// 1/s, >= 0 (BodyDef::linear_damping)
     float linear_damping(BodyId body) const;
     void set_linear_damping(BodyId body, float damping);
+    /// 1/s, >= 0
     float angular_damping(BodyId body) const;
     void set_angular_damping(BodyId body, float damping);
+    /// Multiple of the gravity that the body feels.
     float gravity_scale(BodyId body) const;
     void set_gravity_scale(BodyId body, float scale);
     bool is_rotation_fixed(BodyId body) const;
@@ -245,8 +268,8 @@ public:
     /// BodyDef::enable_sleep.
     bool sleep_enabled(BodyId body) const;
     void enable_sleep(BodyId body, bool enable);
+    /// m/s, >= 0 (BodyDef::sleep_threshold)
     float sleep_threshold(BodyId body) const;
-    /// m/s, >= 0
     void set_sleep_threshold(BodyId body, float threshold);
     bool is_awake(BodyId body) const;
     /// Wakes the body and its island.
@@ -263,6 +286,8 @@ public:
 
     // -- shapes ----------------------------------------------------------------------------------------------------------------
 
+    /// Returns null on an error: shapes_full; geometries_full; bad_geometry; not_finite, out_of_range and feature_cut of a field, which find_fault names
+    /// (fault.hpp).
     ShapeId create_shape(BodyId body, const Circle& circle, const ShapeDef& def = {});
     ShapeId create_shape(BodyId body, const Capsule& capsule, const ShapeDef& def = {});
     ShapeId create_shape(BodyId body, const Segment& segment, const ShapeDef& def = {});
@@ -271,7 +296,8 @@ public:
     /// Static and kinematic bodies only (Error::endless_shape).
     ShapeId create_shape(BodyId body, const HalfSpace& half_space, const ShapeDef& def = {});
     /// A chain of ChainSegments through `points` (2 or more; 3 for a loop), which collides on the right of its direction and does not catch at
-    /// its inner corners. All or nothing. Returns the number of segments made, and their ids in `out` as far as they fit.
+    /// its inner corners. All or nothing. Returns the number of segments made, and their ids in `out` as far as they fit;
+    /// 0 on an error: bad_chain; shapes_full; geometries_full; endless_shape; those of a ShapeDef.
     std::uint32_t create_chain(BodyId body, span<const Vec2> points, bool loop, const ShapeDef& def = {}, span<ShapeId> out = {});
     /// Destroys the shape and its contacts, and computes the body's mass again.
     void destroy_shape(ShapeId shape);
@@ -282,7 +308,9 @@ public:
     /// Writes the shape's touching contacts, newest first, as far as they fit; returns how many there are.
     std::uint32_t contacts(ShapeId shape, span<ContactInfo> out) const;
 
+    /// The body that the shape belongs to.
     BodyId body(ShapeId shape) const;
+    /// Which kind of geometry the shape has.
     ShapeType shape_type(ShapeId shape) const;
     /// The geometry; null if the shape is of another type (which is no error), or if the id is invalid (which is one).
     const Circle* circle(ShapeId shape) const;
@@ -304,7 +332,7 @@ public:
     void set_density(ShapeId shape, float density);
     /// The tight box around the shape, world coordinates.
     Aabb aabb(ShapeId shape) const;
-    /// Setting one of these wakes the body and the bodies that touch the shape.
+    /// ShapeDef::friction and the three that follow, with their ranges. Setting one of these wakes the body and the bodies that touch the shape.
     float friction(ShapeId shape) const;
     void set_friction(ShapeId shape, float friction);
     float restitution(ShapeId shape) const;
@@ -354,6 +382,8 @@ public:
     //
     // Changing a joint wakes its bodies. A function that does not apply to the type of the joint fails with wrong_joint_type.
 
+    /// Returns null on an error: joints_full; same_body; no_dynamic_body; wrong_joint_type (gears); not_finite and out_of_range of a field, which find_fault
+    /// names (fault.hpp).
     JointId create_joint(const RevoluteJointDef& def);
     JointId create_joint(const PrismaticJointDef& def);
     JointId create_joint(const DistanceJointDef& def);
@@ -373,6 +403,7 @@ public:
     /// Writes the ids of the body's joints, newest first, as far as they fit; returns how many there are.
     std::uint32_t joints(BodyId body, span<JointId> out) const;
 
+    /// Which kind of joint it is.
     JointType joint_type(JointId joint) const;
     /// Null for mouse joints.
     BodyId body_a(JointId joint) const;
@@ -381,7 +412,7 @@ public:
     JointFrame frame_b(JointId joint) const;
     /// Moves the joint on its bodies. Not for mouse, pulley and gear joints.
     void set_frames(JointId joint, const JointFrame& frame_a, const JointFrame& frame_b);
-    /// The frames' points in the world; of a mouse joint the target and the point pulled to it.
+    /// m: the frames' points in the world; of a mouse joint the target and the point pulled to it.
     Vec2 anchor_a(JointId joint) const;
     Vec2 anchor_b(JointId joint) const;
     bool collide_connected(JointId joint) const;
@@ -458,15 +489,15 @@ public:
     //
     // Rays and casts meet chain segments from their outer side only. To overlap and distance queries, chain segments are thin lines.
 
-    /// The first shape that a ray from `origin` to `origin + translation` meets. A ray that starts inside a shape meets it at fraction 0 (islet::cast_ray).
+    /// The first shape that a ray from `origin` to `origin + translation` (m) meets. A ray that starts inside a shape meets it at fraction 0 (islet::cast_ray).
     QueryHit cast_ray(Vec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
-    /// Whether the ray meets any shape. Faster than the first shape where many are in the way.
+    /// Whether the ray (m) meets any shape. Faster than the first shape where many are in the way.
     bool cast_ray_any(Vec2 origin, Vec2 translation, const QueryFilter& filter = {}) const;
     /// Writes the hits of the ray, as far as they fit, first ones first; returns how many there are.
     std::uint32_t cast_ray_all(Vec2 origin, Vec2 translation, span<QueryHit> out, const QueryFilter& filter = {}) const;
-    /// Calls `visit`, unless null, for each hit until `visit` stops the cast (CastVisitor).
+    /// Calls `visit`, unless null, for each hit of the ray (m) until `visit` stops the cast (CastVisitor).
     void cast_ray_each(Vec2 origin, Vec2 translation, const QueryFilter& filter, CastVisitor visit, void* context) const;
-    /// The same for a shape that starts where its proxy stands in the world, and moves by `translation` without turning (islet::cast_shape).
+    /// The same for a shape that starts where its proxy stands in the world, and moves by `translation` (m) without turning (islet::cast_shape).
     QueryHit cast_shape(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
     bool cast_shape_any(const ShapeProxy& shape, Vec2 translation, const QueryFilter& filter = {}) const;
     std::uint32_t cast_shape_all(const ShapeProxy& shape, Vec2 translation, span<QueryHit> out, const QueryFilter& filter = {}) const;
@@ -476,9 +507,9 @@ public:
     std::uint32_t overlap_box(const Aabb& box, span<ShapeId> out, const QueryFilter& filter = {}) const;
     /// The same for shapes that share a point with `shape`, which stands in the world.
     std::uint32_t overlap_shape(const ShapeProxy& shape, span<ShapeId> out, const QueryFilter& filter = {}) const;
-    /// The same for shapes that contain the point; segments contain none.
+    /// The same for shapes that contain the point (m); segments contain none.
     std::uint32_t overlap_point(Vec2 point, span<ShapeId> out, const QueryFilter& filter = {}) const;
-    /// Call `visit`, unless null, for each such shape until it returns false.
+    /// Call `visit`, unless null, for each such shape until it returns false. Boxes, shapes and points in m.
     void overlap_box_each(const Aabb& box, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
     void overlap_shape_each(const ShapeProxy& shape, const QueryFilter& filter, OverlapVisitor visit, void* context) const;
     void overlap_point_each(Vec2 point, const QueryFilter& filter, OverlapVisitor visit, void* context) const;

@@ -105,10 +105,43 @@ Aabb grow(const Aabb& box, const Way& way, float most) {
 /// A shape in motion.
 struct MovingShape {
     Aabb box;  // its fat box
-    Way way;   // its body's
+    Way way;   // its body's, if that leaves the box
     std::uint32_t body;
     std::uint32_t shape;
     bool leaves;  // the way may lead out of the box
+};
+
+/// Which parts of an area hold boxes that changed: 64 times 64 cells, a bit each.
+struct ChangedCells {
+    static constexpr std::uint32_t least_shapes = 128;  // that make a look at cells pay
+    static constexpr std::uint32_t share = 16;          // of the shapes, one in so many may have a changed box
+
+    Vec2 origin, scale;  // m; cells per m
+    std::uint64_t rows[64] = {};
+
+    explicit ChangedCells(const Aabb& area) : origin(area.lower) {
+        const Vec2 size = area.upper - area.lower;
+        scale = {63.0f / max(size.x, 1.0f), 63.0f / max(size.y, 1.0f)};
+    }
+
+    // Calls visit(row, bits) for the cells of a box. Rounding never changes the order of two places, so boxes that overlap have a cell in common.
+    template <class Visit>
+    [[gnu::always_inline]] void for_cells(const Aabb& box, Visit&& visit) const {
+        const std::uint32_t left = cell(box.lower.x, origin.x, scale.x), right = cell(box.upper.x, origin.x, scale.x);
+        const std::uint64_t bits = (~std::uint64_t{0} >> (63 - (right - left))) << left;
+        const std::uint32_t top = cell(box.upper.y, origin.y, scale.y);
+        for (std::uint32_t row = cell(box.lower.y, origin.y, scale.y); row <= top; ++row) visit(row, bits);
+    }
+    static std::uint32_t cell(float at, float from, float per_metre) { return static_cast<std::uint32_t>(clamp((at - from) * per_metre, 0.0f, 63.0f)); }
+
+    void add(const Aabb& box) {
+        for_cells(box, [&](std::uint32_t row, std::uint64_t bits) { rows[row] |= bits; });
+    }
+    bool reach(const Aabb& box) const {
+        std::uint64_t common = 0;
+        for_cells(box, [&](std::uint32_t row, std::uint64_t bits) { common |= rows[row] & bits; });
+        return common != 0;
+    }
 };
 
 // The box of a shape's way, but no farther than its surroundings: a body that is faster for its size must be a bullet to stop at moving bodies.
@@ -140,19 +173,47 @@ struct Moving {
         const MovingShape& b = shapes[number_of(order[place_2])];
         if (a.body == b.body) return false;
         if ((!a.leaves && !b.leaves) || meet(a.box, b.box)) return true;
-        if (!may_meet_on(a.box, a.way, b.box, b.way, fall)) return false;
-        return a.way.turn + b.way.turn < fast_way || detail::may_meet(core, a.shape, b.shape, dt);
+        const Way way_a = way(a), way_b = way(b);
+        if (!may_meet_on(a.box, way_a, b.box, way_b, fall)) return false;
+        return way_a.turn + way_b.turn < fast_way || detail::may_meet(core, a.shape, b.shape, dt);
     }
+    Way way(const MovingShape& m) const { return m.leaves ? m.way : way_of(core, m.body, dt); }
 };
+
+// If few boxes changed: the awake bodies with a shape near one, in `bodies`. No other body is part of a new pair.
+bool find_near_changed(const Core& core, float dt, BitSet bodies) {
+    const std::uint32_t shape_count = core.state->shape_pool.count;
+    if (shape_count < ChangedCells::least_shapes || core.state->moved_count > shape_count / ChangedCells::share) return false;
+    const auto box_of = [&](std::uint32_t shape) {  // bodies that may leave their boxes have changed ones
+        const std::uint32_t body = core.shapes[shape].body;
+        if (!core.is_awake(body) || (core.poses[body].flags & pose_leaves) == 0) return core.boxes[shape];
+        return both(core.boxes[shape], box_along_way(core, {core.boxes[shape], way_of(core, body, dt), body, shape, true}));
+    };
+    Aabb area{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
+    core.moved_shapes.for_each([&](std::uint32_t shape) { area = both(area, box_of(shape)); });
+    ChangedCells changed(area);
+    core.moved_shapes.for_each([&](std::uint32_t shape) { changed.add(box_of(shape)); });
+    bodies.clear_all();
+    for (std::uint32_t shape = 0; shape < core.state->shape_pool.high_water; ++shape) {
+        if (!meet_at_once(core.boxes[shape], area) || !changed.reach(core.boxes[shape]) || !pool_live(core.state->shape_pool, core.shapes, shape)) continue;
+        if (core.is_awake(core.shapes[shape].body)) bodies.set(core.shapes[shape].body);
+    }
+    return true;
+}
 
 Moving sorted_columns(Core& core, Arena& arena, float dt) {
     const std::uint32_t room = core.state->shape_pool.count;
     MovingShape* shapes = arena.take<MovingShape>(room);
     std::uint32_t n = 0;
     Aabb bounds{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
-    core.awake_bodies.for_each([&](std::uint32_t body) {
-        const Way way = way_of(core, body, dt);
+    BitSet bodies = core.awake_bodies;
+    if constexpr (has_shortcuts) {
+        const BitSet near_changed{arena.take<std::uint64_t>(bodies.word_count), bodies.word_count};
+        if (find_near_changed(core, dt, near_changed)) bodies = near_changed;
+    }
+    bodies.for_each([&](std::uint32_t body) {
         const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
+        const Way way = leaves ? way_of(core, body, dt) : Way{};
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
             shapes[n] = {core.boxes[s], way, body, s, leaves};
             bounds = both(bounds, shapes[n++].box);

@@ -17,7 +17,8 @@ const char* describe(Error e) {
         case Error::bad_chain: return "A chain needs at least 2 points (3 for a loop), neighbours more than 0.005 m apart.";
         case Error::bodies_full: return "No room for another body: raise Capacity::bodies.";
         case Error::shapes_full: return "No room for another shape: raise Capacity::shapes.";
-        case Error::contacts_full: return "No room for another contact: raise Capacity::contacts. The pair is tried again in every step.";
+        case Error::contacts_full:
+            return "No room for another contact: raise Capacity::contacts to 3 to 5 for each moving shape, 7 in a squeezed pile. Each step tries again.";
         case Error::geometries_full: return "No room for another different geometry: raise Capacity::geometries.";
         case Error::block_too_small: return "The memory given is too small: world_bytes(capacity) says how much is needed.";
         case Error::block_misaligned: return "The memory given must be aligned to world_alignment bytes.";

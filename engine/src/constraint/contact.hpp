@@ -32,7 +32,6 @@ template <class L>
 struct SweepLanes {
     using F = typename L::F;
     F inv_h, bias_rate, mass_scale, impulse_scale, push, slop;
-    bool biased;
 
     ISLET_LANE explicit SweepLanes(const SweepNumbers& n)
         : inv_h(L::splat(n.inv_h)),
@@ -40,8 +39,7 @@ struct SweepLanes {
           mass_scale(L::splat(n.mass_scale)),
           impulse_scale(L::splat(n.impulse_scale)),
           push(L::splat(-n.push_speed)),
-          slop(L::splat(n.slop)),
-          biased(n.bias_rate > 0) {}
+          slop(L::splat(n.slop)) {}
 };
 
 /// Which lanes of a block a pass solves: all of them,
@@ -92,9 +90,21 @@ struct ContactBlock : BodyPair<L> {
     }
 };
 
+/// Calls row(point, index) for a block's points, the one with the index `first` first. In a build for size there is one copy of the row.
+template <class Rows, class Row>
+ISLET_PART void for_points(Rows& r, std::uint32_t first, Row&& row) {
+#if defined(__OPTIMIZE_SIZE__)
+    std::uint32_t i = first;
+    for (std::uint32_t left = r.two_points ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i);
+#else
+    row(r.points[first], first);
+    if (r.two_points) row(r.points[1 - first], 1 - first);
+#endif
+}
+
 /// The normal rows.
 template <class L, class Lanes>
-ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
+ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, bool biased, const Lanes& lanes) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F mass = s.ma + s.mb;
@@ -102,22 +112,20 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
     // How far the two surfaces moved apart along n is the row's Jacobian times the bodies' motion. `moved` is the part that is the same for both points.
     const F turned = s.dqb - s.dqa;
     const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
-    const std::uint32_t points = r.two_points ? 2 : 1;
-    std::uint32_t i = r.two_points >> 1;
+    const std::uint32_t first = r.two_points >> 1;
     F lean = zero;  // N s, of what the points' impulses differ by; none in lanes of one point
-    if (sweep.biased && r.two_points) {
-        const F first = L::load(r.points[i].normal_impulse), second = L::load(r.points[1 - i].normal_impulse);
-        lean = select(L::load(r.points[1].normal_mass) > zero, L::splat(lean_share) * (second - first), zero);
+    if (biased && r.two_points) {
+        const F one = L::load(r.points[first].normal_impulse), other = L::load(r.points[1 - first].normal_impulse);
+        lean = select(L::load(r.points[1].normal_mass) > zero, L::splat(lean_share) * (other - one), zero);
     }
-    for (std::uint32_t k = 0; k < points; ++k, i = 1 - i, lean = zero - lean) {
-        typename ContactRows<L::width>::Point& p = r.points[i];
+    for_points(r, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) __attribute__((always_inline)) {
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
         const F separation = L::load(p.separation) + moved + rna * turned;
         const F normal_mass = L::load(p.normal_mass);
         const F old = L::load(p.normal_impulse);
         const F speed = vn + (s.wb * rnb - s.wa * rna);
         F less;  // N s, of impulse
-        if (sweep.biased) {
+        if (biased) {
             // Shapes that are apart may close the gap within the substep, but no faster. Shapes that overlap are pushed apart softly.
             const auto apart = separation > zero;
             const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
@@ -133,7 +141,8 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
         s.sum_n = s.sum_n + delta;
         vn = vn + mass * delta;
         s.spin_by_normal(rna, rnb, delta);
-    }
+        lean = zero - lean;
+    });
 }
 
 /// The sum of a block's normal impulses so far.
@@ -151,9 +160,7 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
     const F mu = L::load(r.friction);
     F vt = cross(s.vb - s.va, s.n);
     if (r.is_special()) vt = vt - L::load(r.tangent_speed);
-    const std::uint32_t points = r.two_points ? 2 : 1;
-    for (std::uint32_t i = 0; i < points; ++i) {
-        typename ContactRows<L::width>::Point& p = r.points[i];
+    for_points(r, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t) __attribute__((always_inline)) {
         const F rta = L::load(p.rta), rtb = rta + s.rt_ab;
         const F old = L::load(p.tangent_impulse);
         const F bound = mu * L::load(p.normal_impulse);
@@ -164,7 +171,7 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
         s.sum_t = s.sum_t + delta;
         vt = vt + mass * delta;
         s.spin_by_tangent(rta, rtb, delta);
-    }
+    });
 }
 
 /// The rolling row: wb - wa = 0, bounded by the sum of the normal impulses.
@@ -184,9 +191,9 @@ ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, cons
 
 /// One pass over all rows of a block.
 template <class L, class Lanes>
-ISLET_PART void solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, const Lanes& lanes) {
+ISLET_PART void solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, bool biased, const Lanes& lanes) {
     s.sum_n = s.sum_t = L::splat(0.0f);
-    solve_normals<L>(s, r, sweep, lanes);
+    solve_normals<L>(s, r, sweep, biased, lanes);
     solve_friction<L>(s, r, lanes);
     if (r.is_special()) solve_rolling<L>(s, r, lanes);
     s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
@@ -199,39 +206,46 @@ ISLET_PART auto has_changed(const ContactBlock<L>& s, const ContactRows<L::width
     return s.sum_n * s.sum_n + s.sum_t * s.sum_t > small * small;
 }
 
+/// One sweep over a run of blocks, with bias or without.
 template <std::uint32_t W>
-void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
+ISLET_PART void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint32_t count, const SweepNumbers& numbers, bool biased) {
     using L = LaneOf<W>;
     const SweepLanes<L> sweep(numbers);
     for (std::uint32_t block = 0; block < count; ++block) {
-        Rows& r = rows[block];
+        ContactRows<W>& r = rows[block];
         // A contact that lands is solved again at once, alone, until a pass changes little.
         if constexpr (W == 1) {
-            std::uint32_t passes = 1;
-            for (;;) {
-                // Bodies are read anew, as land() does for several lanes: if an impulse overflows, the speed of a static body becomes NaN, which is not
-                // kept.
+            std::uint32_t passes = 1 + r.extra_passes[0];
+            for (bool again = true; again;) {
                 ContactBlock<L> s(bodies, r);
-                bool changes = false;
-                for (std::uint32_t left = passes; left > 0; --left) {
-                    solve_rows<L>(s, r, sweep, AllLanes{});
-                    changes = r.extra_passes[0] != 0 && has_changed<L>(s, r);
-                    if (!changes) break;
-                }
+                solve_rows<L>(s, r, sweep, biased, AllLanes{});
                 s.scatter(bodies, r.body_a, r.body_b);
-                if (!changes || passes != 1) break;
-                passes = r.extra_passes[0];
+                again = --passes != 0 && has_changed<L>(s, r);
             }
         } else {
             ContactBlock<L> s(bodies, r);
-            solve_rows<L>(s, r, sweep, AllLanes{});
+            solve_rows<L>(s, r, sweep, biased, AllLanes{});
             s.scatter(bodies, r.body_a, r.body_b);
             std::uint64_t landing = 0;  // not 0 if any lane lands
             std::memcpy(&landing, r.extra_passes, W);
-            if (landing != 0) land(bodies, r, L::bits(has_changed<L>(s, r)), numbers);
+            if (landing != 0) ContactKernel<W>::land(bodies, r, L::bits(has_changed<L>(s, r)), numbers);
         }
-        if (!sweep.biased && r.two_points) r.two_points ^= 3;  // the next substep begins with the other point
+        if (!biased && r.two_points) r.two_points ^= 3;  // the next substep begins with the other point
     }
+}
+
+template <std::uint32_t W>
+void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
+    const bool biased = numbers.bias_rate > 0;
+#if defined(__OPTIMIZE_SIZE__)
+    sweep_blocks<W>(bodies, rows, count, numbers, biased);
+#else
+    // Each kind of sweep has a loop of its own, which asks for the kind no more.
+    if (biased)
+        sweep_blocks<W>(bodies, rows, count, numbers, true);
+    else
+        sweep_blocks<W>(bodies, rows, count, numbers, false);
+#endif
 }
 
 template <std::uint32_t W>
@@ -247,13 +261,14 @@ void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, 
         }
         if (most == 0) return;
         const SweepLanes<L> sweep(numbers);
-        ContactBlock<L> s(bodies, r);
         auto mask = L::load(lands) > L::splat(0.0f);
         for (std::uint32_t pass = 0; pass < most && L::bits(mask) != 0; ++pass) {
-            solve_rows<L>(s, r, sweep, MaskedLanes<decltype(mask)>{mask});
+            // Bodies are read anew in each pass: if an impulse overflows, the speed of a static body becomes NaN, which is not kept.
+            ContactBlock<L> s(bodies, r);
+            solve_rows<L>(s, r, sweep, numbers.bias_rate > 0, MaskedLanes<decltype(mask)>{mask});
+            s.scatter(bodies, r.body_a, r.body_b);
             mask = mask & has_changed<L>(s, r);
         }
-        s.scatter(bodies, r.body_a, r.body_b);
     }
 }
 

@@ -5,6 +5,8 @@
 //     k_tangent = ma + mb + ia rta^2 + ib rtb^2
 #pragma once
 
+#include <cstring>
+
 #include "../collide/manifold.hpp"
 #include "../constraint/kernels.hpp"
 #include "../constraint/lane_vectors.hpp"
@@ -45,11 +47,23 @@ ISLET_PART void prefetch_manifolds(const PrepareInput& in, const ContactRows<W>&
     }
 }
 
+inline constexpr std::uint32_t two_point_flag = 2u << contact_count_shift;  // a contact has no more
+
+/// Says which lanes land: those whose shapes come together fast. Bodies that shock propagation takes for lighter land on floors alone.
+template <std::uint32_t W>
+ISLET_PART void name_landings(const PrepareInput& in, ContactRows<W>& r) {
+    for (std::uint32_t i = 0; i < W; ++i) {
+        if (W > 1 && r.contact[i] == null_index) continue;
+        const ContactManifold& m = in.manifolds[r.contact[i]];
+        if ((m.flags & contact_ahead) == 0) continue;
+        if (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0) r.extra_passes[i] = landing_passes;
+    }
+}
+
 /// Fills in the block's bodies, and the flags that say what any of its lanes has.
 template <std::uint32_t W>
 ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLanes<W>& lanes) {
-    bool two_points = false;
-    r.special = r.bouncy = false;
+    std::uint32_t any = 0;  // flags of the block's contacts
     for (std::uint32_t i = 0; i < W; ++i) {
         const bool is_live = W == 1 || r.contact[i] != null_index;  // single rows need no padding
         lanes.contact[i] = is_live ? r.contact[i] : r.contact[0];
@@ -58,17 +72,16 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         lanes.body_b[i] = m.body_b;
         r.body_a[i] = is_live ? in.slot_of[m.body_a] : 0;
         r.body_b[i] = is_live ? in.slot_of[m.body_b] : 0;
+        const std::uint32_t flags = is_live ? m.flags : 0;
         lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
-        lanes.has_point[1][i] = is_live && m.count() == 2 ? 1.0f : 0.0f;
-        two_points |= lanes.has_point[1][i] != 0;
-        r.special |= is_live && (m.flags & contact_special) != 0;
-        r.bouncy |= is_live && (m.flags & (contact_bouncy | contact_hits)) != 0;
-        r.extra_passes[i] =
-            is_live && (m.flags & contact_ahead) != 0 && (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0)
-                ? landing_passes
-                : 0;
+        lanes.has_point[1][i] = (flags & two_point_flag) != 0 ? 1.0f : 0.0f;
+        any |= flags;
     }
-    r.two_points = two_points ? 1 : 0;
+    r.two_points = (any & two_point_flag) != 0 ? 1 : 0;
+    r.special = (any & contact_special) != 0;
+    r.bouncy = (any & (contact_bouncy | contact_hits)) != 0;
+    std::memset(r.extra_passes, 0, W);
+    if ((any & contact_ahead) != 0) name_landings(in, r);
 }
 
 /// The manifolds of a block.

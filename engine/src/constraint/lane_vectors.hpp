@@ -90,8 +90,8 @@ ISLET_LANE void scatter_pushed(SolverBody* bodies, const std::uint32_t* body_a, 
     constexpr std::uint32_t words = sizeof(SolverBody) / 4;
     float* const base = reinterpret_cast<float*>(bodies) + first;
     if constexpr (L::width == 1) {
-        float* const a = base + words * body_a[0];
-        float* const b = base + words * body_b[0];
+        float* const a = base + std::size_t{words} * body_a[0];
+        float* const b = base + std::size_t{words} * body_b[0];
         if (ma > 0) a[0] = out_a[0], a[1] = out_a[1], a[2] = out_a[2];
         if (mb > 0) b[0] = out_b[0], b[1] = out_b[1], b[2] = out_b[2];
     } else if (L::positive(min(ma, mb)) == (1u << L::width) - 1) {

@@ -36,17 +36,17 @@ template <class Work>
 [[gnu::always_inline]] inline void for_ranges(const Core& core, std::uint32_t count, std::uint32_t grain, Work&& work) {
 #if ISLET_THREADS
     if (count > grain && has_workers(core)) {
-        struct Call {
+        struct Task {
             Work& work;
             std::uint32_t count, grain;
             static void run(void* data, std::uint32_t index) {
                 const DefaultFloatMode mode;  // each thread has its own
-                const Call& call = *static_cast<const Call*>(data);
-                const std::uint32_t first = index * call.grain;
-                call.work(first, call.count - first < call.grain ? call.count : first + call.grain);
+                const Task& task = *static_cast<const Task*>(data);
+                const std::uint32_t first = index * task.grain;
+                task.work(first, task.count - first < task.grain ? task.count : first + task.grain);
             }
-        } call{work, count, grain};
-        core.tasks.parallel_for(core.tasks.context, range_count(count, grain), Call::run, &call);
+        } task{work, count, grain};
+        core.tasks.parallel_for(core.tasks.context, range_count(count, grain), Task::run, &task);
         return;
     }
 #else

@@ -84,7 +84,7 @@ ContactList list_contacts(const Core& core, Plan& plan, Arena& temporary) {
         list.colors[part] = colors;
     });
     for (std::uint32_t p = 0; p < list.parts(); ++p) plan.touching_count += list.end[p] - list.first[p];
-    if (has_shock(core.state->solver)) lighten_by_height(core, contacts, list.end[0], plan.lightness);
+    if (has_shock(core.state->solver)) lighten_by_height(core, contacts, list.end[0], plan.lightness, temporary);
     if (is_ordered(core.state->solver)) put_in_order(core, contacts, list.end[0]);
     return list;
 }

@@ -2,7 +2,7 @@
 // run only on processors with AVX2 may include it. They include it before every header that holds functions, and end with ISLET_AVX2_END.
 #pragma once
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(_MSC_VER)
 
 // Included before AVX2 is switched on, since its functions themselves name the instructions that they need.
 #include <immintrin.h>

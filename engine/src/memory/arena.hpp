@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "../math/inlining.hpp"
+#include "islet/layout.hpp"
 
 namespace islet::detail {
 
@@ -12,7 +13,7 @@ struct Arena {
     std::byte* at = nullptr;
     std::byte* end = nullptr;
 
-    /// An uninitialised array of n T, aligned to a cache line. It never fails, because the layout reserves enough for every stage.
+    /// An uninitialised array of n T, aligned as the arrays of a world. It never fails, because the layout reserves enough for every stage.
     template <class T>
     T* take(std::size_t n) {
         return reinterpret_cast<T*>(take_bytes(n * sizeof(T)));
@@ -21,7 +22,7 @@ struct Arena {
 private:
     ISLET_SHARED std::byte* take_bytes(std::size_t wanted) {
         std::byte* p = at;
-        const std::size_t bytes = (wanted + 63) / 64 * 64;
+        const std::size_t bytes = align_up(wanted);
         if (static_cast<std::size_t>(end - at) < bytes) __builtin_trap();  // the engine's own invariant: scratch_bytes (islet/layout.hpp) is wrong
         at += bytes;
         return p;

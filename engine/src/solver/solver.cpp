@@ -6,6 +6,7 @@
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/mixing.hpp"
+#include "../island/height_order.hpp"
 #include "../math/inlining.hpp"
 #include "../math/lanes.hpp"
 #include "../math/scalar.hpp"
@@ -563,6 +564,7 @@ SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.links = rows.take<TreeLink>(plan.link_count);
     with_lanes(core.lanes, [&](auto lanes) { solve_batches<ContactKernel<lanes>>(s); });
     core.state->last_substep = s.numbers.step.h;
+    if (has_shock(core.state->solver)) restore_impulses(core, plan.lightness, arena);
     if (s.residuals != nullptr) report_residuals(core, plan, s.residuals);
     if (has_hits && s.hits != nullptr) report_hits(core, s.hits);
     return s.bodies;

@@ -1,7 +1,7 @@
 // A world continued in another block.
 #include "../exact.hpp"
 
-#include "../data/core.hpp"
+#include "../state/world_copy.hpp"
 #include "islet/snapshot.hpp"
 #include "islet/world.hpp"
 
@@ -9,10 +9,7 @@ namespace islet {
 
 using namespace detail;
 
-namespace {
-
-/// What the host gave the world; the rest is part of the image.
-WorldDef host_settings(const Core& core) {
+WorldDef detail::host_settings(const Core& core) {
     WorldDef def;
     def.lanes = core.lanes;
     def.error_hook = core.error_hook;
@@ -23,8 +20,6 @@ WorldDef host_settings(const Core& core) {
     def.clock_context = core.clock_context;
     return def;
 }
-
-}  // namespace
 
 World* copy_world(const World& from, span<std::byte> block, const Capacity& capacity, span<std::byte> image, Error* error) {
     const Core& core = Core::of(from);

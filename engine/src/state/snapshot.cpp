@@ -16,6 +16,7 @@
 #include "../solver/ordered_sweep.hpp"
 #include "../state/faults.hpp"
 #include "../state/image.hpp"
+#include "../state/world_copy.hpp"
 #include "../step/continuous.hpp"
 #include "../step/one_way.hpp"
 
@@ -160,19 +161,13 @@ const Record* waiting(const Core&, const Record* records) {
 const TouchEvent* waiting(const Core& c, const TouchEvent* events) { return events + c.end_reported; }
 const SensorEvent* waiting(const Core& c, const SensorEvent* events) { return events + c.sensor_ends_reported; }
 
-// Copies an image that is known to be sound and to fit into the world.
-void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
-    const std::byte* at = image + sizeof h;
-    core.sensor_ends = {reinterpret_cast<SensorEvent*>(core.end_events + (core.capacity.contacts - h.ended_overlaps)), h.ended_overlaps};
-    for_each_part(core, h, [&](auto* to, std::size_t bytes) {
-        std::memcpy(static_cast<void*>(to), at, bytes);
-        at += bytes;
-    });
-    for_each_bit_set(core, h, clear_rest);
-    rebuild_pairs(core, h);
-    rebuild_buckets(core);
+// Room for so many ended overlaps: the last of the end events.
+SensorEvents sensor_ends_of(const Core& core, std::uint32_t count) {
+    return {reinterpret_cast<SensorEvent*>(core.end_events + (core.capacity.contacts - count)), count};
+}
 
-    core.end_count = h.ended;
+// What a step tells is told once: a world that takes over a state has taken no step. (Ended touches that wait to be told belong to the state.)
+void tell_nothing(Core& core) {
     core.sensor_ends_reported = core.sensor_begins.count = core.hit_count = 0;
     core.end_reported = core.begin_count = core.moved_count = core.slept_count = core.break_count = 0;
     const State& s = *core.state;
@@ -183,6 +178,22 @@ void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     core.report.shapes = s.shape_pool.count;
     core.report.contacts = s.contact_pool.count;
     core.report.joints = s.joint_pool.count;
+}
+
+// Copies an image that is known to be sound and to fit into the world.
+void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
+    const std::byte* at = image + sizeof h;
+    core.sensor_ends = sensor_ends_of(core, h.ended_overlaps);
+    for_each_part(core, h, [&](auto* to, std::size_t bytes) {
+        std::memcpy(static_cast<void*>(to), at, bytes);
+        at += bytes;
+    });
+    for_each_bit_set(core, h, clear_rest);
+    rebuild_pairs(core, h);
+    rebuild_buckets(core);
+
+    core.end_count = h.ended;
+    tell_nothing(core);
 }
 
 // An image seen as the arrays of a world, without copying it. The result must stay const: Core's pointers are not, so the cast is needed.
@@ -198,7 +209,24 @@ Core view_of(const Core& world, const ImageHeader& h, const std::byte* image) {
     return view;
 }
 
+// Copies records. If there are none, the addresses may be null, which memcpy must not be given.
+template <class Record>
+void copy_records(Record* to, const Record* from, std::uint32_t count) {
+    if (count > 0) std::memcpy(to, from, count * sizeof(Record));
+}
+
 }  // namespace
+
+void detail::copy_state(const Core& from, Core& to) {
+    const Layout l = layout_of(from.capacity);
+    std::memcpy(static_cast<void*>(to.state), from.state, l.persistent_end - l[Array::state]);  // all arrays that persist, as they lie in the block
+    to.end_count = from.end_count - from.end_reported;
+    to.sensor_ends = sensor_ends_of(to, from.sensor_ends.count - from.sensor_ends_reported);
+    copy_records(to.end_events, waiting(from, from.end_events), to.end_count);
+    copy_records(to.sensor_ends.events, waiting(from, from.sensor_ends.events), to.sensor_ends.count);
+    tell_nothing(to);
+    to.recording = nullptr;
+}
 
 Error read_snapshot(span<const std::byte> image, SnapshotInfo& out) {
     ImageHeader h;

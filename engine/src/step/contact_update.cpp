@@ -38,12 +38,23 @@ inline constexpr float load_rate = 0.07f;                      // 1/s, at which 
 inline constexpr float most_load = 1.0e28f;                    // N
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
 
-// Lets the load of a contact follow the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load.
-void follow_load(ContactManifold& m, float share, float last_substep) {
-    if ((m.flags & contact_special) != 0 || m.count() == 0 || !(last_substep > 0)) return;
-    m.load += share * ((m.normal_impulse[0] + m.normal_impulse[1]) / last_substep - m.load);
-    if (!(m.load >= 0 && m.load < most_load)) m.load = 0;
-}
+// How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load.
+struct LoadFollower {
+    float keep = 1;  // share of the old load
+    float gain = 0;  // 1/s, of the impulses of the last substep
+
+    LoadFollower(float dt, float last_substep) {
+        if (!(last_substep > 0)) return;
+        const float share = min(load_rate * dt, 1.0f);
+        keep = 1 - share;
+        gain = share / last_substep;
+    }
+    void follow(ContactManifold& m) const {
+        if ((m.flags & contact_special) != 0 || m.count() == 0) return;
+        const float load = keep * m.load + gain * (m.normal_impulse[0] + m.normal_impulse[1]);
+        m.load = load >= 0 && load < most_load ? load : 0;
+    }
+};
 
 // True if one of the two bodies is not dynamic.
 ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return !(min(a.inv_mass, b.inv_mass) > 0); }
@@ -68,14 +79,29 @@ bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
     const float size = min(a.max_extent, b.max_extent);
     const float reach = recycle_distance - 2.0f * size * turn;
     if (reach <= 0) return false;
-    // Faces of moving bodies that are pressed into each other do not slip: separations follow.
+    // Faces of moving bodies that are pressed into each other do not slip: separations follow. (slip_of, with what both points share worked out once.)
+    const Vec2 shift = b.center - a.center - rotate(turn_b, m.offset);
+    const Rot apart = {turn_b.c - turn_a.c, turn_b.s - turn_a.s};
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec2 slip = slip_of(m, i, a, b);
+        const Vec2 slip = shift + rotate(apart, m.anchors[i]);
         if (length_squared(slip) <= reach * reach) continue;
         const float sunk = clamp(dot(slip, m.normal), -0.5f * size, 0.0f);
         if (count != 2 || has_floor(a, b) || length_squared(slip) - sunk * sunk > reach * reach) return false;
     }
     return true;
+}
+
+// How the bodies of a contact come together in this step. Two bodies that fall together do not look ahead for each other: each goes at least a quarter of the
+// way by which they come together, and neither comes through half of the other. What falls together and lands exactly piles up to towers, which topple later.
+ISLET_SHARED Approach approach_to(const Core& core, const ContactManifold& m, float dt, float fall) {
+    const Pose& a = core.poses[m.body_a];
+    const Pose& b = core.poses[m.body_b];
+    const Vec2 va = core.motions[m.body_a].v, vb = core.motions[m.body_b].v;
+    const Approach approach = approach_of(a, b, core.motions[m.body_a], core.motions[m.body_b], dt, fall);
+    if ((a.flags & b.flags & pose_fast) == 0 || has_floor(a, b)) return approach;
+    const float way = approach.most(), slower = min(length_squared(va), length_squared(vb));
+    const bool together = way * way < 16 * dt * dt * slower && way <= min(core.bodies[m.body_a].min_extent, core.bodies[m.body_b].min_extent);
+    return together ? Approach{} : approach;
 }
 
 // Calls the narrow-phase function for the types of the two shapes. A has the higher rank, and one of the two is solid.
@@ -171,7 +197,7 @@ ISLET_SHARED bool is_deep(const Core& core, const ContactManifold& m) {
 enum class Change : std::uint8_t { none, changes, parts };
 
 // Updates one contact and touches nothing else, so contacts may be updated in any order or in parallel. Changes to shared state are only reported.
-ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, std::uint32_t& recycled) {
+ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, const LoadFollower& loads, std::uint32_t& recycled) {
     ContactManifold& m = core.manifolds[index];
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
@@ -188,17 +214,17 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
         m.forget_impulses();
         return (m.flags & contact_touching) != 0 ? Change::changes : Change::none;
     }
-    follow_load(m, min(load_rate * dt, 1.0f), core.state->last_substep);
+    loads.follow(m);
     // Shapes that touch already, and have slipped little, do not come together fast.
     // Bodies that bounce off each other, or that shock propagation takes for lighter, do not look ahead for each other: they would gain energy.
     const bool calm = (m.flags & contact_bouncy) == 0 && !has_shock(core.state->solver);
     const bool fast = ((a.flags | b.flags) & pose_fast) != 0 && (calm || has_floor(a, b));
     Approach approach;
-    if (fast && m.count() == 0) approach = approach_of(a, b, core.motions[m.body_a], core.motions[m.body_b], dt, fall);
+    if (fast && m.count() == 0) approach = approach_to(core, m, dt, fall);
     if (!comes_fast(approach) && can_recycle(m, a, b)) {
         ++recycled;
     } else {
-        if (fast && m.count() != 0) approach = approach_of(a, b, core.motions[m.body_a], core.motions[m.body_b], dt, 0);
+        if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);
         remake(core, index, approach, dt);
         if (one_way) mend_one_way(core, index);
     }
@@ -293,6 +319,7 @@ void update_contacts(Core& core, float dt) {
 
     // Word by word of the set of awake contacts, each range with its own count.
     const float fall = fall_in(core, dt);
+    const LoadFollower loads(dt, core.state->last_substep);
     const std::uint32_t words = core.awake_contacts.word_count;
     std::uint32_t* recycled = arena.take<std::uint32_t>(range_count(words, update_grain));
     core.report.recycled_contacts = 0;
@@ -300,7 +327,7 @@ void update_contacts(Core& core, float dt) {
     for_ranges(core, words, update_grain, [&](std::uint32_t first, std::uint32_t end) {
         std::uint32_t kept = 0;
         const auto update_one = [&](std::uint32_t i) __attribute__((always_inline)) {
-            const Change change = update(core, i, dt, fall, kept);
+            const Change change = update(core, i, dt, fall, loads, kept);
             if (change == Change::none) return;
             changed.set(i);
             if (change == Change::parts) parted.set(i);

@@ -13,16 +13,13 @@
 #include "../math/cpu.hpp"
 #include "../math/float_mode.hpp"
 #include "../math/scalar.hpp"
+#include "../memory/place.hpp"
 #include "../solver/hits.hpp"
 #include "../solver/ordered_sweep.hpp"
 #include "../solver/solver_def.hpp"
 #include "../step/continuous.hpp"
 #include "../step/one_way.hpp"
 #include "../step/profile.hpp"
-
-// A placement new without <new>: the engine needs no C++ runtime.
-struct IsletPlace {};
-inline void* operator new(std::size_t, void* at, IsletPlace) noexcept { return at; }
 
 namespace islet {
 
@@ -135,12 +132,25 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
     return world;
 }
 
-Error replace_error(const World& world, Error error, bool tell) {
-    const Core& core = Core::of(world);
-    const Error before = core.last_error;
-    core.last_error = error;
-    if (tell) core.fail(error);
-    return before;
+Error refuse_call(const World* world, Error error) {
+    if (world != nullptr) Core::of(*world).fail(error);
+    return error;
+}
+
+bool begin_call(World* world) {
+    if (world == nullptr) return false;
+    Core& core = Core::of(*world);
+    core.kept_error = core.last_error;
+    core.last_error = Error::none;
+    return true;
+}
+
+Error end_call(World* world, Error without) {
+    if (world == nullptr) return without;
+    Core& core = Core::of(*world);
+    const Error error = core.last_error;
+    if (error == Error::none) core.last_error = core.kept_error;
+    return error;
 }
 
 }  // namespace detail

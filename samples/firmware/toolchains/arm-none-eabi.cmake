@@ -3,8 +3,10 @@
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_C_COMPILER arm-none-eabi-gcc)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
-set(CMAKE_CXX_FLAGS_INIT "${ISLET_CPU_FLAGS} -mthumb -ffreestanding")
+set(CMAKE_C_FLAGS_INIT "${ISLET_CPU_FLAGS} -mthumb -ffreestanding")
+set(CMAKE_CXX_FLAGS_INIT "${CMAKE_C_FLAGS_INIT}")
 set(CMAKE_CROSSCOMPILING_EMULATOR
     qemu-system-arm -machine ${ISLET_MACHINE} -icount shift=0 -display none -monitor none -serial none -semihosting-config enable=on,target=native
     -kernel)

@@ -1,5 +1,9 @@
-// Draws a world on a canvas. The outline of each body is made once; poses come straight from the engine's memory.
-import {type BodyId, type ContactInfo, type Polygon, type World} from './engine';
+// Draws a world: bodies and joints by WebGL (bodies.ts) on a canvas below, and what is left on the canvas itself. Where there is no WebGL, the canvas gets all:
+// outlines are made once, and poses come straight from the engine's memory.
+import {Bodies} from './bodies';
+import {Links} from './links';
+import type {ContactInfo, World} from './engine';
+import {Outlines} from './outlines';
 
 export interface Camera {
     x: number; // m, the middle of what is shown
@@ -7,26 +11,39 @@ export interface Camera {
     scale: number; // pixels (of CSS) per metre
 }
 
-interface Outline {
-    body: BodyId;
-    solid: Path2D;
-    lines: Path2D;
-    hasLines: boolean;
-}
-
-const names = ['paper', 'static', 'kinematic', 'awake-1', 'awake-2', 'awake-3', 'asleep', 'bullet', 'edge', 'joint', 'contact'] as const;
+/// Bodies that touch are told apart by colours: as many while they are awake as asleep.
+const kinds = 6;
+const awake = ['awake-1', 'awake-2', 'awake-3', 'awake-4', 'awake-5', 'awake-6'] as const;
+const asleep = ['asleep', 'asleep-2', 'asleep-3', 'asleep-4', 'asleep-5', 'asleep-6'] as const;
+const names = ['paper', 'static', 'kinematic', ...awake, ...asleep, 'bullet', 'edge', 'joint', 'contact'] as const;
 type Color = (typeof names)[number];
+
+/// Where bodies are, if not where a world has them.
+export interface Poses {
+    poses: Float32Array;
+    states: Uint8Array;
+}
 
 export class Painter {
     private readonly context: CanvasRenderingContext2D;
-    private outlines: (Outline | undefined)[] = [];
+    private readonly outlines = new Outlines();
     private colors = {} as Record<Color, string>;
     private contact: ContactInfo | undefined;
+    private readonly bodies: Bodies | undefined;
+    private empty = true; // there is nothing on the canvas above
     showContacts = false;
     showJoints = true;
 
-    constructor(private readonly canvas: HTMLCanvasElement) {
-        this.context = canvas.getContext('2d', {alpha: false})!;
+    constructor(private readonly canvas: HTMLCanvasElement, webgl = true) {
+        if (webgl) {
+            const below = document.createElement('canvas');
+            below.setAttribute('aria-hidden', 'true');
+            below.className = 'below';
+            canvas.before(below);
+            this.bodies = new Bodies(below);
+            if (!this.bodies.works) below.remove();
+        }
+        this.context = canvas.getContext('2d')!;
         this.readColors();
         matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.readColors());
     }
@@ -37,10 +54,11 @@ export class Painter {
     }
 
     forget() {
-        this.outlines = [];
+        this.outlines.forget();
+        this.bodies?.forget();
     }
 
-    draw(world: World, camera: Camera) {
+    draw(world: World, camera: Camera, elsewhere?: Poses) {
         const {canvas, context, colors} = this;
         const ratio = window.devicePixelRatio || 1;
         const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
@@ -48,11 +66,47 @@ export class Painter {
         const scale = camera.scale * ratio;
         const left = width / 2 - camera.x * scale, bottom = height / 2 + camera.y * scale;
         context.setTransform(1, 0, 0, 1, 0, 0);
-        context.fillStyle = colors.paper;
-        context.fillRect(0, 0, width, height);
+        let poses = world.readPoses(), {states} = world;
+        if (elsewhere !== undefined) ({poses, states} = elsewhere);
+        const joint = this.showJoints ? colors.joint : '';
+        const look = {scale, left, bottom, ratio, paper: colors.paper, edge: colors.edge, joint, colorOf: this.colorOf};
+        const layered = this.bodies?.draw(world, poses, states, width, height, look) === true;
+        if (layered) {
+            if (!this.empty) context.clearRect(0, 0, width, height);
+            this.empty = true;
+        } else {
+            this.empty = false;
+            this.drawOutlines(world, poses, states, left, bottom, scale, ratio);
+        }
+        if (elsewhere !== undefined) return;
+        if (this.showJoints) this.drawJoints(world, left, bottom, scale, ratio, layered);
+        if (this.showContacts) this.drawContacts(world, left, bottom, scale, ratio);
+    }
 
-        const poses = world.readPoses();
-        const {states, slotCount} = world;
+    /// What is shown, on one canvas.
+    picture(): HTMLCanvasElement {
+        const {canvas} = this;
+        const picture = Object.assign(document.createElement('canvas'), {width: canvas.width, height: canvas.height});
+        const context = picture.getContext('2d')!;
+        if (this.bodies !== undefined) context.drawImage(this.bodies.canvas, 0, 0);
+        context.drawImage(canvas, 0, 0);
+        return picture;
+    }
+
+    private readonly colorOf = (state: number, slot: number): string => {
+        const {colors} = this;
+        const type = state & 7;
+        if (type === 1) return colors.static;
+        if (type === 2) return colors.kinematic;
+        if (state & 16) return colors.bullet;
+        return colors[(state & 8 ? awake : asleep)[(slot * 7 >> 1) % kinds]!];
+    };
+
+    private drawOutlines(world: World, poses: Float32Array, states: Uint8Array, left: number, bottom: number, scale: number, ratio: number) {
+        const {canvas, context, colors} = this;
+        context.fillStyle = colors.paper;
+        context.fillRect(0, 0, canvas.width, canvas.height);
+        const {slotCount} = world;
         const edges = slotCount < 3000;
         context.lineWidth = Math.min(1.2 * ratio / scale, 0.05);
         context.strokeStyle = colors.edge;
@@ -61,9 +115,9 @@ export class Painter {
         for (let slot = 0; slot < slotCount; ++slot) {
             const state = states[slot]!;
             if (state === 0) continue;
-            const outline = this.outlineOf(world, slot);
+            const outline = this.outlines.of(world, slot);
             const at = 4 * slot, c = poses[at + 2]! * scale, s = poses[at + 3]! * scale;
-            context.setTransform(c, -s, -s, -c, left + poses[at]! * scale, bottom - poses[at + 1]! * scale);
+            context.setTransform(c, -s, s, c, left + poses[at]! * scale, bottom - poses[at + 1]! * scale);
             const color = this.colorOf(state, slot);
             if (color !== fill) context.fillStyle = fill = color;
             context.fill(outline.solid);
@@ -76,77 +130,10 @@ export class Painter {
                 context.strokeStyle = colors.edge;
             }
         }
-        if (this.showJoints) this.drawJoints(world, left, bottom, scale, ratio);
-        if (this.showContacts) this.drawContacts(world, left, bottom, scale, ratio);
     }
 
-    private colorOf(state: number, slot: number): string {
-        const {colors} = this;
-        const type = state & 7;
-        if (type === 1) return colors.static;
-        if (type === 2) return colors.kinematic;
-        if (state & 16) return colors.bullet;
-        if (!(state & 8)) return colors.asleep;
-        return slot % 3 === 0 ? colors['awake-1'] : slot % 3 === 1 ? colors['awake-2'] : colors['awake-3'];
-    }
-
-    private outlineOf(world: World, slot: number): Outline {
-        const body = world.bodyAt(slot);
-        const old = this.outlines[slot];
-        if (old !== undefined && old.body === body) return old;
-        const outline: Outline = {body, solid: new Path2D(), lines: new Path2D(), hasLines: false};
-        for (const shape of world.bodyShapes(body)) {
-            switch (world.shapeType(shape)) {
-                case 'circle': {
-                    const {center, radius} = world.shapeCircle(shape)!;
-                    outline.solid.moveTo(center.x + radius, center.y);
-                    outline.solid.arc(center.x, center.y, radius, 0, 2 * Math.PI);
-                    outline.solid.lineTo(center.x, center.y);
-                    break;
-                }
-                case 'capsule': {
-                    const {point1, point2, radius} = world.shapeCapsule(shape)!;
-                    const angle = Math.atan2(point2.y - point1.y, point2.x - point1.x);
-                    const path = new Path2D();
-                    path.arc(point1.x, point1.y, radius, angle + Math.PI / 2, angle - Math.PI / 2);
-                    path.arc(point2.x, point2.y, radius, angle - Math.PI / 2, angle + Math.PI / 2);
-                    path.closePath();
-                    outline.solid.addPath(path);
-                    break;
-                }
-                case 'polygon':
-                    outline.solid.addPath(polygonPath(world.shapePolygon(shape)!));
-                    break;
-                case 'segment': {
-                    const {point1, point2} = world.shapeSegment(shape)!;
-                    outline.lines.moveTo(point1.x, point1.y);
-                    outline.lines.lineTo(point2.x, point2.y);
-                    outline.hasLines = true;
-                    break;
-                }
-                case 'chainSegment': {
-                    const {point1, point2} = world.shapeChainSegment(shape)!.segment;
-                    outline.lines.moveTo(point1.x, point1.y);
-                    outline.lines.lineTo(point2.x, point2.y);
-                    outline.hasLines = true;
-                    break;
-                }
-                case 'halfSpace': {
-                    const {normal, offset} = world.shapeHalfSpace(shape)!;
-                    const far = 1000, x = normal.x * offset, y = normal.y * offset;
-                    outline.solid.moveTo(x - far * normal.y, y + far * normal.x);
-                    outline.solid.lineTo(x + far * normal.y, y - far * normal.x);
-                    outline.solid.lineTo(x + far * (normal.y - normal.x), y - far * (normal.x + normal.y));
-                    outline.solid.lineTo(x - far * (normal.y + normal.x), y + far * (normal.x - normal.y));
-                    outline.solid.closePath();
-                    break;
-                }
-            }
-        }
-        return (this.outlines[slot] = outline);
-    }
-
-    private drawJoints(world: World, left: number, bottom: number, scale: number, ratio: number) {
+    /// `rest`: those that WebGL has drawn are left out.
+    private drawJoints(world: World, left: number, bottom: number, scale: number, ratio: number, rest: boolean) {
         const count = world.jointCount();
         if (count === 0) return;
         const {context} = this;
@@ -159,7 +146,8 @@ export class Painter {
             if (joint === 0) continue;
             ++found;
             const type = world.jointType(joint);
-            if (type === 'gear' || type === 'angle') continue;
+            if (type === 'gear' || type === 'angle' || (rest && Links.draws(type))) continue;
+            this.empty = false;
             world.jointAnchorA(joint, a);
             world.jointAnchorB(joint, b);
             const x = left + b.x * scale, y = bottom - b.y * scale;
@@ -177,6 +165,7 @@ export class Painter {
 
     private drawContacts(world: World, left: number, bottom: number, scale: number, ratio: number) {
         const {context} = this;
+        this.empty = false;
         context.setTransform(1, 0, 0, 1, 0, 0);
         context.fillStyle = this.colors.contact;
         context.beginPath();
@@ -190,18 +179,4 @@ export class Painter {
         }
         context.fill();
     }
-}
-
-function polygonPath({vertices, normals, radius}: Polygon): Path2D {
-    const path = new Path2D();
-    if (radius === 0) {
-        for (const {x, y} of vertices) path.lineTo(x, y);
-    } else {
-        vertices.forEach(({x, y}, i) => {
-            const before = normals[(i + vertices.length - 1) % vertices.length]!, after = normals[i]!;
-            path.arc(x, y, radius, Math.atan2(before.y, before.x), Math.atan2(after.y, after.x));
-        });
-    }
-    path.closePath();
-    return path;
 }

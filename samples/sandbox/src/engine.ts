@@ -1,18 +1,22 @@
 // The engine and the scenes of the catalogue, which are in one WebAssembly (sandbox.cpp).
+import type {SceneText} from '../../../bindings/js/bench/box2d';
 import * as Islet from '@islet/engine/bare';
 import plain from '../../../build/js/sandbox/plain.wasm?url';
 import simd from '../../../build/js/sandbox/simd.wasm?url';
+import {setNative} from './native';
+import {putText, setModule, thrower} from './scene_text';
 import golden from '../../../tests/determinism/golden.txt?raw';
 
 export {IsletError} from '@islet/engine/bare';
 export type {BodyId, ContactInfo, JointId, Polygon, World} from '@islet/engine/bare';
-export const {delta, apply, makeBox} = Islet;
+export const {delta, apply, makeBox, makePolygon, computeHull, slotOf} = Islet;
 
 interface Exports {
     memory: WebAssembly.Memory;
     sandbox_scene_count(): number;
     sandbox_scene_text(scene: number, which: number): number;
     sandbox_load(place: number, scene: number, more: number, errorHook: number, errorContext: number): number;
+    sandbox_load_text(place: number, more: number, errorHook: number, errorContext: number): number;
     sandbox_unload(place: number): void;
     sandbox_step(place: number): void;
     sandbox_set_step(place: number, step: number): void;
@@ -20,6 +24,7 @@ interface Exports {
     sandbox_has_script(place: number): number;
     sandbox_time_step(place: number): number;
     sandbox_view(place: number): number;
+    sandbox_describe(scene: number): number;
 }
 let exports: Exports;
 
@@ -28,6 +33,7 @@ export interface SceneInfo {
     readonly name: string;
     readonly group: string;
     readonly description: string;
+    readonly text?: string; // of a scene file, which is not in the catalogue
 }
 export const scenes: SceneInfo[] = [];
 
@@ -42,19 +48,35 @@ export async function start() {
         fd_seek: () => 8,
         fd_write: () => 8,
     };
+    const module = typeof WebAssembly === 'undefined' ? undefined : await compile(new URL(Islet.hasSimd ? simd : plain, location.href));
     exports = (await Islet.load({
-        wasm: new URL(Islet.hasSimd ? simd : plain, location.href),
-        imports: {wasi_snapshot_preview1: wasi},
+        wasm: module,
+        imports: {wasi_snapshot_preview1: wasi, sandbox: thrower(() => exports.memory)},
     })) as unknown as Exports;
+    setModule(module!);
+    setNative(exports);
     for (let index = 0; index < exports.sandbox_scene_count(); ++index) {
         const [name, group, description] = [0, 1, 2].map((which) => text(exports.sandbox_scene_text(index, which))) as [string, string, string];
         scenes.push({index, name, group, description});
     }
 }
 
+async function compile(url: URL): Promise<WebAssembly.Module> {
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${url} cannot be loaded: ${response.status} ${response.statusText}`);
+    // A server that does not know the type of .wasm files is no hindrance.
+    const streams = response.headers.get('Content-Type')?.startsWith('application/wasm');
+    return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
 function text(at: number): string {
     const bytes = new Uint8Array(exports.memory.buffer);
     return new TextDecoder().decode(bytes.subarray(at, bytes.indexOf(0, at)));
+}
+
+/// A scene for another engine.
+export function describe(scene: SceneInfo): SceneText {
+    return JSON.parse(text(exports.sandbox_describe(scene.index))) as SceneText;
 }
 
 /// A scene that runs. There is one at a time in each place.
@@ -66,7 +88,11 @@ export class Running {
 
     /// `more`: room for so many bodies that the scene does not have.
     constructor(readonly scene: SceneInfo, more: number, report: (error: Islet.IsletError) => void, readonly place = 0) {
-        this.world = Islet.World.at((hook, context) => exports.sandbox_load(place, scene.index, more, hook, context), report);
+        this.world = Islet.World.at((hook, context) => {
+            if (scene.text === undefined) return exports.sandbox_load(place, scene.index, more, hook, context);
+            putText(scene.text);
+            return exports.sandbox_load_text(place, more, hook, context);
+        }, report);
         this.timeStep = exports.sandbox_time_step(place);
         this.hasScript = exports.sandbox_has_script(place) !== 0;
         const view = new Float32Array(exports.memory.buffer, exports.sandbox_view(place), 4);
@@ -76,6 +102,7 @@ export class Running {
         return exports.sandbox_step_index(this.place);
     }
     advance() {
+        this.world.growRecording();
         exports.sandbox_step(this.place);
         try {
             this.world.stepCount();
@@ -89,6 +116,7 @@ export class Running {
     }
     end() {
         this.world.destroy();
+        if (this.place > 0) exports.sandbox_unload(this.place);
     }
 }
 
@@ -112,6 +140,5 @@ export function prove(scene: SceneInfo): Proof {
     for (let i = 0; i < steps; ++i) running.advance();
     const seen = running.world.hash().toString(16).padStart(16, '0');
     running.end();
-    exports.sandbox_unload(1);
     return {steps, hash: seen, golden: hash};
 }

@@ -1,7 +1,19 @@
 // The sandbox: the scenes of the catalogue, to drag, throw, pause and rewind.
-import {IsletError, Running, makeBox, prove, scenes, start, type BodyId, type JointId, type SceneInfo, type World} from './engine';
+import {IsletError, Running, prove, scenes, start, type BodyId, type JointId, type SceneInfo, type World} from './engine';
 import {History} from './history';
 import {Painter, type Camera} from './draw';
+import {Beside} from './beside';
+import {Gallery} from './gallery';
+import {keepOffline} from './offline';
+import {makeFiles} from './files';
+import {makeGraph} from './graph';
+import {makeHand} from './hand';
+import {hero, native, textAt} from './native';
+import {makePlayer} from './play';
+import {wrongWith} from './scene_text';
+import {makeNumbers, makeOverlay} from './see';
+import {makeSolverKnobs, type Knob} from './settings';
+import type {Stage} from './stage';
 
 const first_scene = 'mixer';
 const more_bodies = 300; // to throw in
@@ -15,31 +27,38 @@ const painter = new Painter(canvas);
 const camera: Camera = {x: 0, y: 5, scale: 50};
 
 let running: Running;
+let beside: Beside | undefined;
+let gallery: Gallery | undefined;
 let history: History;
 let playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
 let speed = 1;
 let owed = 0; // s of the world that are still to be stepped
 let looking = -1; // the moment of the history that is shown; -1: the present
 let stepTime = 0; // ms, a running mean
+let paintTime = 0; // ms, a running mean
 let follows = true; // the camera shows the whole scene, whatever the size of the window
 
 // -- scenes -----------------------------------------------------------------------------------------------------------------------------
 
 function load(scene: SceneInfo) {
-    running?.end();
+    files.end();
     letGo();
+    running?.end();
     running = new Running(scene, more_bodies, (error) => say(error.message));
+    beside?.load();
     const bodies = running.world.bodyCount();
     history = new History(running.timeStep, bodies > 2500 ? 30 : 6);
     painter.forget();
     [owed, looking, stepTime, follows] = [0, -1, 0, true];
     for (const knob of knobs) knob.begin(running.world);
+    for (const part of [player, overlay, graph]) part.begin();
     find('description').textContent = scene.description;
-    find<HTMLSelectElement>('scene').value = scene.name;
+    find<HTMLSelectElement>('scene').value = scene.text === undefined ? scene.name : '';
     find('proof').textContent = '';
     timeline.disabled = running.hasScript;
     say('');
     document.documentElement.dataset.scene = scene.name;
+    if (scene.text !== undefined) return;
     if (location.hash.slice(1) !== scene.name) window.history.replaceState(null, '', `#${scene.name}`);
 }
 
@@ -58,9 +77,38 @@ function listScenes() {
     }
 }
 
+function loadByName(name: string) {
+    load(scenes.find((scene) => scene.name === name)!);
+}
+
+/// Plays with a scene file, unless something is wrong with it.
+function open(text: string): boolean {
+    const wrong = wrongWith(text, more_bodies);
+    if (wrong !== undefined) {
+        say(wrong);
+        return false;
+    }
+    load({index: -1, name: nameIn(text), group: '', description: '', text});
+    return true;
+}
+const nameIn = (text: string) => String((JSON.parse(text) as {name?: unknown}).name ?? '') || 'scene';
+
+/// What the address names. If that cannot be, the scene that is there already goes on, and the page says why.
+async function openAddress() {
+    try {
+        const text = await files.fromAddress();
+        if (text === undefined) load(sceneOfAddress());
+        else if (!open(text) && running === undefined) load(firstScene());
+    } catch (error) {
+        if (running === undefined) load(firstScene());
+        say((error as Error).message);
+    }
+}
+
+const firstScene = () => scenes.find(({name}) => name === first_scene)!;
 function sceneOfAddress(): SceneInfo {
     const name = decodeURIComponent(location.hash.slice(1)) || first_scene;
-    return scenes.find((scene) => scene.name === name) ?? scenes.find((scene) => scene.name === first_scene)!;
+    return scenes.find((scene) => scene.name === name) ?? firstScene();
 }
 
 // -- time -------------------------------------------------------------------------------------------------------------------------------
@@ -78,9 +126,14 @@ function attempt(run: () => void) {
 function advance() {
     resume();
     if (!running.hasScript) history.keep(running.world, running.step);
+    player.beforeStep();
     const began = performance.now();
     attempt(() => running.advance());
+    graph.note(performance.now() - began);
+    player.afterStep();
+    files.afterStep();
     stepTime += (performance.now() - began - stepTime) * (stepTime === 0 ? 1 : 0.1);
+    beside?.step();
 }
 
 /// What is shown becomes the present, and what came after it never was.
@@ -104,6 +157,7 @@ function dropDrags(world: World) {
 
 function look(place: number) {
     if (running.hasScript || history.length === 0) return;
+    if (files.isRecording) return say('A recording goes only forward: stop it to go back.');
     setPlaying(false);
     // The present is a moment too.
     if (looking < 0) history.keep(running.world, running.step);
@@ -122,6 +176,11 @@ let before = 0;
 function frame(now: number) {
     const passed = Math.min(0.1, Math.max(0, (now - before) / 1000));
     before = now;
+    if (gallery?.open) {
+        gallery.draw();
+        requestAnimationFrame(frame);
+        return;
+    }
     if (playing) {
         owed += passed * speed;
         const until = performance.now() + 14; // a scene that takes longer runs slower than it should
@@ -132,9 +191,23 @@ function frame(now: number) {
         }
     }
     if (follows) showAll();
+    const began = performance.now();
     painter.draw(running.world, camera);
+    paintTime += 0.1 * (performance.now() - began - paintTime);
+    beside?.draw(camera, stepTime);
+    measure();
+    overlay.draw();
+    numbers.draw();
+    graph.draw();
+    files.shown();
     tell();
     requestAnimationFrame(frame);
+}
+
+/// Heat and graph need the residual.
+function measure() {
+    const solver = running.world.solver();
+    if ((overlay.measures || graph.measures) && !solver.measureResidual && looking < 0) running.world.setSolver({...solver, measureResidual: true});
 }
 
 // -- what the page says -----------------------------------------------------------------------------------------------------------------
@@ -152,6 +225,8 @@ function tell() {
     const {world, timeStep} = running, {step} = running;
     const data = document.documentElement.dataset;
     data.step = String(step);
+    data.stepTime = stepTime.toFixed(3);
+    data.paintTime = paintTime.toFixed(3);
     find('status').textContent = `${world.bodyCount()} bodies · ${stepTime.toFixed(stepTime < 1 ? 2 : 1)} ms a step`;
     const last = Math.max(0, history.length - 1);
     timeline.max = String(last);
@@ -166,11 +241,6 @@ function tell() {
 }
 
 // -- knobs ------------------------------------------------------------------------------------------------------------------------------
-
-interface Knob {
-    begin(world: World): void;
-    apply(world: World): void;
-}
 
 type Read = (world: World) => number;
 type Write = (world: World, value: number) => void;
@@ -216,25 +286,34 @@ function makeKnob(name: string, low: number, high: number, by: number, unit: str
     };
 }
 
-let frictions = new Map<number, number>(); // of shapes, as the scene has them
+/// Sets a number of all shapes, from what the scene has and the knob's value. The newest ids that the number was read of are kept.
+function shapesKnob(name: string, low: number, high: number, unit: string, usual: number, read: (world: World, shape: number) => number,
+    write: (world: World, shape: number, was: number, value: number) => void): Knob {
+    let started = new Map<number, number>();
+    return makeKnob(name, low, high, 0.05, unit, () => {
+        started = new Map();
+        return usual;
+    }, (world, value) => {
+        for (const shape of shapesOf(world)) {
+            const was = started.get(shape) ?? read(world, shape);
+            started.set(shape, was);
+            write(world, shape, was, value);
+        }
+        wakeAll(world);
+    });
+}
 
-const knobs = [
+const knobs: Knob[] = [
     makeKnob('Gravity', -30, 30, 0.5, ' m/s²', (world) => -world.gravity().y, (world, value) => {
         world.setGravity({x: world.gravity().x, y: -value});
         wakeAll(world);
     }),
-    makeKnob('Friction', 0, 3, 0.05, ' ×', () => {
-        frictions = new Map();
-        return 1;
-    }, (world, value) => {
-        for (const shape of shapesOf(world)) {
-            const was = frictions.get(shape) ?? world.shapeFriction(shape);
-            frictions.set(shape, was);
-            world.shapeSetFriction(shape, was * value);
-        }
-        wakeAll(world);
-    }),
+    shapesKnob('Friction', 0, 3, ' ×', 1, (world, shape) => world.shapeFriction(shape),
+        (world, shape, was, value) => world.shapeSetFriction(shape, was * value)),
+    shapesKnob('Restitution', -1, 1, ' more', 0, (world, shape) => world.shapeRestitution(shape),
+        (world, shape, was, value) => world.shapeSetRestitution(shape, Math.min(1, Math.max(0, was + value)))),
     makeKnob('Substeps', 1, 16, 1, '', (world) => world.solver().substeps, (world, substeps) => world.setSolver({...world.solver(), substeps})),
+    makeKnob('Iterations', 1, 32, 1, '', (world) => world.solver().iterations, (world, iterations) => world.setSolver({...world.solver(), iterations})),
 ];
 
 function* bodiesOf(world: World): Iterable<BodyId> {
@@ -261,17 +340,25 @@ function measureBars() {
         above: document.querySelector('header')!.getBoundingClientRect().bottom + gap,
         below: innerHeight - document.querySelector('footer')!.getBoundingClientRect().top + gap,
     };
+    document.documentElement.style.setProperty('--below', `${bars.below}px`);
 }
 new ResizeObserver(measureBars).observe(document.querySelector('footer')!);
 addEventListener('resize', measureBars);
 
 function showAll() {
     const {left, bottom, right, top} = running.view;
-    const {above, below} = bars;
+    const {above} = bars, below = Math.max(8, bars.below - (innerHeight - canvas.clientHeight));
     const width = canvas.clientWidth - 16, height = Math.max(80, canvas.clientHeight - above - below);
     camera.scale = Math.min(width / (right - left), height / (top - bottom));
     camera.x = (left + right) / 2;
     camera.y = (bottom + top) / 2 + (above - below) / 2 / camera.scale;
+    // Where the whole is small, what is played is shown near.
+    const near = 24, played = camera.scale < near ? hero() : undefined; // pixels for each metre
+    if (played === undefined) return;
+    camera.scale = near;
+    const half = width / 2 / near;
+    camera.x = right - left > 2 * half ? Math.min(right - half, Math.max(left + half, played.x)) : (left + right) / 2;
+    camera.y = played.y + (above - below) / 2 / near;
 }
 
 function toWorld(x: number, y: number) {
@@ -316,31 +403,17 @@ function letGo() {
     dragged = 0;
 }
 
-function put(point: {x: number; y: number}) {
-    resume();
-    const size = Math.min(1, 26 / camera.scale); // m, half of it
-    const {world} = running;
-    attempt(() => {
-        const body = world.createBody({type: 'dynamic', position: point});
-        try {
-            if (tool === 'box') world.createPolygon(body, makeBox(size, size));
-            else world.createCircle(body, {center: {x: 0, y: 0}, radius: size}, {restitution: 0.4});
-        } catch (error) {
-            world.destroyBody(body);
-            throw error;
-        }
-    });
-}
-
 canvas.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     pointers.set(event.pointerId, {x: event.offsetX, y: event.offsetY});
     canvas.setPointerCapture(event.pointerId);
     canvas.classList.add('busy');
-    if (pointers.size > 1) return letGo();
+    if (pointers.size > 1) {
+        hand.cancel();
+        return letGo();
+    }
     const point = toWorld(event.offsetX, event.offsetY);
-    if (tool !== 'drag') put(point);
-    else grab(point, (event.pointerType === 'touch' ? 14 : 3) / camera.scale);
+    if (!hand.begin(point)) grab(point, (event.pointerType === 'touch' ? 14 : 3) / camera.scale);
 });
 canvas.addEventListener('pointermove', (event) => {
     const old = pointers.get(event.pointerId);
@@ -354,7 +427,9 @@ canvas.addEventListener('pointermove', (event) => {
         camera.y += (now.y - old.y) / 2 / camera.scale;
     } else if (dragged !== 0) {
         if (running.world.jointIsValid(dragged)) running.world.jointSetTarget(dragged, toWorld(now.x, now.y));
-    } else if (tool === 'drag') {
+    } else if (tool !== 'drag') {
+        hand.move(toWorld(now.x, now.y));
+    } else {
         follows = false;
         camera.x -= (now.x - old.x) / camera.scale;
         camera.y += (now.y - old.y) / camera.scale;
@@ -365,6 +440,8 @@ for (const type of ['pointerup', 'pointercancel'] as const) {
     canvas.addEventListener(type, (event) => {
         pointers.delete(event.pointerId);
         if (pointers.size === 0) canvas.classList.remove('busy');
+        if (type === 'pointerup') hand.end();
+        else hand.cancel();
         letGo();
     });
 }
@@ -413,14 +490,19 @@ for (const name of ['contacts', 'joints'] as const) {
         painter[name === 'contacts' ? 'showContacts' : 'showJoints'] = find<HTMLInputElement>(name).checked;
     });
 }
-document.querySelectorAll<HTMLInputElement>('input[name=tool]').forEach((input) => input.addEventListener('change', () => choose(input.value)));
-addEventListener('hashchange', () => load(sceneOfAddress()));
+document.querySelectorAll<HTMLInputElement>('input[name=tool]').forEach((input) => {
+    input.addEventListener('change', () => choose(input.value));
+    input.addEventListener('pointerup', () => input.blur());
+});
+addEventListener('hashchange', () => void openAddress());
 addEventListener('keydown', (event) => {
     const at = event.target as HTMLElement;
     // Controls keep the keys that they know themselves.
     if (event.ctrlKey || event.altKey || event.metaKey || at.matches('select')) return;
     if (at.matches('button') ? /^( |Enter)$/.test(event.key) : at.matches('input') && /^( |Arrow.*)$/.test(event.key)) return;
+    if (player.takes(event.key)) return event.preventDefault();
     const keys: Record<string, () => void> = {
+        Enter: () => hand.use(),
         ' ': actions.play!,
         ArrowRight: stepOnce,
         ArrowLeft: () => look((looking < 0 ? history.length : looking) - 1),
@@ -428,6 +510,10 @@ addEventListener('keydown', (event) => {
         1: () => choose('drag'),
         2: () => choose('box'),
         3: () => choose('ball'),
+        4: () => choose('doll'),
+        5: () => choose('car'),
+        6: () => choose('shape'),
+        7: () => choose('cut'),
         0: () => (follows = true),
     };
     const action = keys[event.key] ?? keys[event.key.toLowerCase()];
@@ -453,17 +539,48 @@ async function proveAll(list: readonly SceneInfo[]) {
     else proof.textContent = list.length === 1 ? `✓ ${last}, as everywhere` : `✓ all ${list.length} scenes have the hashes that they have everywhere`;
 }
 
+// -- parts that stand in files of their own ---------------------------------------------------------------------------------------------
+
+const stage: Stage = {
+    get running() {
+        return running;
+    },
+    get tool() {
+        return tool;
+    },
+    camera,
+    canvas,
+    resume,
+    attempt,
+    say,
+    toWorld,
+    bodyAt,
+    setPlaying,
+    open,
+    saveScene: () => textAt(native.sandbox_save(0, drag_mark)),
+};
+const hand = makeHand(stage);
+const player = makePlayer(stage, () => playing);
+const overlay = makeOverlay(stage, hand, player);
+const numbers = makeNumbers(stage);
+const graph = makeGraph(stage);
+const files = makeFiles(stage);
+knobs.push(...makeSolverKnobs(stage));
+
 // -- ------------------------------------------------------------------------------------------------------------------------------------
 
 try {
     await start();
     listScenes();
+    beside = new Beside(find('beside'), canvas, {running: () => running, again: () => load(running.scene), choose: loadByName, say});
+    gallery = new Gallery(find('gallery'), load);
     setPlaying(playing);
-    load(sceneOfAddress());
+    await openAddress();
     requestAnimationFrame((now) => {
         before = now;
         frame(now);
     });
+    void keepOffline();
 } catch (error) {
     say(`The engine did not start. ${(error as Error).message}`);
     clearTimeout(silence);

@@ -17,10 +17,10 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include "common/printable.hpp"
+#include "scene_files/printable.hpp"
 #include "harness/engine.hpp"
 #include "islet/runner.hpp"
-#include "islet/scene_file.hpp"
+#include "scene_files/scene_file.hpp"
 #include "islet/svg.hpp"
 #include "scenes/catalogue.hpp"
 #include "support/random.hpp"

@@ -23,6 +23,20 @@ expect 2 'not expected' hello --nonsense
 expect 0 '  60  ' hello --quick --engine islet
 expect 2 'excludes' hello --quick --steps 3
 
+# Small worlds: without valgrind their steps are timed. (Counting takes most of a minute; each world runs here as valgrind would run it.)
+no_valgrind=$scratch/bin
+mkdir "$no_valgrind"
+small=$(PATH=$no_valgrind "$program" bench --small 2>"$scratch/said")
+grep -q 'valgrind, which is not installed' "$scratch/said" || complain "it must say that nothing counts instructions: $(cat "$scratch/said")"
+[ "$(head -n 1 <<<"$small" | tr -s ' ')" = 'world lanes us a step' ] || complain "the header of small worlds: $small"
+for world in boxes_3 boxes_10 boxes_55 car_beside_8_boxes ragdoll chain_of_10 balls_64; do
+    grep -qE "^$world +1 +[0-9]+\.[0-9]{2}$" <<<"$small" || complain "no row of one lane for $world in: $small"
+    [ -z "$("$program" bench --small-world "$world" --steps 2 --lanes 1 2>&1)" ] || complain "$world alone must print nothing"
+done
+PATH=$no_valgrind "$program" bench --small --json 2>/dev/null | grep -q '"us_per_step": ' || complain 'the JSON of small worlds has no times'
+expect 2 'not in' --small-world nothing
+expect 2 'excludes' --small --quick
+
 # Standard output holds results only, from its first byte: other engines' greetings must not get in.
 first=$("$program" bench hello --json "${few[@]}" 2>/dev/null | head -c 1)
 [ "$first" = '[' ] || complain "JSON must begin with [, not '$first'"
@@ -35,6 +49,8 @@ rows=$("$program" bench hello hello --engine islet --engine islet "${few[@]}" | 
 interrupt() { # interrupt FILE WORDS ARGUMENT...: its output goes to FILE; interrupts it when WORDS are among what was printed
     local file=$1 words=$2 status=0 i
     shift 2
+    : >"$file"
+    : >"$scratch/errors" # what an earlier one printed would end the wait at once
     "$program" bench "$@" >"$file" 2>"$scratch/errors" &
     for ((i = 0; i < 600; ++i)); do
         ! grep -q "$words" "$file" "$scratch/errors" || break

@@ -37,6 +37,39 @@ expect 2 'there are: islet' steady flat_bounce --engine newton
 expect 2 'excludes' steady flat_bounce --quick --starts 2
 expect_no_room steady flat_bounce --quick
 
+# Sweeps: a table, and its parts made by processes of their own.
+sweep=(sweep card_house --vary friction=0.2:0.8:3 --vary 'substeps=2,4' --seeds 3 --steps 30)
+expect 0 '18 runs (6 points, 3 seeds)' "${sweep[@]}" --csv "$scratch/sweep.csv" --plot "$scratch/sweep.svg" --manifest "$scratch/whole.json"
+[ "$(wc -l <"$scratch/sweep.csv")" -eq 19 ] || complain "sweep --csv: not a line for each run"
+for shard in 0 1 2 3; do expect 0 "shard $shard of 4" "${sweep[@]}" --shards 4 --shard "$shard" --manifest "$scratch/part$shard.json"; done
+"$program" "${sweep[@]}" >"$scratch/one_process.txt"
+"$program" "${sweep[@]}" --jobs 1 >"$scratch/one_job.txt"
+"$program" sweep --merge "$scratch"/part?.json >"$scratch/merged.txt"
+cmp "$scratch/one_process.txt" "$scratch/one_job.txt" || complain 'sweep: another table with one job'
+cmp "$scratch/one_process.txt" "$scratch/merged.txt" || complain 'sweep: another table of four shards'
+expect 0 '"friction": 0.2' sweep --merge "$scratch/whole.json" --json --plot "$scratch/merged.svg"
+cmp "$scratch/sweep.svg" "$scratch/merged.svg" || complain 'sweep: another picture of a manifest'
+expect 2 'runs are missing' sweep --merge "$scratch"/part[012].json
+expect 2 "sweep.svg': this is no whole manifest" sweep --merge "$scratch/whole.json" "$scratch/sweep.svg"
+expect 2 'No such file or directory' sweep --merge "$scratch/missing.json"
+expect 2 'needs a scene' sweep
+expect 2 'needs a scene' sweep hello --merge "$scratch/whole.json"
+expect 2 'near names: hello' sweep helo
+expect 2 'near names: friction' sweep hello --vary fricton=1
+expect 2 'is no number' sweep hello --vary friction=high
+expect 2 "friction=-1: bodies\\[0\\].shapes\\[0\\].friction: A number is outside its range" sweep hello --vary friction=-1
+expect 2 'has one start only' sweep hello --start 1
+expect 2 '--shard is 0 to 3' sweep hello --shards 4 --shard 4 --manifest "$scratch/x.json"
+expect 2 'one shard makes no table' sweep hello --shards 4
+expect 2 'one shard makes no table' sweep hello --shards 4 --manifest "$scratch/x.json" --json
+expect 2 'needs something to --vary' sweep hello --plot "$scratch/x.svg"
+expect 2 'cannot write' sweep hello --csv "$scratch/missing/x.csv"
+expect 2 'raise --memory-limit' sweep hello --memory-limit 4kB
+printf '{"steps": 5, "bodies": [{"type": "dynamic", "shapes": [{"circle": {}}]}]}' >"$scratch/drop.json"
+expect 0 'gravity' sweep "$scratch/drop.json" --vary gravity=1,2
+expect 2 "missing.json'" sweep "$scratch/missing.json"
+expect_no_room sweep hello --seeds 1
+
 "$program" scene pyramid >"$scratch/pyramid.json"
 expect 0 "$("$program" run pyramid --json | grep '"hash"')" run "$scratch/pyramid.json" --json
 expect 0 'bodies        4' run "$(dirname "$0")/../../../samples/scenes/swing.json" --svg "$scratch/swing.svg"

@@ -87,16 +87,22 @@ TEST(MovieMaker, ContactsAreWithinHalfOfTheirCoarserQuantum) {
     record(run, movie, remember);
     const Scale& scale = movie.scale();
     const double quantum = scale.quantum * contact_quanta;
+    // Before its first step the world knows no contacts, and the movie shows those that the bodies have all the same. They are at rest: the first step
+    // moves no point by more than a slop.
+    ASSERT_TRUE(wanted[0].empty());
+    wanted[0] = wanted[1];
+    constexpr double slop = 0.005;  // m
     MovieReader reader(movie.bytes());
     for (const std::vector<Vec2>& points : wanted) {
+        const double bound = 0.5 * quantum * (1 + 1e-9) + (&points == wanted.data() ? slop : 0);
         ASSERT_TRUE(reader.next());
         const Table<Place>& contacts = reader.frame().contacts;
         std::size_t next = 0;  // both lists are in the order of slots
         for (std::size_t id = 0; id < contacts.size(); ++id) {
             if (!contacts.has(id)) continue;
             ASSERT_LT(next, points.size());
-            ASSERT_LE(apart(double(points[next].x), contacts.entries[id].x, quantum, scale.origin_x), 0.5 * quantum * (1 + 1e-9));
-            ASSERT_LE(apart(double(points[next].y), contacts.entries[id].y, quantum, scale.origin_y), 0.5 * quantum * (1 + 1e-9));
+            ASSERT_LE(apart(double(points[next].x), contacts.entries[id].x, quantum, scale.origin_x), bound);
+            ASSERT_LE(apart(double(points[next].y), contacts.entries[id].y, quantum, scale.origin_y), bound);
             ++next;
         }
         ASSERT_EQ(next, points.size());

@@ -6,13 +6,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/printable.hpp"
+#include "scene_files/printable.hpp"
 #include "harness/engine.hpp"
 #include "islet/html.hpp"
 #include "islet/movie_maker.hpp"
 #include "islet/report.hpp"
 #include "islet/runner.hpp"
-#include "islet/scene_file.hpp"
+#include "scene_files/scene_file.hpp"
 #include "islet/svg.hpp"
 #include "scenes/catalogue.hpp"
 #include "support/sanitized.hpp"

@@ -2,10 +2,11 @@
 import { roundLength } from "./camera.js";
 import { jointLooks, looks } from "./movie.js";
 
-const tints = 3;
+const tints = 6;
 const bodiesPerPath = 200; // longer paths take longer to fill than many short ones
 const smallestRinged = 8; // pixels; on smaller bodies a hinge's ring is no more than its dot
 const smallestWithMarks = 4; // pixels; on smaller bodies contacts and joints would hide what they lie on
+const strays = 0.1; // of the bodies at each side, which the camera does not follow
 const tau = 2 * Math.PI;
 
 const clamp = (n, low, high) => Math.min(Math.max(n, low), high);
@@ -93,22 +94,32 @@ export class Painter {
         }
     }
 
-    /// Paths of the traced bodies: all of it faintly, as far as the run has come clearly.
+    /// Paths of the traced bodies, as far as the run has come.
     #trails(frame) {
         const { context, camera, run } = this;
         context.strokeStyle = this.colours.trail;
         context.lineWidth = 1.5;
         for (const trail of this.trails) {
-            for (const [end, alpha] of [[trail.length / 2 - 1, 0.25], [frame, 0.9]]) {
-                context.beginPath();
-                for (let i = 0; i <= end; ++i) {
-                    context.lineTo(camera.screenX(trail[2 * i] + run.origin[0]), camera.screenY(trail[2 * i + 1] + run.origin[1]));
-                }
-                context.globalAlpha = alpha;
-                context.stroke();
+            context.beginPath();
+            for (let i = 0; i <= frame; ++i) {
+                context.lineTo(camera.screenX(trail[2 * i] + run.origin[0]), camera.screenY(trail[2 * i + 1] + run.origin[1]));
             }
+            context.stroke();
         }
-        context.globalAlpha = 1;
+    }
+
+    /// The box around nearly all bodies that move, m: left, bottom, right, top. Null if none does.
+    action(state) {
+        const { run } = this, x = [], y = [];
+        for (let id = 0; id < state.bodies.size; ++id) {
+            if (!state.bodies.live[id] || !["awake", "bullet"].includes(looks[state.looks[id]])) continue;
+            x.push(run.origin[0] + state.bodies.x[id] * run.quantum);
+            y.push(run.origin[1] + state.bodies.y[id] * run.quantum);
+        }
+        if (x.length === 0) return null;
+        const few = Math.floor(x.length * strays);
+        for (const all of [x, y]) all.sort((a, b) => a - b);
+        return [x[few], y[few], x[x.length - 1 - few], y[y.length - 1 - few]];
     }
 
     /// The middling size of the moving bodies, m: lines and dots are drawn in proportion to it.

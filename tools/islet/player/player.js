@@ -1,7 +1,7 @@
 // Puts the player together: reads what the page holds, and lets buttons, keys and time change what is shown.
 import { Movie, bytesOf, looks } from "./movie.js";
 import { Camera, roundLength } from "./camera.js";
-import { Outline } from "./outline.js";
+import { outlineOf } from "./models.js";
 import { Painter } from "./painter.js";
 import { Numbers } from "./numbers.js";
 import { Timeline } from "./timeline.js";
@@ -13,7 +13,7 @@ const floatsOf = (id) => new Float32Array(bytesOf(id).buffer);
 const fractions = { 0.125: "⅛", 0.25: "¼", 0.5: "½" };
 
 const run = JSON.parse(element("run").textContent);
-const models = JSON.parse(element("models").textContent).map((model) => model.map((outline) => new Outline(outline)));
+const models = JSON.parse(element("models").textContent).map((model) => model.map(outlineOf));
 const numbersRead = floatsOf("numbers"), trailsRead = floatsOf("trails");
 const slice = (all, i, length) => all.subarray(i * length, (i + 1) * length);
 const columns = Object.fromEntries(run.columns.map((name, i) => [name, slice(numbersRead, i, run.frames)]));
@@ -26,6 +26,9 @@ const camera = new Camera(run.view);
 const painter = new Painter(canvas, run, models, trails);
 const clock = new Clock(Array.from({ length: run.frames }, (_, i) => stepOf(i) * run.dt));
 const shown = { contacts: true, joints: true };
+const followTime = 0.4; // s, in which the camera makes most of its way
+let following = true;
+let drawnAt = 0; // ms
 let stale = true; // something changed since the last drawing
 
 const redraw = () => (stale = true);
@@ -75,12 +78,17 @@ const commands = {
     joints: () => toggle("joints"),
     closer: () => zoom(1.25),
     farther: () => zoom(1 / 1.25),
+    follow: () => {
+        following = !following;
+        element("follow").setAttribute("aria-pressed", String(following));
+        fit();
+    },
     fit,
     help: () => element("help-panel").toggleAttribute("hidden"),
 };
 const keys = {
     " ": "play", ArrowLeft: "back", ArrowRight: "forward", Home: "first", End: "last", ArrowUp: "faster", ArrowDown: "slower",
-    "+": "closer", "=": "closer", "-": "farther", 0: "fit", c: "contacts", j: "joints", "?": "help",
+    "+": "closer", "=": "closer", "-": "farther", 0: "fit", c: "contacts", j: "joints", f: "follow", "?": "help",
 };
 
 for (const button of document.querySelectorAll("[data-command]")) {
@@ -105,9 +113,15 @@ function showScaleBar() {
     element("scale").textContent = metres >= 1 ? `${metres} m` : metres >= 0.01 ? `${Math.round(metres * 100)} cm` : `${metres * 1000} mm`;
 }
 
-function draw() {
-    const { frame } = clock;
-    painter.draw(movie.at(frame), frame, camera, shown);
+function draw(now) {
+    const { frame } = clock, state = movie.at(frame);
+    if (following && camera.fitted) {
+        // Where nothing plays, it is there at once, so that a frame always looks the same.
+        const share = clock.playing ? 1 - Math.exp(-Math.min(now - drawnAt, 100) / 1000 / followTime) : 1;
+        camera.follow(painter.action(state), share);
+    }
+    drawnAt = now;
+    painter.draw(state, frame, camera, shown);
     numbers.show(frame);
     timeline.draw(numbers.curve, frame);
     element("step").textContent = stepOf(frame);
@@ -125,7 +139,7 @@ function nextPicture(now) {
     if (painter.resize()) redraw();
     if (stale) {
         stale = false;
-        draw();
+        draw(now);
     }
     requestAnimationFrame(nextPicture);
 }
@@ -153,4 +167,5 @@ function introduce() {
 
 introduce();
 fit();
+if (!window.matchMedia("(prefers-reduced-motion: reduce)").matches) clock.play();
 requestAnimationFrame(nextPicture);

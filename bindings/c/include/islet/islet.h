@@ -5,8 +5,8 @@
 // Units are metres, kilograms, seconds and radians. Names follow C++: islet::BodyDef is IsletBodyDef, World::position(BodyId) is islet_body_position.
 //
 // Errors. A function that changes a world returns an IsletError. All others return their result, or a null or zero value on an error, which is then
-// islet_world_last_error. On an error nothing has changed. Comments name errors in small letters: stale_id is ISLET_ERROR_STALE_ID. Two errors are of C
-// alone: null_pointer (a pointer that must not be null is, the world's among them) and struct_size.
+// islet_world_last_error. On an error nothing has changed. Comments name errors in small letters: stale_id is ISLET_ERROR_STALE_ID. Three errors are of C
+// alone: null_pointer (a pointer that must not be null is, the world's among them), struct_size and not_a_fleet.
 //
 // Structs that begin with struct_size may get further fields in later versions. Start from their default (islet_default_body_def), which sets the size. Of a
 // wrong size they are refused: struct_size. Where such a struct holds another, it points to it; null stands for the default, or for a result that is not wanted.
@@ -68,10 +68,6 @@ extern "C" {
 #define ISLET_DRAW_COLOR_Y_AXIS 0x2e8b3du
 #define ISLET_DRAW_COLOR_NAME 0x2c3440u
 #define ISLET_DRAW_COLOR_OVERFLOW 0x111111u
-/// The formats that this version writes, and the only ones it reads. A format number goes up when the meaning of the bytes changes.
-#define ISLET_SNAPSHOT_FORMAT 4u
-#define ISLET_DELTA_FORMAT 4u
-#define ISLET_RECORDING_FORMAT 2u
 /// The most workers that a task system may have.
 #define ISLET_MAX_WORKERS 64u
 /// No position may exceed this on either axis, m: beyond it, neighbouring floats are a metre apart. Bodies that fly farther stop there.
@@ -89,14 +85,18 @@ extern "C" {
 #define ISLET_JOINT_TYPE_COUNT 10u
 /// The largest ratio of a pulley or a gear.
 #define ISLET_MAX_RATIO 1.0e6f
-/// IsletRowEnd.body of an end that cannot be pushed: a static or kinematic body, or the world itself.
-#define ISLET_NO_BODY 4294967295u
 /// Alignment that islet_create_world demands of its block.
 #define ISLET_WORLD_ALIGNMENT 64u
 /// No capacity may exceed this.
 #define ISLET_MAX_CAPACITY (sizeof(void*) >= 8 ? 1u << 22 : 1u << 18)
 /// The farthest that a ray or a cast may go along either axis, m.
 #define ISLET_MAX_TRANSLATION (2.0f * ISLET_MAX_POSITION)
+/// The formats that this version writes, and the only ones it reads. A format number goes up when the meaning of the bytes changes.
+#define ISLET_SNAPSHOT_FORMAT 4u
+#define ISLET_DELTA_FORMAT 4u
+#define ISLET_RECORDING_FORMAT 2u
+/// IsletRowEnd.body of an end that cannot be pushed: a static or kinematic body, or the world itself.
+#define ISLET_NO_BODY 4294967295u
 /// The distance that a mover keeps from surfaces, m.
 #define ISLET_MOVER_GAP 0.01f
 /// Alignment of the memory that holds a recording, bytes.
@@ -148,19 +148,6 @@ enum {
     ISLET_BODY_COLORS_STATE = 0,
     /// distinct_color of the lowest slot of a body in its island, awake or not. Islands are found while drawing, from contacts and joints.
     ISLET_BODY_COLORS_ISLAND = 1,
-};
-
-/// What some bytes are, by how they begin.
-typedef uint8_t IsletFormatKind;
-enum {
-    /// nothing of Islet's
-    ISLET_FORMAT_KIND_UNKNOWN = 0,
-    /// from islet_world_save
-    ISLET_FORMAT_KIND_SNAPSHOT = 1,
-    /// from delta()
-    ISLET_FORMAT_KIND_DELTA = 2,
-    /// from islet_world_start_recording
-    ISLET_FORMAT_KIND_RECORDING = 3,
 };
 
 /// What went wrong in a call. describe(e) returns a sentence that says what was wrong and how to fix it.
@@ -243,6 +230,8 @@ enum {
     ISLET_ERROR_INEXACT_BUILD = 37,
     /// a dynamic body cannot have a half-space
     ISLET_ERROR_ENDLESS_SHAPE = 38,
+    /// What a pointer to a fleet points to is none, or has been moved.
+    ISLET_ERROR_NOT_A_FLEET = 253,
     /// A pointer that must not be null is null.
     ISLET_ERROR_NULL_POINTER = 254,
     /// A struct has a struct_size that no version of Islet up to this one gives it: start from its default.
@@ -307,6 +296,59 @@ enum {
     ISLET_JOINT_TYPE_PULLEY = 7,
     ISLET_JOINT_TYPE_GEAR = 8,
     ISLET_JOINT_TYPE_ANGLE = 9,
+};
+
+/// What an action does to a world before a step.
+typedef uint8_t IsletDriveKind;
+enum {
+    /// N on the body's centre of mass, along the world's x, during the next step
+    ISLET_DRIVE_KIND_FORCE_X = 0,
+    /// the same along y
+    ISLET_DRIVE_KIND_FORCE_Y = 1,
+    /// N m on the body, during the next step
+    ISLET_DRIVE_KIND_TORQUE = 2,
+    /// N m on body_b of the joint, and its opposite on body_a, during the next step
+    ISLET_DRIVE_KIND_JOINT_TORQUE = 3,
+    /// the speed of the joint's motor, rad/s or m/s, until it is changed again
+    ISLET_DRIVE_KIND_MOTOR_SPEED = 4,
+    /// the greatest force of the joint's motor, N m or N: of the action's absolute value
+    ISLET_DRIVE_KIND_MOTOR_FORCE = 5,
+    /// the target of a mouse joint, m in the world
+    ISLET_DRIVE_KIND_TARGET_X = 6,
+    /// the same for y
+    ISLET_DRIVE_KIND_TARGET_Y = 7,
+};
+
+/// What an observation tells of a world after a step.
+typedef uint8_t IsletSenseKind;
+enum {
+    /// 2 columns: of the body's origin in the world, m
+    ISLET_SENSE_KIND_POSITION = 0,
+    /// 2 columns: cosine and sine of the body's angle
+    ISLET_SENSE_KIND_ROTATION = 1,
+    /// 2 columns: of the body's centre of mass, m/s
+    ISLET_SENSE_KIND_VELOCITY = 2,
+    /// 1 column, rad/s
+    ISLET_SENSE_KIND_ANGULAR_VELOCITY = 3,
+    /// 2 columns: the joint's position (rad or m) and speed
+    ISLET_SENSE_KIND_JOINT = 4,
+    /// 1 column: 1 if a shape of the body touches another, else 0
+    ISLET_SENSE_KIND_TOUCHING = 5,
+    /// 1 column: how far a ray that the body carries goes before it meets a shape of another body, as a fraction of it; 1 if it meets none
+    ISLET_SENSE_KIND_RAY = 6,
+};
+
+/// What some bytes are, by how they begin.
+typedef uint8_t IsletFormatKind;
+enum {
+    /// nothing of Islet's
+    ISLET_FORMAT_KIND_UNKNOWN = 0,
+    /// from islet_world_save
+    ISLET_FORMAT_KIND_SNAPSHOT = 1,
+    /// from delta()
+    ISLET_FORMAT_KIND_DELTA = 2,
+    /// from islet_world_start_recording
+    ISLET_FORMAT_KIND_RECORDING = 3,
 };
 
 /// The kind of a row, with its bounds lo, hi and its bias.
@@ -381,7 +423,7 @@ typedef struct IsletTransform {
     IsletRot q;
 } IsletTransform;
 
-/// An axis-aligned box. Valid when lower <= upper on both axes.
+/// An axis-aligned box, m. Valid when lower <= upper on both axes.
 typedef struct IsletAabb {
     IsletVec2 lower;
     IsletVec2 upper;
@@ -424,7 +466,7 @@ typedef struct IsletHalfSpace {
     float offset;
 } IsletHalfSpace;
 
-/// The corners of a convex polygon, counter-clockwise. count = 0 means that no hull could be made.
+/// The corners of a convex polygon, m, counter-clockwise. count = 0 means that no hull could be made.
 typedef struct IsletHull {
     IsletVec2 points[8];
     uint32_t count;
@@ -507,20 +549,6 @@ typedef struct IsletDebugDraw {
     /// steps: keep each body's transform before the step, and lerp to the one after it.
     const IsletTransform* poses;
 } IsletDebugDraw;
-
-/// What read_format finds.
-typedef struct IsletFormatInfo {
-    uint32_t struct_size;  ///< sizeof(IsletFormatInfo)
-    IsletFormatKind kind;
-    /// of the bytes; 0 if unknown
-    uint32_t format;
-    /// the format of this kind that this version reads; 0 if unknown
-    uint32_t readable;
-    /// true: the snapshot at the start of a recording. The format of the recording is readable, that of the snapshot is not
-    bool in_recording;
-    /// written by a machine of the other byte order
-    bool other_byte_order;
-} IsletFormatInfo;
 
 /// Runs the parts of a stage of a step on threads of yours: a pool, OpenMP, TBB, or one after another. The number of threads and the order of the parts never
 /// change a bit of a result. samples/workers/thread_pool.hpp is an example; samples/workers/workers.cpp uses it.
@@ -625,8 +653,9 @@ typedef struct IsletSolverDef {
     IsletSweepOrder sweep_order;
     /// Solve the two normal impulses of a contact together, exactly.
     bool block_contacts;
-    /// 0 to max_shock. Shock propagation: the solver treats each body as lighter, by this share, than the body it lies on. Use it for stacks at rest: impacts
-    /// and reported forces are those of the lighter bodies. Do not use 0.5 with joints in the pile.
+    /// 0 to max_shock. Shock propagation: the solver treats each body as lighter, by this share, than the body it lies on. Use it for stacks at rest:
+    /// impacts, and the forces that joints report, are those of the lighter bodies. (Contacts report the weight of what lies on them.) Do not use 0.5 with
+    /// joints in the pile.
     float shock;
     /// Measure after each step how far the impulses are from a solution: islet_body_residual.
     bool measure_residual;
@@ -683,6 +712,7 @@ typedef struct IsletBodyDef {
     float linear_damping;
     /// 1/s, >= 0
     float angular_damping;
+    /// multiple of the gravity that the body feels
     float gravity_scale;
     /// m/s, >= 0. Slower bodies may fall asleep.
     float sleep_threshold;
@@ -711,7 +741,8 @@ typedef struct IsletFilter {
     int32_t group;
 } IsletFilter;
 
-/// The material of a surface: four fields as in ShapeDef, and a number of yours, which the mixing hooks get.
+/// The material of a surface: four fields as in ShapeDef (IsletShapeDef.friction and so on, with their units), and a number of yours, which the mixing hooks
+/// get.
 typedef struct IsletSurfaceMaterial {
     float friction;
     float restitution;
@@ -915,7 +946,9 @@ typedef struct IsletContactInfo {
     IsletVec2 normal;
     IsletContactPoint points[2];
     uint32_t point_count;
+    /// Coulomb coefficient of the two surfaces
     float friction;
+    /// 0 to 1
     float restitution;
 } IsletContactInfo;
 
@@ -1044,9 +1077,11 @@ typedef struct IsletWeldJointDef {
     IsletJointBase base;
     /// Hz, >= 0; 0 is rigid
     float linear_hertz;
+    /// >= 0; 1 is critical
     float linear_damping_ratio;
     /// Hz, >= 0; 0 is rigid
     float angular_hertz;
+    /// >= 0; 1 is critical
     float angular_damping_ratio;
 } IsletWeldJointDef;
 
@@ -1081,9 +1116,11 @@ typedef struct IsletMotorJointDef {
     float max_torque;
     /// Hz, >= 0; 0 drives the velocity, more the position
     float linear_hertz;
+    /// >= 0; 1 is critical
     float linear_damping_ratio;
     /// Hz, >= 0; as above, for the angle
     float angular_hertz;
+    /// >= 0; 1 is critical
     float angular_damping_ratio;
 } IsletMotorJointDef;
 
@@ -1096,6 +1133,7 @@ typedef struct IsletMouseJointDef {
     IsletVec2 target;
     /// Hz, > 0
     float hertz;
+    /// >= 0; 1 is critical
     float damping_ratio;
     /// N, >= 0
     float max_force;
@@ -1170,6 +1208,141 @@ typedef struct IsletJointBreakEvent {
     uint64_t user_data;
 } IsletJointBreakEvent;
 
+/// A field that breaks its rules.
+typedef struct IsletFieldFault {
+    /// not_finite, out_of_range or feature_cut; none if all fields keep their rules
+    IsletError error;
+    /// its name, with the structs it stands in: "limit.lower", "solver.substeps"; null if there is none
+    const char* field;
+} IsletFieldFault;
+
+/// A convex shape of any type: the hull of 1 to 8 points, counter-clockwise, grown by `radius` (m, 0 to 1e7). count 0: no shape.
+typedef struct IsletShapeProxy {
+    IsletVec2 points[8];
+    uint32_t count;
+    float radius;
+    /// Of two points: rays and casts meet the shape only from the right of points[0] -> points[1], as a ChainSegment.
+    bool one_sided;
+} IsletShapeProxy;
+
+/// Where a moving point or shape first meets another.
+typedef struct IsletCastHit {
+    bool hit;
+    /// of the translation, 0 to 1
+    float fraction;
+    /// m, on the surface that is met
+    IsletVec2 point;
+    /// unit, of the surface that is met, towards the moving point or shape
+    IsletVec2 normal;
+    /// m, 0; if they overlapped at the start, minus the depth
+    float separation;
+} IsletCastHit;
+
+/// How two shapes stand to each other.
+typedef struct IsletSeparation {
+    /// m; for shapes that overlap, minus the length of the shortest way that parts them
+    float distance;
+    /// m, the closest points of the surfaces; of overlapping shapes the deepest
+    IsletVec2 point_a;
+    /// m
+    IsletVec2 point_b;
+    /// unit, from a to b. For coinciding points (0, -1), on a line across it.
+    IsletVec2 normal;
+} IsletSeparation;
+
+/// Which shapes a query finds: those whose filter has a category in `mask` and a mask that contains `category`. The default finds all shapes but sensors and
+/// shapes whose mask is 0. Shapes of disabled bodies are never found.
+typedef struct IsletQueryFilter {
+    uint32_t category;
+    uint32_t mask;
+    /// Find sensors too.
+    bool sensors;
+} IsletQueryFilter;
+
+/// A shape that a ray or a cast meets, with the fields of CastHit. Null if there is none.
+typedef struct IsletQueryHit {
+    IsletShapeId shape;
+    /// m, world
+    IsletVec2 point;
+    /// unit, world
+    IsletVec2 normal;
+    /// 0 to 1, of the translation
+    float fraction;
+    /// m, 0; for shapes that overlapped at the start, minus the depth
+    float separation;
+} IsletQueryHit;
+
+/// The shape closest to a point. Null if there is none.
+typedef struct IsletClosestHit {
+    IsletShapeId shape;
+    /// m, the shape's closest point; the given point if it is inside
+    IsletVec2 point;
+    /// unit, towards the given point; if that is inside, along the shortest way out
+    IsletVec2 normal;
+    /// m, 0 inside
+    float distance;
+} IsletClosestHit;
+
+/// A surface near a shape: the plane that bounds it there.
+typedef struct IsletSurface {
+    IsletShapeId shape;
+    /// m, the surface's closest point; of an overlapping shape the deepest
+    IsletVec2 point;
+    /// unit, towards the given shape; along the shortest way out of an overlap
+    IsletVec2 normal;
+    /// m; for shapes that overlap, minus the depth
+    float separation;
+} IsletSurface;
+
+/// One column of the actions.
+typedef struct IsletDrive {
+    IsletDriveKind kind;
+    IsletBodyId body;
+    IsletJointId joint;
+    /// Dimensionless factor of the action. Finite.
+    float scale;
+} IsletDrive;
+
+/// One to two columns of the observations (SenseKind).
+typedef struct IsletSense {
+    IsletSenseKind kind;
+    IsletBodyId body;
+    IsletJointId joint;
+    /// m, where a ray starts, in the body's frame
+    IsletVec2 origin;
+    /// m, from there to its end, in the body's frame
+    IsletVec2 translation;
+    /// what a ray can meet
+    IsletQueryFilter filter;
+} IsletSense;
+
+/// A random change of one body of a world, by which starts differ: each number is the half width of a range around 0, >= 0.
+typedef struct IsletVariation {
+    IsletBodyId body;
+    /// m
+    IsletVec2 position;
+    /// rad
+    float angle;
+    /// m/s
+    IsletVec2 velocity;
+    /// rad/s
+    float angular_velocity;
+} IsletVariation;
+
+/// What read_format finds.
+typedef struct IsletFormatInfo {
+    uint32_t struct_size;  ///< sizeof(IsletFormatInfo)
+    IsletFormatKind kind;
+    /// of the bytes; 0 if unknown
+    uint32_t format;
+    /// the format of this kind that this version reads; 0 if unknown
+    uint32_t readable;
+    /// true: the snapshot at the start of a recording. The format of the recording is readable, that of the snapshot is not
+    bool in_recording;
+    /// written by a machine of the other byte order
+    bool other_byte_order;
+} IsletFormatInfo;
+
 /// The entries of a row's Jacobian for one body. The body adds dot(linear, v) + angular w to the row's velocity. The row's x gives the body the impulse x
 /// linear and the angular impulse x angular.
 typedef struct IsletRowEnd {
@@ -1209,82 +1382,6 @@ typedef struct IsletIslandBody {
     /// rad/s; of a link of a joint tree, scaled with the inertia
     float w_free;
 } IsletIslandBody;
-
-/// A convex shape of any type: the hull of 1 to 8 points, counter-clockwise, grown by `radius` (m, 0 to 1e7). count 0: no shape.
-typedef struct IsletShapeProxy {
-    IsletVec2 points[8];
-    uint32_t count;
-    float radius;
-    /// Of two points: rays and casts meet the shape only from the right of points[0] -> points[1], as a ChainSegment.
-    bool one_sided;
-} IsletShapeProxy;
-
-/// Where a moving point or shape first meets another.
-typedef struct IsletCastHit {
-    bool hit;
-    /// of the translation, 0 to 1
-    float fraction;
-    /// m, on the surface that is met
-    IsletVec2 point;
-    /// unit, of the surface that is met, towards the moving point or shape
-    IsletVec2 normal;
-    /// m, 0; if they overlapped at the start, minus the depth
-    float separation;
-} IsletCastHit;
-
-/// How two shapes stand to each other.
-typedef struct IsletSeparation {
-    /// m; for shapes that overlap, minus the length of the shortest way that parts them
-    float distance;
-    /// m, the closest points of the surfaces; of overlapping shapes the deepest
-    IsletVec2 point_a;
-    IsletVec2 point_b;
-    /// unit, from a to b. For coinciding points (0, -1), on a line across it.
-    IsletVec2 normal;
-} IsletSeparation;
-
-/// Which shapes a query finds: those whose filter has a category in `mask` and a mask that contains `category`. The default finds all shapes but sensors and
-/// shapes whose mask is 0. Shapes of disabled bodies are never found.
-typedef struct IsletQueryFilter {
-    uint32_t category;
-    uint32_t mask;
-    /// Find sensors too.
-    bool sensors;
-} IsletQueryFilter;
-
-/// A shape that a ray or a cast meets, with the fields of CastHit. Null if there is none.
-typedef struct IsletQueryHit {
-    IsletShapeId shape;
-    /// m, world
-    IsletVec2 point;
-    /// unit, world
-    IsletVec2 normal;
-    float fraction;
-    /// m, 0; for shapes that overlapped at the start, minus the depth
-    float separation;
-} IsletQueryHit;
-
-/// The shape closest to a point. Null if there is none.
-typedef struct IsletClosestHit {
-    IsletShapeId shape;
-    /// m, the shape's closest point; the given point if it is inside
-    IsletVec2 point;
-    /// unit, towards the given point; if that is inside, along the shortest way out
-    IsletVec2 normal;
-    /// m, 0 inside
-    float distance;
-} IsletClosestHit;
-
-/// A surface near a shape: the plane that bounds it there.
-typedef struct IsletSurface {
-    IsletShapeId shape;
-    /// m, the surface's closest point; of an overlapping shape the deepest
-    IsletVec2 point;
-    /// unit, towards the given shape; along the shortest way out of an overlap
-    IsletVec2 normal;
-    /// m; for shapes that overlap, minus the depth
-    float separation;
-} IsletSurface;
 
 /// Returns whether a surface stands in the mover's way. It need not handle one-way shapes (IsletShapeDef.one_way), because the mover does that itself. It may
 /// read and query the world, but not change it (in_step).
@@ -1473,12 +1570,6 @@ static inline IsletDebugDraw islet_default_debug_draw(void) {
     def.impulse_scale = 1.0f;
     def.shapes = true;
     def.joints = true;
-    return def;
-}
-
-static inline IsletFormatInfo islet_default_format_info(void) {
-    IsletFormatInfo def = ISLET_ZERO;
-    def.struct_size = sizeof def;
     return def;
 }
 
@@ -1686,16 +1777,35 @@ static inline IsletAngleJointDef islet_default_angle_joint_def(void) {
     return def;
 }
 
-static inline IsletRowEnd islet_default_row_end(void) {
-    IsletRowEnd def = ISLET_ZERO;
-    def.body = ISLET_NO_BODY;
-    return def;
-}
-
 static inline IsletQueryFilter islet_default_query_filter(void) {
     IsletQueryFilter def = ISLET_ZERO;
     def.category = 4294967295u;
     def.mask = 4294967295u;
+    return def;
+}
+
+static inline IsletDrive islet_default_drive(void) {
+    IsletDrive def = ISLET_ZERO;
+    def.scale = 1.0f;
+    return def;
+}
+
+static inline IsletSense islet_default_sense(void) {
+    IsletSense def = ISLET_ZERO;
+    def.filter.category = 4294967295u;
+    def.filter.mask = 4294967295u;
+    return def;
+}
+
+static inline IsletFormatInfo islet_default_format_info(void) {
+    IsletFormatInfo def = ISLET_ZERO;
+    def.struct_size = sizeof def;
+    return def;
+}
+
+static inline IsletRowEnd islet_default_row_end(void) {
+    IsletRowEnd def = ISLET_ZERO;
+    def.body = ISLET_NO_BODY;
     return def;
 }
 
@@ -1757,6 +1867,10 @@ ISLET_C_API IsletError islet_world_clear_error(IsletWorld* world);
 /// A sentence: what was wrong and how to mend it. Never null.
 ISLET_C_API const char* islet_describe(IsletError error);
 
+/// The first field for whose sake islet_create_world refuses the definition, as the functions for other definitions do. If def is null, null_pointer; if a struct
+/// has a wrong size, struct_size.
+ISLET_C_API IsletFieldFault islet_find_world_def_fault(const IsletWorldDef* def);
+
 /// Distance and closest points of two shapes in one frame. Of shapes that are not valid, or null: distance 3.4e38, no normal.
 ISLET_C_API IsletSeparation islet_separation(const IsletShapeProxy* a, const IsletShapeProxy* b);
 
@@ -1804,16 +1918,79 @@ static inline IsletIslandProblem islet_default_island_problem(void) {
 /// bytes needed; if `memory` has fewer, writes neither to it nor to `out`. `memory` needs no alignment, and may be null if memory_bytes is 0. Returns 0 on an
 /// error: null_id; stale_id; no_dynamic_body; bad_time_step of h; in_step; out_of_range if the problem is too large.
 ISLET_C_API size_t islet_body_export_island(const IsletWorld* world, IsletBodyId body, float h, void* memory, size_t memory_bytes, IsletIslandProblem* out);
+
+/// A fleet: many worlds of one capacity, which start as copies of one world and step together. It lives in memory of yours (islet_create_fleet). Errors of a
+/// fleet are returned, and no hook is told of them. not_a_fleet: the pointer points to something else, or the fleet was moved.
+typedef struct IsletFleet IsletFleet;
+
+/// What islet_fleet_step does. A count of 0 stands for nothing to do; all arrays are read and written during the call only.
+typedef struct IsletFleetStep {
+    uint32_t struct_size;  ///< sizeof(IsletFleetStep)
+    float dt;              ///< s, ISLET_MIN_TIME_STEP to 1
+    uint32_t repeat;       ///< Steps of each world, 1 to 1000; each repeats the actions.
+    uint32_t reserved;     ///< 0
+    const uint8_t* mask;   ///< islet_fleet_size() numbers: where one is 0, that world stays as it is. None: all step.
+    size_t mask_count;
+    const IsletDrive* drives;
+    size_t drives_count;
+    const float* actions;  ///< islet_fleet_size() rows of drives_count numbers. Finite.
+    size_t actions_count;
+    const IsletSense* senses;
+    size_t senses_count;
+    float* observations;  ///< islet_fleet_size() rows of islet_sense_columns() numbers. Rows of worlds that did not step stay as they are.
+    size_t observations_count;
+} IsletFleetStep;
+
+static inline IsletFleetStep islet_default_fleet_step(void) {
+    IsletFleetStep what = ISLET_ZERO;
+    what.struct_size = sizeof what;
+    what.dt = 1.0f / 60;
+    what.repeat = 1;
+    return what;
+}
+
+/// Bytes of memory that a fleet needs; 0 if the capacity is not valid or null, or there is no world or no worker, or more than 2^20 worlds or
+/// ISLET_MAX_WORKERS.
+ISLET_C_API size_t islet_fleet_bytes(uint32_t worlds, const IsletCapacity* capacity, uint32_t workers);
+/// Makes a fleet of `worlds` copies of `prototype` in `block`, which must be aligned to ISLET_WORLD_ALIGNMENT and hold at least
+/// islet_fleet_bytes(worlds, the prototype's capacity, tasks->workers) bytes. The worlds have the prototype's state, settings and hooks, but no recording and
+/// no clock; each steps on one thread, and `tasks` steps many at a time. Hooks are then called on several threads at once. tasks may be null: one thread.
+/// There is nothing to destroy. Returns null with *error set, if given: block_too_small; block_misaligned; out_of_range (of worlds or workers); in_step (of the
+/// prototype); null_pointer; struct_size.
+ISLET_C_API IsletFleet* islet_create_fleet(void* block, size_t block_bytes, const IsletWorld* prototype, uint32_t worlds, const IsletTaskSystem* tasks,
+                                           IsletError* error);
+/// How many worlds there are.
+ISLET_C_API uint32_t islet_fleet_size(const IsletFleet* fleet);
+/// World k, 0 <= k < islet_fleet_size(). It can be read and changed like any other. Null if there is none.
+ISLET_C_API IsletWorld* islet_fleet_world(IsletFleet* fleet, uint32_t k);
+/// In each world that the mask names: applies the actions and steps, `repeat` times, then observes. An action or a sense whose body or joint is gone from a
+/// world, or is of the wrong type, does nothing there, or reads 0. Errors: bad_time_step; out_of_range (repeat, an unknown kind, arrays of other sizes);
+/// not_finite (an action, a scale or a ray).
+ISLET_C_API IsletError islet_fleet_step(IsletFleet* fleet, const IsletFleetStep* what);
+/// Observes without a step. Errors as in islet_fleet_step.
+ISLET_C_API IsletError islet_fleet_observe(IsletFleet* fleet, const IsletSense* senses, size_t senses_count, float* observations, size_t observations_count,
+                                           const uint8_t* mask, size_t mask_count);
+/// Takes world k back to an image made by this program (islet_world_save of a world of no greater capacity), and changes bodies at random: the same seed gives
+/// the same changes. Errors: out_of_range (k, or a negative width); not_finite; those of islet_world_restore. A body that the image does not hold is left out.
+ISLET_C_API IsletError islet_fleet_reset(IsletFleet* fleet, uint32_t k, const void* image, size_t image_bytes, uint64_t seed,
+                                         const IsletVariation* variations, size_t variations_count);
+/// Makes world `to` a copy of world `from`; a recording of `to` ends. Errors: out_of_range.
+ISLET_C_API IsletError islet_fleet_copy(IsletFleet* fleet, uint32_t from, uint32_t to);
+/// Makes each world k a copy of world parents[k], at once, to go on with the best futures of a search. A parent stays as it is: parents[parents[k]] is
+/// parents[k], and so does a recording of it. Errors: out_of_range (a parent that is not so, or not islet_fleet_size() of them).
+ISLET_C_API IsletError islet_fleet_fork(IsletFleet* fleet, const uint32_t* parents, size_t parents_count);
 ISLET_C_API IsletVec2 islet_vec2_add(IsletVec2 a, IsletVec2 b);
 ISLET_C_API IsletVec2 islet_vec2_subtract(IsletVec2 a, IsletVec2 b);
 ISLET_C_API IsletVec2 islet_vec2_negate(IsletVec2 a);
 ISLET_C_API IsletVec2 islet_vec2_scale(float s, IsletVec2 a);
+
+/// The scalar product, |a| |b| times the cosine of the angle between them, in the product of their units.
 ISLET_C_API float islet_vec2_dot(IsletVec2 a, IsletVec2 b);
 
-/// z of the three-dimensional cross product a x b.
+/// z of the three-dimensional cross product a x b, in the product of their units.
 ISLET_C_API float islet_vec2_cross(IsletVec2 a, IsletVec2 b);
 
-/// w (about z) crossed with r: the velocity of a point at r on a body turning at w.
+/// w (rad/s, about z) crossed with r: the velocity of a point at r on a body turning at w.
 ISLET_C_API IsletVec2 islet_vec2_cross_rate(float w, IsletVec2 r);
 
 /// a turned by +90 degrees.
@@ -1821,10 +1998,20 @@ ISLET_C_API IsletVec2 islet_vec2_left_perp(IsletVec2 a);
 
 /// a turned by -90 degrees.
 ISLET_C_API IsletVec2 islet_vec2_right_perp(IsletVec2 a);
+
+/// |a|^2, in the square of its unit.
 ISLET_C_API float islet_vec2_length_squared(IsletVec2 a);
+
+/// |b - a|^2, m^2.
 ISLET_C_API float islet_vec2_distance_squared(IsletVec2 a, IsletVec2 b);
+
+/// The point at the fraction t of the way from a to b; t may be outside 0 to 1.
 ISLET_C_API IsletVec2 islet_vec2_lerp(IsletVec2 a, IsletVec2 b, float t);
+
+/// The smaller of each coordinate.
 ISLET_C_API IsletVec2 islet_vec2_min(IsletVec2 a, IsletVec2 b);
+
+/// The larger of each coordinate.
 ISLET_C_API IsletVec2 islet_vec2_max(IsletVec2 a, IsletVec2 b);
 
 /// v turned by q.
@@ -1835,24 +2022,42 @@ ISLET_C_API IsletVec2 islet_rot_inv_rotate(IsletRot q, IsletVec2 v);
 
 /// First r, then q.
 ISLET_C_API IsletRot islet_rot_multiply(IsletRot q, IsletRot r);
+
+/// The same turn the other way.
 ISLET_C_API IsletRot islet_rot_inverse(IsletRot q);
 
 /// inverse(q) * r: the rotation that leads from q to r.
 ISLET_C_API IsletRot islet_rot_inv_mul(IsletRot q, IsletRot r);
+
+/// The point v of a body with the pose t, seen from the world, m.
 ISLET_C_API IsletVec2 islet_transform_point(IsletTransform t, IsletVec2 v);
+
+/// The point v of the world, seen from a body with the pose t, m.
 ISLET_C_API IsletVec2 islet_inv_transform_point(IsletTransform t, IsletVec2 v);
 
 /// The pose of b seen from a: inverse(a) * b.
 ISLET_C_API IsletTransform islet_transform_inv_mul(IsletTransform a, IsletTransform b);
+
+/// Whether two boxes share a point; boxes that touch do.
 ISLET_C_API bool islet_aabb_overlaps(IsletAabb a, IsletAabb b);
+
+/// Whether no point of inner is outside outer.
 ISLET_C_API bool islet_aabb_contains(IsletAabb outer, IsletAabb inner);
+
+/// The smallest box that contains both.
 ISLET_C_API IsletAabb islet_aabb_merge(IsletAabb a, IsletAabb b);
+
+/// The box with each side moved outward by margin, m.
 ISLET_C_API IsletAabb islet_aabb_expand(IsletAabb a, float margin);
+
+/// The sum of the four sides, m.
 ISLET_C_API float islet_aabb_perimeter(IsletAabb a);
 ISLET_C_API bool islet_vec2_is_finite(IsletVec2 a);
 
-/// Euclidean length; correctly rounded square root, the same bits everywhere.
+/// Euclidean length, in the unit of a; correctly rounded square root, the same bits everywhere.
 ISLET_C_API float islet_vec2_length(IsletVec2 a);
+
+/// length(b - a), m.
 ISLET_C_API float islet_vec2_distance(IsletVec2 a, IsletVec2 b);
 
 /// a / |a|, or the zero vector if |a| is below 1e-18 m, above 1e19 m (its square overflows) or not finite.
@@ -1871,10 +2076,10 @@ ISLET_C_API float islet_atan2(float y, float x);
 /// q scaled back to unit length; the identity if q is degenerate.
 ISLET_C_API IsletRot islet_rot_normalize(IsletRot q);
 
-/// Between two rotations, the short way: q at t = 0, r at t = 1, with nearly steady speed. For turns of less than half a circle.
+/// Between two rotations by the fraction t, the short way: q at t = 0, r at t = 1, with nearly steady speed. For turns of less than half a circle.
 ISLET_C_API IsletRot islet_rot_lerp(IsletRot q, IsletRot r, float t);
 
-/// Between two poses, for drawing between two steps.
+/// Between two poses by the fraction t, for drawing between two steps.
 ISLET_C_API IsletTransform islet_transform_lerp(IsletTransform a, IsletTransform b, float t);
 
 /// q turned further by an angle d (radians) and normalised: the integration of an angular velocity over a step. Within 1e-7 rad for |d| <= 0.5 and 1e-3 rad
@@ -1886,16 +2091,16 @@ ISLET_C_API IsletRot islet_rot_integrate(IsletRot q, float delta_radians);
 /// Returns count 0 if fewer than 3 points remain, if there are more than 8 points given, or if a coordinate is not finite or above 1e7 m.
 ISLET_C_API IsletHull islet_compute_hull(const IsletVec2* points, size_t points_count);
 
-/// Polygon from a hull; count 0 if the hull has fewer than 3 points or is not convex, or if radius is negative or not finite.
+/// Polygon from a hull; count 0 if the hull has fewer than 3 points or is not convex, or if radius (m) is negative or not finite.
 ISLET_C_API IsletPolygon islet_make_polygon(const IsletHull* hull, float radius);
 
 /// Axis-aligned box of half-width hx and half-height hy (metres, > 0; count 0 otherwise), centred on the body's origin.
 ISLET_C_API IsletPolygon islet_make_box(float hx, float hy);
 
-/// Box with rounded corners: the total half extents are hx + radius and hy + radius.
+/// Box with rounded corners: the total half extents are hx + radius and hy + radius, m.
 ISLET_C_API IsletPolygon islet_make_rounded_box(float hx, float hy, float radius);
 
-/// Box with its centre at pose.p, turned by pose.q.
+/// Box with its centre at pose.p, turned by pose.q; half extents and radius in m.
 ISLET_C_API IsletPolygon islet_make_offset_box(float hx, float hy, IsletTransform pose, float radius);
 
 /// p moved by t; count 0 if the result is not valid (t not finite, or so far away that rounding destroys the shape).
@@ -1931,14 +2136,21 @@ ISLET_C_API void islet_draw_segment(const IsletDebugDraw* draw, const IsletSegme
 
 /// Nothing is drawn of a polygon with a count above max_polygon_vertices.
 ISLET_C_API void islet_draw_polygon(const IsletDebugDraw* draw, const IsletPolygon* polygon, IsletTransform pose, const IsletDrawStyle* style);
-
-/// Tells the kind and format of a snapshot, a delta or a recording from its first bytes, whatever version wrote it: 8 bytes are enough for the first two, 64
-/// for a recording. Takes any bytes, at any alignment, and has no errors.
-ISLET_C_API IsletError islet_read_format(const void* bytes, size_t bytes_bytes, IsletFormatInfo* out);
-
-/// Writes a sentence that names the kind, its format, and the version and format that would read it, such as "This is a snapshot of format 3; Islet 0.2.0
-/// reads format 4." `out` gets as much as there is room for, with a zero at its end. Returns the length of the whole sentence without the zero, at most 120.
-ISLET_C_API size_t islet_describe_format(const IsletFormatInfo* info, char* out, size_t out_bytes);
+ISLET_C_API IsletFieldFault islet_find_solver_def_fault(const IsletSolverDef* def);
+ISLET_C_API IsletFieldFault islet_find_body_def_fault(const IsletBodyDef* def);
+ISLET_C_API IsletFieldFault islet_find_shape_def_fault(const IsletShapeDef* def);
+ISLET_C_API IsletFieldFault islet_find_explosion_def_fault(const IsletExplosionDef* def);
+ISLET_C_API IsletFieldFault islet_find_wind_def_fault(const IsletWindDef* def);
+ISLET_C_API IsletFieldFault islet_find_revolute_joint_def_fault(const IsletRevoluteJointDef* def);
+ISLET_C_API IsletFieldFault islet_find_prismatic_joint_def_fault(const IsletPrismaticJointDef* def);
+ISLET_C_API IsletFieldFault islet_find_distance_joint_def_fault(const IsletDistanceJointDef* def);
+ISLET_C_API IsletFieldFault islet_find_weld_joint_def_fault(const IsletWeldJointDef* def);
+ISLET_C_API IsletFieldFault islet_find_wheel_joint_def_fault(const IsletWheelJointDef* def);
+ISLET_C_API IsletFieldFault islet_find_motor_joint_def_fault(const IsletMotorJointDef* def);
+ISLET_C_API IsletFieldFault islet_find_mouse_joint_def_fault(const IsletMouseJointDef* def);
+ISLET_C_API IsletFieldFault islet_find_pulley_joint_def_fault(const IsletPulleyJointDef* def);
+ISLET_C_API IsletFieldFault islet_find_gear_joint_def_fault(const IsletGearJointDef* def);
+ISLET_C_API IsletFieldFault islet_find_angle_joint_def_fault(const IsletAngleJointDef* def);
 
 /// Whether islet_create_world accepts the capacity.
 ISLET_C_API bool islet_capacity_is_valid(const IsletCapacity* c);
@@ -1953,7 +2165,7 @@ ISLET_C_API IsletShapeProxy islet_make_segment_proxy(const IsletSegment* segment
 ISLET_C_API IsletShapeProxy islet_make_polygon_proxy(const IsletPolygon* polygon);
 ISLET_C_API IsletShapeProxy islet_make_chain_segment_proxy(const IsletChainSegment* segment);
 
-/// The hull of up to 8 points (one and two are taken as they are, more by compute_hull), grown by radius; count 0 if there is none.
+/// The hull of up to 8 points (one and two are taken as they are, more by compute_hull), grown by radius (m); count 0 if there is none.
 ISLET_C_API IsletShapeProxy islet_make_proxy(const IsletVec2* points, size_t points_count, float radius);
 
 /// An upright box; count 0 unless lower < upper on both axes.
@@ -1985,6 +2197,8 @@ ISLET_C_API bool islet_proxy_contains(const IsletShapeProxy* shape, IsletVec2 po
 /// Advances time by dt seconds, min_time_step <= dt <= 1. 1/60 is usual; see SolverDef for what a step consists of. Errors (nothing changes): bad_time_step;
 /// in_step; inexact_build (of a StaticWorld).
 ISLET_C_API IsletError islet_world_step(IsletWorld* world, float dt);
+
+/// m/s^2
 ISLET_C_API IsletVec2 islet_world_gravity(const IsletWorld* world);
 ISLET_C_API IsletError islet_world_set_gravity(IsletWorld* world, IsletVec2 gravity);
 ISLET_C_API IsletError islet_world_solver(const IsletWorld* world, IsletSolverDef* out);
@@ -2027,11 +2241,15 @@ ISLET_C_API uint32_t islet_world_lanes(const IsletWorld* world);
 /// IsletWorldDef.continuous.
 ISLET_C_API bool islet_world_continuous(const IsletWorld* world);
 ISLET_C_API IsletError islet_world_enable_continuous(IsletWorld* world, bool enable);
+
+/// The hooks as they were last set; none by default.
 ISLET_C_API IsletError islet_world_hooks(const IsletWorld* world, IsletHooks* out);
 
 /// Sets the hooks. Two shapes in contact keep their mixed friction, and whether they bounce, until a material changes or the shapes part. How much they
 /// bounce is mixed anew in every step.
 ISLET_C_API IsletError islet_world_set_hooks(IsletWorld* world, const IsletHooks* hooks);
+
+/// m/s, >= 0 (IsletWorldDef.hit_threshold)
 ISLET_C_API float islet_world_hit_threshold(const IsletWorld* world);
 ISLET_C_API IsletError islet_world_set_hit_threshold(IsletWorld* world, float speed);
 
@@ -2039,6 +2257,8 @@ ISLET_C_API IsletError islet_world_set_hit_threshold(IsletWorld* world, float sp
 /// the direction from the explosion to the shape's nearest point, and acts at that point. (If the explosion is inside the shape, the direction is that to the
 /// shape's middle.) Shapes do not shield each other. Sensors feel nothing. The bodies pushed wake up.
 ISLET_C_API IsletError islet_world_explode(IsletWorld* world, const IsletExplosionDef* explosion);
+
+/// How many objects of each kind there is room for, as create() was told.
 ISLET_C_API IsletError islet_world_capacity(const IsletWorld* world, IsletCapacity* out);
 
 /// What the last step did, and how many objects the world holds.
@@ -2082,12 +2302,14 @@ ISLET_C_API bool islet_world_is_recording(const IsletWorld* world);
 /// Bytes used so far; 0 if nothing is being recorded.
 ISLET_C_API size_t islet_world_recorded_bytes(const IsletWorld* world);
 
-/// Continues the recording in a larger buffer. Returns false, and changes nothing, if the buffer is smaller than recorded_bytes() or misaligned, or if
-/// nothing is being recorded.
+/// Continues the recording in a larger buffer. Returns false, and changes nothing, if the buffer is smaller than recorded_bytes() (recording_full) or
+/// misaligned (image_misaligned), or if nothing is being recorded (not_a_recording).
 ISLET_C_API bool islet_world_move_recording(IsletWorld* world, void* buffer, size_t buffer_bytes);
 
 /// Ends the recording; returns its bytes, or 0 if nothing is being recorded (not_a_recording).
 ISLET_C_API size_t islet_world_stop_recording(IsletWorld* world);
+
+/// Pairs of shapes that began to touch in the last step.
 ISLET_C_API IsletTouchEventSpan islet_world_begin_touch_events(const IsletWorld* world);
 
 /// Contacts that ended in the last step, and in calls made since. This list and sensor_end_events() have room for IsletCapacity.contacts events together. If
@@ -2110,6 +2332,8 @@ ISLET_C_API IsletBodyIdSpan islet_world_slept_bodies(const IsletWorld* world);
 
 /// Joints that broke at the end of the last step, ordered by slot.
 ISLET_C_API IsletJointBreakEventSpan islet_world_broken_joints(const IsletWorld* world);
+
+/// Returns null on an error: bodies_full; not_finite, out_of_range and feature_cut of a field, which find_fault names (fault.hpp).
 ISLET_C_API IsletBodyId islet_create_body(IsletWorld* world, const IsletBodyDef* def);
 
 /// Destroys the body with its shapes, contacts and joints. Wakes the bodies that touched it or were joined to it.
@@ -2121,33 +2345,42 @@ ISLET_C_API uint32_t islet_world_body_count(const IsletWorld* world);
 
 /// Id of the body in slot 0 <= slot < capacity().bodies; null if the slot is free. For walking over all bodies.
 ISLET_C_API IsletBodyId islet_world_body_at(const IsletWorld* world, uint32_t slot);
+
+/// The pose of the body's origin, m.
 ISLET_C_API IsletTransform islet_body_transform(const IsletWorld* world, IsletBodyId body);
 
 /// The body's origin.
 ISLET_C_API IsletVec2 islet_body_position(const IsletWorld* world, IsletBodyId body);
 
-/// (-pi, pi]
+/// rad, in (-pi, pi]
 ISLET_C_API float islet_body_angle(const IsletWorld* world, IsletBodyId body);
+
+/// m, in the world
 ISLET_C_API IsletVec2 islet_body_center_of_mass(const IsletWorld* world, IsletBodyId body);
+
+/// m, from the origin, in the body's frame
 ISLET_C_API IsletVec2 islet_body_local_center_of_mass(const IsletWorld* world, IsletBodyId body);
 
-/// Of the centre of mass.
+/// m/s, of the centre of mass
 ISLET_C_API IsletVec2 islet_body_linear_velocity(const IsletWorld* world, IsletBodyId body);
+
+/// rad/s
 ISLET_C_API float islet_body_angular_velocity(const IsletWorld* world, IsletBodyId body);
 
-/// Velocity of the point of the body that is now at world position `point`.
+/// m/s: the velocity of the point of the body that is now at world position `point`.
 ISLET_C_API IsletVec2 islet_body_velocity_at(const IsletWorld* world, IsletBodyId body, IsletVec2 point);
 
-/// Teleports the body. Its contacts are found anew; it keeps its velocity. Wakes the body, and the bodies that touched it or are joined to it.
+/// Teleports the body to a position, m, and an angle, rad. Its contacts are found anew; it keeps its velocity. Wakes the body, and the bodies that touched it
+/// or are joined to it.
 ISLET_C_API IsletError islet_body_set_transform(IsletWorld* world, IsletBodyId body, IsletVec2 position, float angle);
 
 /// The same. pose.q must be of unit length (out_of_range).
 ISLET_C_API IsletError islet_body_set_pose(IsletWorld* world, IsletBodyId body, IsletTransform pose);
 
-/// No effect on static bodies. Wakes the body if the velocity is not zero.
+/// m/s, of the centre of mass. No effect on static bodies. Wakes the body if the velocity is not zero.
 ISLET_C_API IsletError islet_body_set_linear_velocity(IsletWorld* world, IsletBodyId body, IsletVec2 velocity);
 
-/// The same; no effect on bodies of fixed rotation either.
+/// The same, rad/s; no effect on bodies of fixed rotation either.
 ISLET_C_API IsletError islet_body_set_angular_velocity(IsletWorld* world, IsletBodyId body, float velocity);
 
 /// Gives a kinematic body the velocities that take it to a pose in a step of dt seconds, except for rounding: at most max_speed, and at most a quarter turn.
@@ -2162,14 +2395,18 @@ ISLET_C_API IsletError islet_body_apply_torque(IsletWorld* world, IsletBodyId bo
 ISLET_C_API IsletError islet_body_apply_linear_impulse(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, IsletVec2 point);
 ISLET_C_API IsletError islet_body_apply_linear_impulse_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 impulse);
 ISLET_C_API IsletError islet_body_apply_angular_impulse(IsletWorld* world, IsletBodyId body, float impulse);
+
+/// Static, kinematic or dynamic.
 ISLET_C_API IsletBodyType islet_body_type(const IsletWorld* world, IsletBodyId body);
 
 /// Changes the type. Contacts are found anew, and the body gets the mass of its shapes again. Wakes the bodies that touched it or are joined to it. A body
 /// that becomes static loses its velocity.
 ISLET_C_API IsletError islet_body_set_type(IsletWorld* world, IsletBodyId body, IsletBodyType type);
+
+/// kg; 0 for a body that is not dynamic
 ISLET_C_API float islet_body_mass(const IsletWorld* world, IsletBodyId body);
 
-/// About the centre of mass.
+/// kg m^2, about the centre of mass
 ISLET_C_API float islet_body_rotational_inertia(const IsletWorld* world, IsletBodyId body);
 
 /// Replaces the mass, centre and inertia that follow from the shapes, until a shape is added or removed, the type changes or reset_mass is called. mass:
@@ -2178,10 +2415,16 @@ ISLET_C_API IsletError islet_body_set_mass(IsletWorld* world, IsletBodyId body, 
 
 /// Takes mass, centre and inertia from the shapes' densities again.
 ISLET_C_API IsletError islet_body_reset_mass(IsletWorld* world, IsletBodyId body);
+
+/// 1/s, >= 0 (IsletBodyDef.linear_damping)
 ISLET_C_API float islet_body_linear_damping(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_linear_damping(IsletWorld* world, IsletBodyId body, float damping);
+
+/// 1/s, >= 0
 ISLET_C_API float islet_body_angular_damping(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_angular_damping(IsletWorld* world, IsletBodyId body, float damping);
+
+/// Multiple of the gravity that the body feels.
 ISLET_C_API float islet_body_gravity_scale(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_gravity_scale(IsletWorld* world, IsletBodyId body, float scale);
 ISLET_C_API bool islet_body_is_rotation_fixed(const IsletWorld* world, IsletBodyId body);
@@ -2205,9 +2448,9 @@ ISLET_C_API IsletError islet_body_set_bullet(IsletWorld* world, IsletBodyId body
 /// IsletBodyDef.enable_sleep.
 ISLET_C_API bool islet_body_sleep_enabled(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_enable_sleep(IsletWorld* world, IsletBodyId body, bool enable);
-ISLET_C_API float islet_body_sleep_threshold(const IsletWorld* world, IsletBodyId body);
 
-/// m/s, >= 0
+/// m/s, >= 0 (IsletBodyDef.sleep_threshold)
+ISLET_C_API float islet_body_sleep_threshold(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_sleep_threshold(IsletWorld* world, IsletBodyId body, float threshold);
 ISLET_C_API bool islet_body_is_awake(const IsletWorld* world, IsletBodyId body);
 
@@ -2225,7 +2468,9 @@ ISLET_C_API uint32_t islet_body_contacts(const IsletWorld* world, IsletBodyId bo
 
 /// Writes the ids of the body's shapes, newest first, as far as they fit; returns how many there are.
 ISLET_C_API uint32_t islet_body_shapes(const IsletWorld* world, IsletBodyId body, IsletShapeId* out, size_t out_count);
-/// def may be null.
+
+/// Returns null on an error: shapes_full; geometries_full; bad_geometry; not_finite, out_of_range and feature_cut of a field, which find_fault names
+/// (fault.hpp). def may be null.
 ISLET_C_API IsletShapeId islet_create_circle(IsletWorld* world, IsletBodyId body, const IsletCircle* circle, const IsletShapeDef* def);
 /// def may be null.
 ISLET_C_API IsletShapeId islet_create_capsule(IsletWorld* world, IsletBodyId body, const IsletCapsule* capsule, const IsletShapeDef* def);
@@ -2240,7 +2485,8 @@ ISLET_C_API IsletShapeId islet_create_chain_segment(IsletWorld* world, IsletBody
 ISLET_C_API IsletShapeId islet_create_half_space(IsletWorld* world, IsletBodyId body, const IsletHalfSpace* half_space, const IsletShapeDef* def);
 
 /// A chain of ChainSegments through `points` (2 or more; 3 for a loop), which collides on the right of its direction and does not catch at its inner corners.
-/// All or nothing. Returns the number of segments made, and their ids in `out` as far as they fit. def may be null.
+/// All or nothing. Returns the number of segments made, and their ids in `out` as far as they fit; 0 on an error: bad_chain; shapes_full; geometries_full;
+/// endless_shape; those of a ShapeDef. def may be null.
 ISLET_C_API uint32_t islet_create_chain(IsletWorld* world, IsletBodyId body, const IsletVec2* points, size_t points_count, bool loop,
     const IsletShapeDef* def, IsletShapeId* out, size_t out_count);
 
@@ -2254,7 +2500,11 @@ ISLET_C_API IsletShapeId islet_world_shape_at(const IsletWorld* world, uint32_t 
 
 /// Writes the shape's touching contacts, newest first, as far as they fit; returns how many there are.
 ISLET_C_API uint32_t islet_shape_contacts(const IsletWorld* world, IsletShapeId shape, IsletContactInfo* out, size_t out_count);
+
+/// The body that the shape belongs to.
 ISLET_C_API IsletBodyId islet_shape_body(const IsletWorld* world, IsletShapeId shape);
+
+/// Which kind of geometry the shape has.
 ISLET_C_API IsletShapeType islet_shape_type(const IsletWorld* world, IsletShapeId shape);
 
 /// The geometry; null if the shape is of another type (which is no error), or if the id is invalid (which is one).
@@ -2281,7 +2531,7 @@ ISLET_C_API IsletError islet_shape_set_density(IsletWorld* world, IsletShapeId s
 /// The tight box around the shape, world coordinates.
 ISLET_C_API IsletAabb islet_shape_aabb(const IsletWorld* world, IsletShapeId shape);
 
-/// Setting one of these wakes the body and the bodies that touch the shape.
+/// IsletShapeDef.friction and the three that follow, with their ranges. Setting one of these wakes the body and the bodies that touch the shape.
 ISLET_C_API float islet_shape_friction(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API IsletError islet_shape_set_friction(IsletWorld* world, IsletShapeId shape, float friction);
 ISLET_C_API float islet_shape_restitution(const IsletWorld* world, IsletShapeId shape);
@@ -2331,6 +2581,9 @@ ISLET_C_API uint32_t islet_world_contact_count(const IsletWorld* world);
 
 /// Reads the contact in slot 0 <= slot < capacity().contacts. False if the slot is free or the shapes do not touch.
 ISLET_C_API bool islet_world_contact_at(const IsletWorld* world, uint32_t slot, IsletContactInfo* out);
+
+/// Returns null on an error: joints_full; same_body; no_dynamic_body; wrong_joint_type (gears); not_finite and out_of_range of a field, which find_fault
+/// names (fault.hpp).
 ISLET_C_API IsletJointId islet_create_revolute_joint(IsletWorld* world, const IsletRevoluteJointDef* def);
 ISLET_C_API IsletJointId islet_create_prismatic_joint(IsletWorld* world, const IsletPrismaticJointDef* def);
 ISLET_C_API IsletJointId islet_create_distance_joint(IsletWorld* world, const IsletDistanceJointDef* def);
@@ -2352,6 +2605,8 @@ ISLET_C_API IsletJointId islet_world_joint_at(const IsletWorld* world, uint32_t 
 
 /// Writes the ids of the body's joints, newest first, as far as they fit; returns how many there are.
 ISLET_C_API uint32_t islet_body_joints(const IsletWorld* world, IsletBodyId body, IsletJointId* out, size_t out_count);
+
+/// Which kind of joint it is.
 ISLET_C_API IsletJointType islet_joint_type(const IsletWorld* world, IsletJointId joint);
 
 /// Null for mouse joints.
@@ -2363,7 +2618,7 @@ ISLET_C_API IsletJointFrame islet_joint_frame_b(const IsletWorld* world, IsletJo
 /// Moves the joint on its bodies. Not for mouse, pulley and gear joints.
 ISLET_C_API IsletError islet_joint_set_frames(IsletWorld* world, IsletJointId joint, const IsletJointFrame* frame_a, const IsletJointFrame* frame_b);
 
-/// The frames' points in the world; of a mouse joint the target and the point pulled to it.
+/// m: the frames' points in the world; of a mouse joint the target and the point pulled to it.
 ISLET_C_API IsletVec2 islet_joint_anchor_a(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletVec2 islet_joint_anchor_b(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API bool islet_joint_collide_connected(const IsletWorld* world, IsletJointId joint);
@@ -2446,22 +2701,23 @@ ISLET_C_API float islet_joint_torque(const IsletWorld* world, IsletJointId joint
 /// How far apart the joint has been pulled now.
 ISLET_C_API IsletJointError islet_joint_error(const IsletWorld* world, IsletJointId joint);
 
-/// The first shape that a ray from `origin` to `origin + translation` meets. A ray that starts inside a shape meets it at fraction 0 (islet_cast_ray). filter
-/// may be null.
+/// The first shape that a ray from `origin` to `origin + translation` (m) meets. A ray that starts inside a shape meets it at fraction 0 (islet_cast_ray).
+/// filter may be null.
 ISLET_C_API IsletQueryHit islet_world_cast_ray(const IsletWorld* world, IsletVec2 origin, IsletVec2 translation, const IsletQueryFilter* filter);
 
-/// Whether the ray meets any shape. Faster than the first shape where many are in the way. filter may be null.
+/// Whether the ray (m) meets any shape. Faster than the first shape where many are in the way. filter may be null.
 ISLET_C_API bool islet_world_cast_ray_any(const IsletWorld* world, IsletVec2 origin, IsletVec2 translation, const IsletQueryFilter* filter);
 
 /// Writes the hits of the ray, as far as they fit, first ones first; returns how many there are. filter may be null.
 ISLET_C_API uint32_t islet_world_cast_ray_all(const IsletWorld* world, IsletVec2 origin, IsletVec2 translation, IsletQueryHit* out, size_t out_count,
     const IsletQueryFilter* filter);
 
-/// Calls `visit`, unless null, for each hit until `visit` stops the cast (CastVisitor). filter may be null.
+/// Calls `visit`, unless null, for each hit of the ray (m) until `visit` stops the cast (CastVisitor). filter may be null.
 ISLET_C_API void islet_world_cast_ray_each(const IsletWorld* world, IsletVec2 origin, IsletVec2 translation, const IsletQueryFilter* filter,
     IsletCastVisitor visit, void* context);
 
-/// The same for a shape that starts where its proxy stands in the world, and moves by `translation` without turning (islet_cast_shape). filter may be null.
+/// The same for a shape that starts where its proxy stands in the world, and moves by `translation` (m) without turning (islet_cast_shape). filter may be
+/// null.
 ISLET_C_API IsletQueryHit islet_world_cast_shape(const IsletWorld* world, const IsletShapeProxy* shape, IsletVec2 translation,
     const IsletQueryFilter* filter);
 /// filter may be null.
@@ -2481,10 +2737,10 @@ ISLET_C_API uint32_t islet_world_overlap_box(const IsletWorld* world, IsletAabb 
 ISLET_C_API uint32_t islet_world_overlap_shape(const IsletWorld* world, const IsletShapeProxy* shape, IsletShapeId* out, size_t out_count,
     const IsletQueryFilter* filter);
 
-/// The same for shapes that contain the point; segments contain none. filter may be null.
+/// The same for shapes that contain the point (m); segments contain none. filter may be null.
 ISLET_C_API uint32_t islet_world_overlap_point(const IsletWorld* world, IsletVec2 point, IsletShapeId* out, size_t out_count, const IsletQueryFilter* filter);
 
-/// Call `visit`, unless null, for each such shape until it returns false. filter may be null.
+/// Call `visit`, unless null, for each such shape until it returns false. Boxes, shapes and points in m. filter may be null.
 ISLET_C_API void islet_world_overlap_box_each(const IsletWorld* world, IsletAabb box, const IsletQueryFilter* filter, IsletOverlapVisitor visit,
     void* context);
 /// filter may be null.
@@ -2513,6 +2769,17 @@ ISLET_C_API void islet_world_draw(const IsletWorld* world, const IsletDebugDraw*
 /// Draws one shape with draw's functions, as if its body were at `pose`. The other settings of `draw` have no effect.
 ISLET_C_API void islet_world_draw_shape(const IsletWorld* world, const IsletDebugDraw* draw, IsletShapeId shape, IsletTransform pose,
     const IsletDrawStyle* style);
+
+/// Columns that these senses fill.
+ISLET_C_API uint32_t islet_sense_columns(const IsletSense* senses, size_t senses_count);
+
+/// Tells the kind and format of a snapshot, a delta or a recording from its first bytes, whatever version wrote it: 8 bytes are enough for the first two, 64
+/// for a recording. Takes any bytes, at any alignment, and has no errors.
+ISLET_C_API IsletError islet_read_format(const void* bytes, size_t bytes_bytes, IsletFormatInfo* out);
+
+/// Writes a sentence that names the kind, its format, and the version and format that would read it, such as "This is a snapshot of format 3; Islet 0.2.0
+/// reads format 4." `out` gets as much as there is room for, with a zero at its end. Returns the length of the whole sentence without the zero, at most 120.
+ISLET_C_API size_t islet_describe_format(const IsletFormatInfo* info, char* out, size_t out_bytes);
 
 /// Moves the mover by dt seconds, min_time_step <= dt <= 1. Call it once after each step of the world, with the same dt. It changes the world only by the
 /// mover's weight (a force over the next step) and push (an impulse on the centre of mass) on dynamic bodies. On an error it returns false and changes

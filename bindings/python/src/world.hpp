@@ -1,0 +1,160 @@
+// World as Python has it: who keeps its memory, and how each call is checked.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "records.hpp"
+
+#include "harness/world_recording.hpp"
+#include "workers/thread_pool.hpp"
+
+namespace islet::python {
+
+/// Thrown where a call fails: Python gets islet.Error.
+struct Refused {
+    Error error;
+    std::string detail;
+};
+[[noreturn]] inline void refuse(Error error, std::string detail = {}) { throw Refused{error, std::move(detail)}; }
+
+/// Keeps the memory of a world, or of all worlds of a fleet. `busy` while a thread steps them without Python's lock: other threads are refused.
+struct Owner {
+    virtual ~Owner() = default;
+    bool busy = false;
+};
+
+struct PyWorld {
+    std::shared_ptr<Owner> owner;
+    World* world = nullptr;
+};
+using WorldClass = py::class_<PyWorld>;
+
+inline void refuse_if_busy(const Owner& owner) {
+    if (owner.busy) refuse(Error::in_step, "another thread uses the world");
+}
+
+/// A call to a world: refused while another thread steps it; its error becomes an exception.
+class Call {
+public:
+    explicit Call(const PyWorld& of) : world_(of.world) {
+        refuse_if_busy(*of.owner);
+        detail::begin_call(world_);
+    }
+    ~Call() {
+        if (!ended_) detail::end_call(world_, Error::none);
+    }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+    Error error() {
+        ended_ = true;
+        return detail::end_call(world_, Error::none);
+    }
+    void check() {
+        if (const Error e = error(); e != Error::none) refuse(e);
+    }
+
+private:
+    World* world_;
+    bool ended_ = false;
+};
+
+/// Without Python's lock, but with the world's.
+class Unlocked {
+public:
+    explicit Unlocked(Owner& owner) : busy_{owner} {}
+
+private:
+    struct Busy {
+        explicit Busy(Owner& of) : owner(of) { owner.busy = true; }
+        ~Busy() { owner.busy = false; }
+        Owner& owner;
+    };
+    Busy busy_;  // first: it begins before Python is unlocked, and ends when Python is locked again
+    py::gil_scoped_release release_;
+};
+
+template <class T>
+py::object give(const T& value) {
+    if constexpr (std::is_pointer_v<T>) {
+        if (value == nullptr) return py::none();
+        return py::cast(*value);
+    } else if constexpr (std::is_same_v<T, QueryHit> || std::is_same_v<T, ClosestHit>) {
+        return value ? py::cast(value) : py::none();
+    } else {
+        return py::cast(value);
+    }
+}
+template <class T>
+py::object give(const span<T>& values) {
+    py::list all(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) all[i] = py::cast(values[i]);
+    return all;
+}
+
+template <class F, class R, class... A>
+auto checked_call(F f) {
+    return [f](PyWorld& w, A... arguments) {
+        Call call(w);
+        if constexpr (std::is_void_v<R>) {
+            (w.world->*f)(arguments...);
+            call.check();
+        } else {
+            decltype(auto) result = (w.world->*f)(arguments...);
+            call.check();
+            return give(result);
+        }
+    };
+}
+/// A function of World whose error becomes an exception.
+template <class R, class... A>
+auto checked(R (World::*f)(A...)) {
+    return checked_call<decltype(f), R, A...>(f);
+}
+template <class R, class... A>
+auto checked(R (World::*f)(A...) const) {
+    return checked_call<decltype(f), R, A...>(f);
+}
+
+/// What a function writes to a span, all of it: f(span) tells how many there are.
+template <class T, class F>
+py::object all_of(const PyWorld& w, F f) {
+    Call call(w);
+    std::vector<T> found(f(*w.world, span<T>()));
+    if (!found.empty()) f(*w.world, span<T>(found));
+    call.check();
+    return give(span<const T>(found));
+}
+
+/// Bytes of whatever has them in a row, aligned as an image must be.
+class Image {
+public:
+    explicit Image(py::handle from);
+    span<const std::byte> bytes() const { return bytes_; }
+
+private:
+    py::buffer_info info_;
+    std::vector<std::uint64_t> copy_;
+    span<const std::byte> bytes_;
+};
+
+py::bytes save(const World& world);
+
+std::shared_ptr<Owner> make_world(const Capacity& capacity, const WorldDef& def, std::uint32_t workers, World*& world);
+/// The box of all shapes that end somewhere.
+Aabb view_of(const World& world);
+
+void add_records_0(py::module_& m);
+void add_records_1(py::module_& m);
+void add_records_2(py::module_& m);
+void add_calls_0(WorldClass& w, py::module_& m);
+void add_calls_1(WorldClass& w, py::module_& m);
+void add_calls_2(WorldClass& w, py::module_& m);
+void add_making(WorldClass& w);     // bodies, shapes, joints
+void add_finding(WorldClass& w);    // queries
+void add_state(WorldClass& w);      // steps, snapshots, arrays
+void add_fleet(py::module_& m);
+void add_scenes(py::module_& m, WorldClass& w);
+
+}  // namespace islet::python

@@ -1,0 +1,163 @@
+// How the sandbox shows the world, and other engines beside it: WebGL, the gallery, Box2D in a second pane, and the page without a network.
+// Environment: CHROMIUM, the browser; SANDBOX, the built folder.
+import assert from 'node:assert/strict';
+import {describe, test} from 'node:test';
+import {axeFindings, browser, hideProcessor, server, settle, useBrowser, visit} from './browser.mjs';
+
+const desktop = {viewport: {width: 900, height: 640}};
+
+useBrowser(process.env.SANDBOX);
+
+/// Opens the page at a scene; `use` also gets what it asks for.
+async function withPage(scene, {webgl = false, complaintsExpected = /GPU stall due to ReadPixels/, ...options}, use) {
+    const asked = [];
+    await visit(`${server.address}#${scene}`, {
+        options: {...desktop, ...options},
+        isKnown: (message) => complaintsExpected.test(message),
+        prepare: async (page) => {
+            page.on('request', (request) => asked.push(request.url()));
+            if (webgl) await page.addInitScript(hideProcessor);
+        },
+    }, async (page) => {
+        await page.waitForFunction(() => Number(document.documentElement.dataset.step) >= 0);
+        await use(page, asked);
+    });
+}
+
+/// What the canvases show one upon the other, eight pixels to one in each direction.
+const smallPictureOf = (page) => page.evaluate(() => {
+    const all = [...document.querySelectorAll('main canvas:not([hidden])')];
+    const width = Math.round(all[0].width / 8), height = Math.round(all[0].height / 8);
+    const context = Object.assign(document.createElement('canvas'), {width, height}).getContext('2d', {willReadFrequently: true});
+    context.imageSmoothingQuality = 'high';
+    for (const canvas of all) context.drawImage(canvas, 0, 0, width, height);
+    return [...context.getImageData(0, 0, width, height).data];
+});
+const difference = (a, b) => a.reduce((sum, value, i) => sum + Math.abs(value - b[i]), 0) / a.length;
+
+describe('the sandbox', {concurrency: 2}, () => {
+    test('WebGL draws what canvas 2D draws, also when its context is lost and comes back', async () => {
+        // Boxes, discs in a ring, and capsules with hinges, before anything has moved.
+        const still = {viewport: {width: 640, height: 480}, reducedMotion: 'reduce', complaintsExpected: /GPU stall due to ReadPixels|CONTEXT_LOST_WEBGL/};
+        for (const scene of ['mixer', 'ragdoll']) {
+            let plain, bare;
+            await withPage(scene, still, async (page) => {
+                await settle(page, 2);
+                assert.equal(await page.locator('main canvas.below').count(), 0);
+                plain = await smallPictureOf(page);
+                bare = plain.map((_, i) => plain[i % 4]); // paper alone, as in the corner
+            });
+            const isLike = (seen, what) => {
+                const [off, all] = [difference(seen, plain), difference(bare, plain)];
+                // A canvas strokes both sides of a rim, WebGL the inner one: of bodies of 15 pixels that is half a pixel all around.
+                assert.ok(off < 0.2 * all, `${scene} ${what} differs by ${off}, from bare paper by ${all}`);
+            };
+            isLike(plain, 'itself');
+            assert.throws(() => isLike(bare, 'nothing'));
+            await withPage(scene, {...still, webgl: true}, async (page) => {
+                await settle(page, 2);
+                assert.equal(await page.locator('main canvas.below').count(), 1);
+                isLike(await smallPictureOf(page), 'by WebGL');
+                // The canvas above has nothing but the joints that WebGL leaves out: here none.
+                assert.ok(await page.evaluate(() => {
+                    const canvas = document.getElementById('world');
+                    return canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.every((value) => value === 0);
+                }));
+                if (scene !== 'ragdoll') return;
+                await page.evaluate(() => {
+                    const gl = document.querySelector('main canvas.below').getContext('webgl2');
+                    window.loss = gl.getExtension('WEBGL_lose_context');
+                    window.loss.loseContext();
+                });
+                await settle(page, 3);
+                isLike(await smallPictureOf(page), 'without its context');
+                await page.evaluate(() => window.loss.restoreContext());
+                await page.waitForFunction(() => !document.querySelector('main canvas.below').getContext('webgl2').isContextLost());
+                await settle(page, 3);
+                isLike(await smallPictureOf(page), 'with its context again');
+                await page.keyboard.press('ArrowRight');
+                await page.waitForFunction(() => Number(document.documentElement.dataset.step) === 1);
+            });
+        }
+    });
+
+    test('the gallery has every scene, moves, and is used by keys alone', async () => {
+        await withPage('hello', {bypassCSP: true}, async (page) => {
+            await page.focus('#gallery');
+            await page.keyboard.press('Enter');
+            await page.waitForSelector('#gallery-of-scenes[open]');
+            const count = await page.locator('.cards button').count();
+            assert.equal(count, await page.locator('#scene option').count());
+            const first = () => page.evaluate(() => document.querySelector('.cards canvas').toDataURL());
+            await page.waitForFunction(() => document.querySelector('.cards canvas').width > 300 || document.querySelector('.cards canvas').width < 299);
+            const picture = await first();
+            await page.waitForFunction((before) => document.querySelector('.cards canvas').toDataURL() !== before, picture);
+            const step = await page.evaluate(() => document.documentElement.dataset.step);
+
+            assert.deepEqual(await axeFindings(page), []);
+
+            // To the end and back: every card gets its world in turn, and the engine has places for all that are seen.
+            await page.evaluate(() => document.querySelector('#gallery-of-scenes').scrollTo(0, 1e6));
+            await settle(page, 5);
+            await page.evaluate(() => document.querySelector('#gallery-of-scenes').scrollTo(0, 0));
+            await page.keyboard.press('Tab');
+            await page.keyboard.press('Tab');
+            assert.equal(await page.evaluate(() => document.documentElement.dataset.step), step, 'the world waits');
+            const chosen = (await page.locator('.cards button').nth(1).locator('strong').textContent()).replaceAll(' ', '_');
+            await page.keyboard.press('Enter');
+            await page.waitForSelector('#gallery-of-scenes:not([open])', {state: 'hidden'});
+            assert.equal(await page.evaluate(() => location.hash), `#${chosen}`);
+            await page.focus('#gallery');
+            await page.keyboard.press('Enter');
+            await page.keyboard.press('Escape');
+            await page.waitForSelector('#gallery-of-scenes', {state: 'hidden'});
+        });
+    });
+
+    test('Box2D runs the same scene in a second pane, and is loaded only then', async () => {
+        await withPage('chain_ball', {}, async (page, asked) => {
+            await page.click('#settings');
+            assert.ok(!asked.some((url) => /box2d/i.test(url)), String(asked));
+            await page.click('#beside-box2d');
+            await page.waitForSelector('#other:visible');
+            await page.click('#settings');
+            assert.ok(asked.some((url) => /box2d.*wasm/i.test(url)));
+            const told = (text) => page.waitForFunction((text) => new RegExp(text).test(document.getElementById('versus').textContent), text);
+            await told('Islet \\d.* ms · \\d.* m apart · Box2D \\d.* ms');
+            // The rope of a thousand link masses is long in Box2D: its ball is metres from Islet's.
+            await page.waitForFunction(() => Number(document.documentElement.dataset.step) > 90);
+            await told(' [1-9]\\.\\d+ m apart');
+            const seen = await page.evaluate(() => {
+                const other = document.getElementById('other');
+                return new Set(new Uint32Array(other.getContext('2d').getImageData(0, 0, other.width, other.height).data.buffer)).size;
+            });
+            assert.ok(seen > 5, 'it is drawn');
+
+            // Cards stand in both, nearly in the same places.
+            await page.selectOption('#scene', 'card_house');
+            await told(' 0\\.0\\d+ m apart');
+            await page.selectOption('#scene', 'gears');
+            await told('^Box2D 3 has no gears');
+            await page.selectOption('#scene', 'platformer');
+            await told('^A script');
+            await page.click('#settings');
+            await page.click('#beside-box2d');
+            await page.waitForSelector('#other', {state: 'hidden'});
+        });
+    });
+
+    test('opens without a network after the first visit', async () => {
+        const context = await browser.newContext(desktop);
+        const page = await context.newPage();
+        const errors = [];
+        page.on('pageerror', (error) => errors.push(error.stack));
+        await page.goto(`${server.address}#arch`);
+        await page.waitForFunction(() => document.documentElement.dataset.offline === 'ready');
+        await context.setOffline(true);
+        await page.goto(`${server.address}?anything#pyramid`);
+        await page.waitForFunction(() => Number(document.documentElement.dataset.step) > 5);
+        assert.equal(await page.locator('#scene').inputValue(), 'pyramid');
+        assert.deepEqual(errors, []);
+        await context.close();
+    });
+});
