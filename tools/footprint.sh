@@ -20,10 +20,11 @@ targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 ris
 # Limits, so that nothing grows unseen: what was measured, and up to 200 bytes. Of flash for each target, bytes: every function, the large program, the small
 # one. (They last rose with contacts that undo what their load makes them give way by, by 0.5 kB. Every function rose by 4 kB with those that read and change
 # what could only be given at creation, and by 4 kB each with find_fault and with fleets, which no other function needs. All grew by 0.4 kB with pairs of bodies
-# that fall together, and those with the solver's tuning by 0.7 kB with contacts that report the weight above them under shock propagation.)
+# that fall together, and those with the solver's tuning by 0.7 kB with contacts that report the weight above them under shock propagation.
+# The small one fell by 2 kB when the contact code of shapes that are left out went.)
 declare -A most_flash=(
-    [cortex-m3]='216000 93700 56000' [cortex-m4f]='198300 80000 47700' [cortex-m4f-lto]='- 75500 45700' [cortex-m7]='197900 79800 47500'
-    [cortex-m33]='197900 79800 47500' [cortex-m55]='198200 79900 47500' [riscv32]='210800 85000 51600'
+    [cortex-m3]='215700 93700 53600' [cortex-m4f]='198000 80000 45800' [cortex-m4f-lto]='- 75000 43600' [cortex-m7]='197600 79800 45600'
+    [cortex-m33]='197600 79800 45600' [cortex-m55]='197900 79900 45600' [riscv32]='210100 85000 49300'
 )
 most_stack=4096          # bytes
 most_instructions=625000       # a step of the pyramid, in the mean
@@ -243,7 +244,7 @@ log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --
 [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
     complain "what is left out changes the pyramid"
 cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
-at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 44400
+at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 42500
 
 if [ "$mode" = json ]; then
     separator=

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang and sanitizers, and three minutes of fuzzing under them; hashes of unoptimised code, on
+#   tools/test.sh --all        the same once more with clang and sanitizers, and two minutes of fuzzing under them; hashes of unoptimised code, on
 #                              other processors, and of the firmware and the sketches in microcontrollers, all emulated; the engine compiled by hand and
 #                              in a fresh tree; pages played in a browser, the package for Python, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
@@ -12,8 +12,8 @@ set -euo pipefail
 . "$(dirname "$0")/lib.sh"
 
 least_coverage=90  # %
-fuzz_seconds=150
-fuzz_c_seconds=30
+fuzz_seconds=110
+fuzz_c_seconds=20
 
 all=false
 coverage=false

@@ -180,19 +180,21 @@ struct Moving {
     Way way(const MovingShape& m) const { return m.leaves ? m.way : way_of(core, m.body, dt); }
 };
 
+// The box in which a shape may meet others: its fat box, and the way of a body that may leave that.
+ISLET_SHARED Aabb box_to_meet_in(const Core& core, std::uint32_t shape, float dt) {
+    const std::uint32_t body = core.shapes[shape].body;
+    if (!core.is_awake(body) || (core.poses[body].flags & pose_leaves) == 0) return core.boxes[shape];
+    return both(core.boxes[shape], box_along_way(core, {core.boxes[shape], way_of(core, body, dt), body, shape, true}));
+}
+
 // If few boxes changed: the awake bodies with a shape near one, in `bodies`. No other body is part of a new pair.
 bool find_near_changed(const Core& core, float dt, BitSet bodies) {
     const std::uint32_t shape_count = core.state->shape_pool.count;
     if (shape_count < ChangedCells::least_shapes || core.state->moved_count > shape_count / ChangedCells::share) return false;
-    const auto box_of = [&](std::uint32_t shape) {  // bodies that may leave their boxes have changed ones
-        const std::uint32_t body = core.shapes[shape].body;
-        if (!core.is_awake(body) || (core.poses[body].flags & pose_leaves) == 0) return core.boxes[shape];
-        return both(core.boxes[shape], box_along_way(core, {core.boxes[shape], way_of(core, body, dt), body, shape, true}));
-    };
     Aabb area{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
-    core.moved_shapes.for_each([&](std::uint32_t shape) { area = both(area, box_of(shape)); });
+    core.moved_shapes.for_each([&](std::uint32_t shape) { area = both(area, box_to_meet_in(core, shape, dt)); });
     ChangedCells changed(area);
-    core.moved_shapes.for_each([&](std::uint32_t shape) { changed.add(box_of(shape)); });
+    core.moved_shapes.for_each([&](std::uint32_t shape) { changed.add(box_to_meet_in(core, shape, dt)); });
     bodies.clear_all();
     for (std::uint32_t shape = 0; shape < core.state->shape_pool.high_water; ++shape) {
         if (!meet_at_once(core.boxes[shape], area) || !changed.reach(core.boxes[shape]) || !pool_live(core.state->shape_pool, core.shapes, shape)) continue;
@@ -215,12 +217,12 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
         const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
         const Way way = leaves ? way_of(core, body, dt) : Way{};
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            shapes[n] = {core.boxes[s], way, body, s, leaves};
-            bounds = both(bounds, shapes[n++].box);
+            shapes[n++] = {core.boxes[s], way, body, s, leaves};
+            if (core.moved_shapes.test(s)) bounds = both(bounds, core.boxes[s]);
         }
     });
 
-    // The boxes are sorted along the longer side of the box around all of them.
+    // The boxes are sorted along the longer side of the box around those that changed, whichever others are sorted with them.
     const bool along_x = bounds.upper.x - bounds.lower.x >= bounds.upper.y - bounds.lower.y;
     KeyedItem* keys = arena.take<KeyedItem>(n);
     KeyedItem* spare = sorts_by_digits ? arena.take<KeyedItem>(n) : nullptr;

@@ -197,7 +197,7 @@ const char* fault_in_shapes_of(const Core& c, std::uint32_t i) {
     return shapes == b.shape_count ? nullptr : "a body miscounts its shapes";
 }
 
-const char* fault_in_body(const Core& c, std::uint32_t i) {
+ISLET_APART const char* fault_in_body(const Core& c, std::uint32_t i) {
     const Body& b = c.bodies[i];
     const bool dynamic = b.type() == BodyType::dynamic;
     if (c.is_awake(i) && b.type() == BodyType::static_body) return "a static body is awake";

@@ -104,13 +104,13 @@ ISLET_SHARED Approach approach_to(const Core& core, const ContactManifold& m, fl
     return together ? Approach{} : approach;
 }
 
-// Calls the narrow-phase function for the types of the two shapes. A has the higher rank, and one of the two is solid.
+// Calls the narrow-phase function for the types of the two shapes. A has the higher rank, and one of the two is solid. No world holds types that are left out.
 Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a, float margin) {
     return with_shape(a, [&](const auto& shape_a) {
         return with_shape(b, [&](const auto& shape_b) -> Manifold {
             using A = RowOf<decltype(shape_a)>;
             using B = RowOf<decltype(shape_b)>;
-            if constexpr (B::rank <= A::rank && B::kind == ShapeKind::solid) return collide(shape_a, shape_b, b_in_a, margin);
+            if constexpr (A::is_there && B::is_there && B::rank <= A::rank && B::kind == ShapeKind::solid) return collide(shape_a, shape_b, b_in_a, margin);
             __builtin_unreachable();
         });
     });
