@@ -1,7 +1,8 @@
 // The same scene in Box2D, in a pane beside Islet's. Box2D is a package of its own, which is loaded when somebody asks for it.
 import type {Box2dWorld, SceneText} from '../../../bindings/js/bench/box2d';
 import {describe, scenes, type Running} from './engine';
-import {Painter, type Camera} from './draw';
+import type {Camera} from './camera';
+import {Painter} from './draw';
 
 const offered = ['chain_ball', 'mass_ratio', 'tiled_floor', 'card_house', 'tall_card_house', 'arch'];
 

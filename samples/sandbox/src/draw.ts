@@ -1,20 +1,15 @@
 // Draws a world: bodies and joints by WebGL (bodies.ts) on a canvas below, and what is left on the canvas itself. Where there is no WebGL, the canvas gets all:
 // outlines are made once, and poses come straight from the engine's memory.
 import {Bodies} from './bodies';
+import type {Camera} from './camera';
 import {Links} from './links';
 import type {ContactInfo, World} from './engine';
 import {Outlines} from './outlines';
 
-export interface Camera {
-    x: number; // m, the middle of what is shown
-    y: number;
-    scale: number; // pixels (of CSS) per metre
-}
-
 /// Bodies that touch are told apart by colours: as many while they are awake as asleep.
 const kinds = 6;
 const awake = ['awake-1', 'awake-2', 'awake-3', 'awake-4', 'awake-5', 'awake-6'] as const;
-const asleep = ['asleep', 'asleep-2', 'asleep-3', 'asleep-4', 'asleep-5', 'asleep-6'] as const;
+const asleep = ['asleep-1', 'asleep-2', 'asleep-3', 'asleep-4', 'asleep-5', 'asleep-6'] as const;
 const names = ['paper', 'static', 'kinematic', ...awake, ...asleep, 'bullet', 'edge', 'joint', 'contact'] as const;
 type Color = (typeof names)[number];
 
@@ -58,7 +53,7 @@ export class Painter {
         this.bodies?.forget();
     }
 
-    draw(world: World, camera: Camera, elsewhere?: Poses) {
+    draw(world: World, camera: Pick<Camera, 'x' | 'y' | 'scale'>, elsewhere?: Poses) {
         const {canvas, context, colors} = this;
         const ratio = window.devicePixelRatio || 1;
         const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);

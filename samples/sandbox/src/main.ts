@@ -1,7 +1,8 @@
 // The sandbox: the scenes of the catalogue, to drag, throw, pause and rewind.
 import {IsletError, Running, prove, scenes, start, type BodyId, type JointId, type SceneInfo, type World} from './engine';
 import {History} from './history';
-import {Painter, type Camera} from './draw';
+import {Camera} from './camera';
+import {Painter} from './draw';
 import {Beside} from './beside';
 import {Gallery} from './gallery';
 import {keepOffline} from './offline';
@@ -24,7 +25,7 @@ const find = <T extends HTMLElement>(id: string) => document.getElementById(id) 
 const canvas = find<HTMLCanvasElement>('world');
 const timeline = find<HTMLInputElement>('timeline');
 const painter = new Painter(canvas);
-const camera: Camera = {x: 0, y: 5, scale: 50};
+const camera = new Camera();
 
 let running: Running;
 let beside: Beside | undefined;
@@ -36,7 +37,6 @@ let owed = 0; // s of the world that are still to be stepped
 let looking = -1; // the moment of the history that is shown; -1: the present
 let stepTime = 0; // ms, a running mean
 let paintTime = 0; // ms, a running mean
-let follows = true; // the camera shows the whole scene, whatever the size of the window
 
 // -- scenes -----------------------------------------------------------------------------------------------------------------------------
 
@@ -49,7 +49,8 @@ function load(scene: SceneInfo) {
     const bodies = running.world.bodyCount();
     history = new History(running.timeStep, bodies > 2500 ? 30 : 6);
     painter.forget();
-    [owed, looking, stepTime, follows] = [0, -1, 0, true];
+    [owed, looking, stepTime] = [0, -1, 0];
+    camera.fitted = true;
     for (const knob of knobs) knob.begin(running.world);
     for (const part of [player, overlay, graph]) part.begin();
     find('description').textContent = scene.description;
@@ -190,7 +191,8 @@ function frame(now: number) {
             if (performance.now() > until) owed = 0;
         }
     }
-    if (follows) showAll();
+    camera.resize(canvas);
+    if (camera.fitted) showAll(); // whatever the size of the window
     const began = performance.now();
     painter.draw(running.world, camera);
     paintTime += 0.1 * (performance.now() - began - paintTime);
@@ -346,32 +348,15 @@ new ResizeObserver(measureBars).observe(document.querySelector('footer')!);
 addEventListener('resize', measureBars);
 
 function showAll() {
-    const {left, bottom, right, top} = running.view;
     const {above} = bars, below = Math.max(8, bars.below - (innerHeight - canvas.clientHeight));
-    const width = canvas.clientWidth - 16, height = Math.max(80, canvas.clientHeight - above - below);
-    camera.scale = Math.min(width / (right - left), height / (top - bottom));
-    camera.x = (left + right) / 2;
-    camera.y = (bottom + top) / 2 + (above - below) / 2 / camera.scale;
+    const area = {x: 8, y: above, width: canvas.clientWidth - 16, height: Math.max(80, canvas.clientHeight - above - below)};
+    camera.fit(running.view, area);
     // Where the whole is small, what is played is shown near.
     const near = 24, played = camera.scale < near ? hero() : undefined; // pixels for each metre
     if (played === undefined) return;
     camera.scale = near;
-    const half = width / 2 / near;
-    camera.x = right - left > 2 * half ? Math.min(right - half, Math.max(left + half, played.x)) : (left + right) / 2;
-    camera.y = played.y + (above - below) / 2 / near;
-}
-
-function toWorld(x: number, y: number) {
-    return {x: camera.x + (x - canvas.clientWidth / 2) / camera.scale, y: camera.y - (y - canvas.clientHeight / 2) / camera.scale};
-}
-
-function zoom(x: number, y: number, factor: number) {
-    follows = false;
-    const about = toWorld(x, y);
-    camera.scale = Math.min(2000, Math.max(1, camera.scale * factor));
-    const now = toWorld(x, y);
-    camera.x += about.x - now.x;
-    camera.y += about.y - now.y;
+    const {left, right} = running.view, half = area.width / 2 / near;
+    camera.center({x: right - left > 2 * half ? Math.min(right - half, Math.max(left + half, played.x)) : (left + right) / 2, y: played.y}, area);
 }
 
 let dragged: JointId = 0;
@@ -412,7 +397,7 @@ canvas.addEventListener('pointerdown', (event) => {
         hand.cancel();
         return letGo();
     }
-    const point = toWorld(event.offsetX, event.offsetY);
+    const point = camera.toWorld(event.offsetX, event.offsetY);
     if (!hand.begin(point)) grab(point, (event.pointerType === 'touch' ? 14 : 3) / camera.scale);
 });
 canvas.addEventListener('pointermove', (event) => {
@@ -422,17 +407,14 @@ canvas.addEventListener('pointermove', (event) => {
     if (pointers.size === 2) {
         const other = [...pointers].find(([id]) => id !== event.pointerId)![1];
         const factor = Math.hypot(now.x - other.x, now.y - other.y) / Math.max(1, Math.hypot(old.x - other.x, old.y - other.y));
-        zoom((now.x + other.x) / 2, (now.y + other.y) / 2, factor);
-        camera.x -= (now.x - old.x) / 2 / camera.scale;
-        camera.y += (now.y - old.y) / 2 / camera.scale;
+        camera.zoom(factor, (now.x + other.x) / 2, (now.y + other.y) / 2);
+        camera.pan((now.x - old.x) / 2, (now.y - old.y) / 2);
     } else if (dragged !== 0) {
-        if (running.world.jointIsValid(dragged)) running.world.jointSetTarget(dragged, toWorld(now.x, now.y));
+        if (running.world.jointIsValid(dragged)) running.world.jointSetTarget(dragged, camera.toWorld(now.x, now.y));
     } else if (tool !== 'drag') {
-        hand.move(toWorld(now.x, now.y));
+        hand.move(camera.toWorld(now.x, now.y));
     } else {
-        follows = false;
-        camera.x -= (now.x - old.x) / camera.scale;
-        camera.y += (now.y - old.y) / camera.scale;
+        camera.pan(now.x - old.x, now.y - old.y);
     }
     pointers.set(event.pointerId, now);
 });
@@ -447,9 +429,9 @@ for (const type of ['pointerup', 'pointercancel'] as const) {
 }
 canvas.addEventListener('wheel', (event) => {
     event.preventDefault();
-    zoom(event.offsetX, event.offsetY, Math.exp(-event.deltaY / 500));
+    camera.zoom(Math.exp(-event.deltaY / 500), event.offsetX, event.offsetY);
 }, {passive: false});
-canvas.addEventListener('dblclick', () => (follows = true));
+canvas.addEventListener('dblclick', () => (camera.fitted = true));
 
 // -- buttons and keys -------------------------------------------------------------------------------------------------------------------
 
@@ -514,7 +496,7 @@ addEventListener('keydown', (event) => {
         5: () => choose('car'),
         6: () => choose('shape'),
         7: () => choose('cut'),
-        0: () => (follows = true),
+        0: () => (camera.fitted = true),
     };
     const action = keys[event.key] ?? keys[event.key.toLowerCase()];
     if (action === undefined) return;
@@ -553,7 +535,6 @@ const stage: Stage = {
     resume,
     attempt,
     say,
-    toWorld,
     bodyAt,
     setPlaying,
     open,

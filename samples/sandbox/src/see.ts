@@ -293,7 +293,7 @@ export function makeNumbers(stage: Stage): {draw(): void} {
     return {
         draw() {
             const {world} = stage.running;
-            const body = pointer === undefined ? 0 : stage.bodyAt(stage.toWorld(pointer.x, pointer.y), 2 / stage.camera.scale);
+            const body = pointer === undefined ? 0 : stage.bodyAt(stage.camera.toWorld(pointer.x, pointer.y), 2 / stage.camera.scale);
             hint.hidden = body === 0;
             if (body !== 0 && pointer !== undefined) {
                 hint.textContent = describe(world, body, body % 2 ** 20 - 1);

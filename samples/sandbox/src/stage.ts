@@ -1,6 +1,6 @@
 // What the parts of the page share: the scene that is played with, and how to act on it.
 import type {Running, BodyId} from './engine';
-import type {Camera} from './draw';
+import type {Camera} from './camera';
 
 export interface Point {
     x: number;
@@ -17,7 +17,6 @@ export interface Stage {
     /// Runs what changes the world; what the engine says against it is shown.
     attempt(run: () => void): void;
     say(sentence: string): void;
-    toWorld(x: number, y: number): Point;
     bodyAt(point: Point, reach: number): BodyId;
     setPlaying(to: boolean): void;
     /// Plays with another scene: one of the catalogue, or a scene file's text.

@@ -1,5 +1,5 @@
 // Draws a state of the movie on the canvas.
-import { roundLength } from "./camera.js";
+import { roundLength } from "./lengths.js";
 import { jointLooks, looks } from "./movie.js";
 
 const tints = 6;
@@ -73,16 +73,16 @@ export class Painter {
 
     #grid() {
         const { context, camera } = this;
-        const step = roundLength(70 / camera.scale);
+        const step = roundLength(70 / camera.scale), seen = camera.seen();
         for (const [colour, isLine] of [[this.colours.grid, (n) => n !== 0], [this.colours.axis, (n) => n === 0]]) {
             context.beginPath();
-            for (let n = Math.ceil(camera.x / step); n * step < camera.x + this.width / camera.scale; ++n) {
+            for (let n = Math.ceil(seen.left / step); n * step < seen.right; ++n) {
                 if (!isLine(n)) continue;
                 const x = Math.round(camera.screenX(n * step)) + 0.5;
                 context.moveTo(x, 0);
                 context.lineTo(x, this.height);
             }
-            for (let n = Math.ceil(camera.y / step - this.height / camera.scale / step); n * step < camera.y; ++n) {
+            for (let n = Math.ceil(seen.bottom / step); n * step < seen.top; ++n) {
                 if (!isLine(n)) continue;
                 const y = Math.round(camera.screenY(n * step)) + 0.5;
                 context.moveTo(0, y);
@@ -108,7 +108,7 @@ export class Painter {
         }
     }
 
-    /// The box around nearly all bodies that move, m: left, bottom, right, top. Null if none does.
+    /// The box around nearly all bodies that move, m. Undefined if none does.
     action(state) {
         const { run } = this, x = [], y = [];
         for (let id = 0; id < state.bodies.size; ++id) {
@@ -116,10 +116,10 @@ export class Painter {
             x.push(run.origin[0] + state.bodies.x[id] * run.quantum);
             y.push(run.origin[1] + state.bodies.y[id] * run.quantum);
         }
-        if (x.length === 0) return null;
+        if (x.length === 0) return undefined;
         const few = Math.floor(x.length * strays);
         for (const all of [x, y]) all.sort((a, b) => a - b);
-        return [x[few], y[few], x[x.length - 1 - few], y[y.length - 1 - few]];
+        return { left: x[few], bottom: y[few], right: x[x.length - 1 - few], top: y[y.length - 1 - few] };
     }
 
     /// The middling size of the moving bodies, m: lines and dots are drawn in proportion to it.

@@ -1,12 +1,14 @@
 // Puts the player together: reads what the page holds, and lets buttons, keys and time change what is shown.
 import { Movie, bytesOf, looks } from "./movie.js";
-import { Camera, roundLength } from "./camera.js";
+import { Camera } from "../../../samples/sandbox/src/camera";
+import { roundLength } from "./lengths.js";
 import { outlineOf } from "./models.js";
 import { Painter } from "./painter.js";
 import { Numbers } from "./numbers.js";
 import { Timeline } from "./timeline.js";
 import { Clock } from "./clock.js";
 import { listenToPointer } from "./pointer.js";
+import "./player.css";
 
 const element = (id) => document.getElementById(id);
 const floatsOf = (id) => new Float32Array(bytesOf(id).buffer);
@@ -22,7 +24,10 @@ const stepOf = (frame) => Math.min(frame * run.stride, run.steps);
 
 const movie = new Movie(bytesOf("movie"), run);
 const canvas = element("world");
-const camera = new Camera(run.view);
+const camera = new Camera();
+const [left, bottom, right, top] = run.view;
+const view = { left, bottom, right, top };
+let area; // where no panel lies over the view
 const painter = new Painter(canvas, run, models, trails);
 const clock = new Clock(Array.from({ length: run.frames }, (_, i) => stepOf(i) * run.dt));
 const shown = { contacts: true, joints: true };
@@ -46,13 +51,11 @@ function fit() {
     const dock = element("dock").getBoundingClientRect(), head = element("head").getBoundingClientRect();
     const panel = element("numbers-panel").getBoundingClientRect();
     const beside = panel.left > window.innerWidth / 2 && window.innerWidth >= 1000;
-    const top = head.bottom + margin;
-    camera.fit({
-        x: margin,
-        y: top,
-        width: Math.max(50, (beside ? panel.left : window.innerWidth) - 2 * margin),
-        height: Math.max(50, dock.top - margin - top),
-    });
+    const above = head.bottom + margin;
+    const width = Math.max(50, (beside ? panel.left : window.innerWidth) - 2 * margin), height = Math.max(50, dock.top - margin - above);
+    area = { x: margin, y: above, width, height };
+    camera.resize(canvas);
+    camera.fit(view, area);
     redraw();
 }
 
@@ -118,7 +121,7 @@ function draw(now) {
     if (following && camera.fitted) {
         // Where nothing plays, it is there at once, so that a frame always looks the same.
         const share = clock.playing ? 1 - Math.exp(-Math.min(now - drawnAt, 100) / 1000 / followTime) : 1;
-        camera.follow(painter.action(state), share);
+        camera.follow(painter.action(state), view, area, share);
     }
     drawnAt = now;
     painter.draw(state, frame, camera, shown);
@@ -136,7 +139,10 @@ function draw(now) {
 
 function nextPicture(now) {
     if (clock.tick(now)) redraw();
-    if (painter.resize()) redraw();
+    if (painter.resize()) {
+        camera.resize(canvas);
+        redraw();
+    }
     if (stale) {
         stale = false;
         draw(now);

@@ -1,6 +1,7 @@
 // Mouse, pen and fingers on the canvas: dragging pans, the wheel and two fingers zoom, a double click fits the view again.
 
 const wheelLine = 33; // pixels, for wheels that count lines
+const zoomPerPixel = 0.0015; // of a wheel's turn
 
 export function listenToPointer(canvas, camera, onChange, onFit) {
     const pointers = new Map(); // those that are down, by id
@@ -33,7 +34,7 @@ export function listenToPointer(canvas, camera, onChange, onFit) {
     }
     canvas.addEventListener("wheel", (event) => {
         event.preventDefault();
-        camera.wheel(event.deltaY * (event.deltaMode === 0 ? 1 : wheelLine), event.offsetX, event.offsetY);
+        camera.zoom(Math.exp(-zoomPerPixel * event.deltaY * (event.deltaMode === 0 ? 1 : wheelLine)), event.offsetX, event.offsetY);
         onChange();
     }, { passive: false });
     canvas.addEventListener("dblclick", onFit);
