@@ -18,10 +18,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 API = os.path.join(HERE, "..", "api.json")
 
 # What Python has of its own, or has no use for: structs with functions, pictures, exports for solvers.
-NOT_STRUCTS = set("Vec2 Rot Transform Aabb DrawStyle DebugDraw TaskSystem Hooks PreSolve World StaticWorldOf StaticWorld Fleet FleetStep FormatInfo IdHash "
-                  "FieldFault RowEnd IslandRow IslandBody IslandProblem StepProfile MoverDef MoverState MoverInput ReplayResult RecordingInfo".split())
-NOT_ENUMS = set("DrawPart BodyColors FormatKind RowKind Error ReplayEnd".split())
-NOT_FIELDS = set("error_hook error_context hooks tasks clock clock_context".split())
+NOT_STRUCTS = set("Vec2 Rot Transform Aabb DrawStyle DebugDraw TaskSystem Hooks World StaticWorldOf StaticWorld Fleet FleetStep FormatInfo IdHash "
+                  "FieldFault RowEnd IslandRow IslandBody IslandProblem StepProfile".split())
+NOT_ENUMS = set("DrawPart BodyColors FormatKind RowKind Error".split())
+NOT_FIELDS = set("error_hook error_context hooks tasks clock clock_context collides context".split())
 # Written by hand in src/, or left out.
 BY_HAND = set("create step hash save restore load start_recording stop_recording create_body create_shape create_chain create_joint explode apply_wind "
               "set_solver contact_at overlap_box overlap_point overlap_shape cast_ray_all cast_shape_all surfaces_near contacts shapes joints "

@@ -377,6 +377,7 @@ SweepPart merged(const std::vector<std::string>& paths) {
 SweepPart swept(const SweepCommand& command, std::string& why) {
     SweepPart part{command.sweep, {}};
     for (const std::string& axis : command.vary) part.sweep.axes.push_back(read_axis(axis));
+    if (!command.plot_path.empty()) check_plot(part.sweep);
     const SceneMaker make = maker_of(command.sweep.scene);
     if (command.sweep.start) {
         Scene scene = make({});
@@ -400,7 +401,6 @@ int run_sweep_command(const SweepCommand& command) {
     if (command.shards > 1 && command.manifest_path.empty()) return wrong("one shard makes no table: --manifest names the file for --merge");
     const bool is_whole = command.shards == 1;
     if (!is_whole && (command.json || !command.plot_path.empty())) return wrong("one shard makes no table: --json and --plot are for --merge");
-    if (!command.plot_path.empty() && !merges && command.vary.empty()) return wrong("--plot needs something to --vary");
     OutputFile csv(command.csv_path), plot(command.plot_path), manifest(command.manifest_path);
     OutputFile* const files[] = {&csv, &plot, &manifest};
     for (const OutputFile* file : files)
@@ -412,7 +412,6 @@ int run_sweep_command(const SweepCommand& command) {
     if (manifest.is_open()) manifest.write(manifest_of(part));
     if (is_whole) {
         const SweepTable table = tabulate(part);
-        if (plot.is_open() && part.sweep.axes.empty()) return wrong("--plot needs something to --vary");
         if (plot.is_open()) plot.write(plot_of(part.sweep, table));
         fmt::print("{}", command.json ? json_of(part.sweep, table) : table_of(part.sweep, table));
     } else {

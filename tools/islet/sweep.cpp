@@ -27,6 +27,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
+template <class T>
+concept Named = enum_names<T> != nullptr;
 
 /// A number of a definition from one of the command line, which must be of its kind: whole, or 0 or 1.
 template <Number T>
@@ -39,7 +41,13 @@ void set(T& field, double value, const std::string& name) {
     field = static_cast<T>(value);
 }
 
-/// Sets the field of that name, of all that are numbers.
+std::size_t count_of(const char* const* names) {
+    std::size_t count = 0;
+    while (names[count] != nullptr) ++count;
+    return count;
+}
+
+/// Sets the field of that name, of all that are numbers or enumerations.
 struct FieldSetter {
     const std::string& name;
     double value = 0;
@@ -51,17 +59,24 @@ struct FieldSetter {
             if (name != field) return;
             found = true;
             set(at, value, name);
+        } else if constexpr (Named<T>) {
+            if (name != field) return;
+            found = true;
+            at = static_cast<T>(value);
         }
     }
 };
 
-/// The names of all fields that are numbers.
+/// All fields that are numbers or enumerations: their names, and those of their values, which are null for numbers.
 struct FieldNames {
-    std::vector<std::string>& names;
+    std::map<std::string, const char* const*>& names;
 
     template <class T>
     void operator()(const char* field, T&, const T&) {
-        if constexpr (Number<T>) names.emplace_back(field);
+        if constexpr (Number<T>)
+            names.emplace(field, nullptr);
+        else if constexpr (Named<T>)
+            names.emplace(field, enum_names<T>);
     }
 };
 
@@ -96,6 +111,21 @@ const std::map<std::string, Setter>& own_parameters() {
     return parameters;
 }
 
+/// All parameters, with the names of their values.
+const std::map<std::string, const char* const*>& parameters() {
+    static const std::map<std::string, const char* const*> all = [] {
+        std::map<std::string, const char* const*> names;
+        for (const auto& own : own_parameters()) names.emplace(own.first, nullptr);
+        FieldNames collect{names};
+        SolverDef solver;
+        fields(collect, solver, SolverDef{});
+        WorldDef world;
+        fields(collect, world, WorldDef{});
+        return names;
+    }();
+    return all;
+}
+
 void set_parameter(Scene& scene, const std::string& name, double value) {
     if (const auto own = own_parameters().find(name); own != own_parameters().end()) return own->second(scene, value);
     FieldSetter setter{name, value};
@@ -121,6 +151,14 @@ double number(const std::string& text, const std::string& whole) {
     return value;
 }
 
+/// The place of a value's name.
+double place_of(const std::string& text, const char* const* names, const std::string& parameter) {
+    const std::vector<std::string> all(names, names + count_of(names));
+    const auto found = std::find(all.begin(), all.end(), text);
+    if (found == all.end()) throw SweepError(fmt::format("{} is one of {}, not '{}'", parameter, fmt::join(all, ", "), printable(text)));
+    return static_cast<double>(found - all.begin());
+}
+
 std::vector<std::string> split(const std::string& text, char at) {
     std::vector<std::string> parts(1);
     for (const char c : text) {
@@ -135,7 +173,7 @@ std::vector<std::string> split(const std::string& text, char at) {
 std::string point_name(const Sweep& sweep, std::uint64_t point) {
     std::vector<std::string> parts;
     const std::vector<std::size_t> places = sweep.places(point);
-    for (std::size_t i = 0; i < places.size(); ++i) parts.push_back(fmt::format("{}={}", sweep.axes[i].name, sweep.axes[i].values[places[i]]));
+    for (std::size_t i = 0; i < places.size(); ++i) parts.push_back(sweep.axes[i].name + "=" + value_text(sweep.axes[i].name, sweep.axes[i].values[places[i]]));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -192,14 +230,19 @@ std::vector<std::size_t> Sweep::places(std::uint64_t point) const {
 
 std::vector<std::string> parameter_names() {
     std::vector<std::string> names;
-    for (const auto& own : own_parameters()) names.push_back(own.first);
-    FieldNames collect{names};
-    SolverDef solver;
-    fields(collect, solver, SolverDef{});
-    WorldDef world;
-    fields(collect, world, WorldDef{});
-    std::sort(names.begin(), names.end());
+    for (const auto& parameter : parameters()) names.push_back(parameter.first);
     return names;
+}
+
+const char* const* value_names(const std::string& parameter) {
+    const auto found = parameters().find(parameter);
+    return found == parameters().end() ? nullptr : found->second;
+}
+
+std::string value_text(const std::string& parameter, double value, int digits) {
+    const char* const* const names = value_names(parameter);
+    if (names != nullptr && value >= 0 && value < static_cast<double>(count_of(names))) return names[static_cast<std::size_t>(value)];
+    return digits >= 17 ? fmt::format("{}", value) : fmt::format("{:.{}g}", value, digits);
 }
 
 SweepAxis read_axis(const std::string& text) {
@@ -214,8 +257,9 @@ SweepAxis read_axis(const std::string& text) {
                                      fmt::join(near.empty() ? names : near, ", ")));
     }
     const std::vector<std::string> range = split(text.substr(equals + 1), ':');
-    if (range.size() == 1) {
-        for (const std::string& value : split(range[0], ',')) axis.values.push_back(number(value, text));
+    const char* const* const names = value_names(axis.name);
+    if (names != nullptr || range.size() == 1) {
+        for (const std::string& value : split(text.substr(equals + 1), ',')) axis.values.push_back(names != nullptr ? place_of(value, names, axis.name) : number(value, text));
         return axis;
     }
     if (range.size() != 3) throw SweepError(fmt::format("'{}': a range is FIRST:LAST:COUNT", printable(text)));

@@ -23,7 +23,7 @@ struct SweepError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A parameter and the values it takes.
+/// A parameter and the values it takes; of an enumeration, the values' places in its list of names.
 struct SweepAxis {
     std::string name;
     std::vector<double> values;
@@ -89,8 +89,12 @@ struct SweepTable {
     std::uint64_t hash = 0;  // of all runs' hashes
 };
 
-/// "friction=0.1:0.9:9" (first, last, how many, evenly spaced) or "substeps=1,2,4,8". Throws SweepError.
+/// "friction=0.1:0.9:9" (first, last, how many, evenly spaced), "substeps=1,2,4,8" or "schedule=soft,classic". Throws SweepError.
 SweepAxis read_axis(const std::string& text);
+/// The names of a parameter's values, in order, up to a null; null for a number.
+const char* const* value_names(const std::string& parameter);
+/// A value as it stands in tables: a name, or a number with so many digits at most.
+std::string value_text(const std::string& parameter, double value, int digits = 17);
 /// Names of all parameters, in order.
 std::vector<std::string> parameter_names();
 
@@ -118,6 +122,8 @@ std::string table_of(const Sweep& sweep, const SweepTable& table);
 std::string json_of(const Sweep& sweep, const SweepTable& table);
 /// A line for each run.
 std::string csv_of(const SweepPart& part);
+/// Throws SweepError if there can be no picture of the sweep: nothing varies, or no number does first.
+void check_plot(const Sweep& sweep);
 /// A panel for each measure against the first parameter: mean as a line, smallest to largest as a band; a colour for each combination of the others.
 std::string plot_of(const Sweep& sweep, const SweepTable& table);
 

@@ -103,7 +103,7 @@ std::vector<Series> series_of(const Sweep& sweep, const SweepTable& table) {
     for (std::size_t i = 0; i < table.points.size(); ++i) series[i % inner].points.push_back(&table.points[i]);
     for (Series& one : series) {
         std::vector<std::string> names;
-        for (std::size_t a = 1; a < sweep.axes.size(); ++a) names.push_back(fmt::format("{} {:.6g}", sweep.axes[a].name, one.points[0]->values[a]));
+        for (std::size_t a = 1; a < sweep.axes.size(); ++a) names.push_back(sweep.axes[a].name + " " + value_text(sweep.axes[a].name, one.points[0]->values[a], 6));
         one.name = fmt::format("{}", fmt::join(names, ", "));
         std::sort(one.points.begin(), one.points.end(), [](const SweepPoint* a, const SweepPoint* b) { return a->values[0] < b->values[0]; });
     }
@@ -128,7 +128,14 @@ std::string drawn(const Series& series, const Panel& panel, std::size_t measure,
 
 }  // namespace
 
+void check_plot(const Sweep& sweep) {
+    if (sweep.axes.empty()) throw SweepError("--plot needs something to --vary");
+    const std::string& first = sweep.axes[0].name;
+    if (value_names(first) != nullptr) throw SweepError(fmt::format("a plot goes along numbers: --vary another parameter before {}", first));
+}
+
 std::string plot_of(const Sweep& sweep, const SweepTable& table) {
+    check_plot(sweep);
     const std::vector<Series> series = series_of(sweep, table);
     std::vector<std::size_t> shown;
     for (std::size_t m = 0; m < measure_count; ++m)

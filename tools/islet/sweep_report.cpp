@@ -82,7 +82,7 @@ std::string table_of(const Sweep& sweep, const SweepTable& table) {
     rows[0].emplace_back("hash");
     for (const SweepPoint& point : table.points) {
         std::vector<std::string> row;
-        for (const double value : point.values) row.push_back(fmt::format("{:.6g}", value));
+        for (std::size_t i = 0; i < point.values.size(); ++i) row.push_back(value_text(sweep.axes[i].name, point.values[i], 6));
         for (const std::size_t m : shown) row.push_back(figure_text(point.figures[m]));
         row.push_back(fmt::format("{}", point.figures[static_cast<std::size_t>(Measure::sleep_time)].count));
         row.push_back(hex(point.hash));
@@ -105,7 +105,10 @@ std::string json_of(const Sweep& sweep, const SweepTable& table) {
     Json points = Json::array();
     for (const SweepPoint& point : table.points) {
         Json row = Json::object();
-        for (std::size_t i = 0; i < point.values.size(); ++i) row[sweep.axes[i].name] = point.values[i];
+        for (std::size_t i = 0; i < point.values.size(); ++i) {
+            const std::string& name = sweep.axes[i].name;
+            row[name] = value_names(name) != nullptr ? Json(value_text(name, point.values[i])) : Json(point.values[i]);
+        }
         for (std::size_t m = 0; m < measure_count; ++m) {
             const SweepFigure& f = point.figures[m];
             row[measures[m].name] = {
@@ -128,7 +131,7 @@ std::string csv_of(const SweepPart& part) {
     for (const SweepRun& run : part.runs) {
         text += fmt::format("{}", run.index);
         const std::vector<std::size_t> places = part.sweep.places(run.index / part.sweep.seeds);
-        for (std::size_t i = 0; i < places.size(); ++i) text += fmt::format(",{}", part.sweep.axes[i].values[places[i]]);
+        for (std::size_t i = 0; i < places.size(); ++i) text += "," + value_text(part.sweep.axes[i].name, part.sweep.axes[i].values[places[i]]);
         text += fmt::format(",{}", run.index % part.sweep.seeds);
         for (const double value : run.values) text += std::isnan(value) ? "," : fmt::format(",{}", value);
         text += "," + hex(run.hash) + "\n";

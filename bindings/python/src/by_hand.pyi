@@ -1,5 +1,5 @@
 import enum
-from typing import Any, Iterable, Mapping, NamedTuple, Sequence, Union, overload
+from typing import Any, Callable, Iterable, Mapping, NamedTuple, Sequence, Union, overload
 
 import numpy
 import numpy.typing
@@ -74,6 +74,20 @@ class World:
         """x, y, cosine and sine of each body, a row for each slot (zeros where there is no body)."""
     def velocities(self, out: Floats | None = None) -> Floats:
         """Velocity x, y and angular velocity of each body, a row for each slot (zeros where there is no body)."""
+    def set_hooks(self, *, filter: Callable[[ShapeId, ShapeId], bool] | None = None, pre_solve: Callable[[PreSolve], None] | None = None,
+                  mix_friction: Callable[[float, int, float, int], float] | None = None,
+                  mix_restitution: Callable[[float, int, float, int], float] | None = None) -> None:
+        """Functions that steps call, to let you decide something; those not given are taken away. `filter` says whether two shapes may meet; `pre_solve`
+        sees contacts of shapes with ShapeDef.pre_solve and may change them for this step; the others give the friction and the restitution of two
+        materials. They may read the world. What one raises is raised again after the step. Hooks are no part of the state: hashes, snapshots, copies and
+        fleets do not have them.
+        """
+    def step_mover(self, state: MoverState, mover: MoverDef = ..., dt: float = 1 / 60, collides: Callable[[Surface], bool] | None = None,
+                   **options: MoverInput) -> None:
+        """Moves a character mover by dt seconds, once after each step of the world. Changes its MoverState. `collides` says of each surface that the
+        mover's filter finds whether it stands in the way; it may read the world. Where it raises, so does this, and all surfaces not asked about stand in
+        the way.
+        """
     def start_recording(self) -> None:
         """Records from now on every call that changes the world."""
     def stop_recording(self) -> bytes:
@@ -192,6 +206,23 @@ def make_polygon(points: Iterable[Point], radius: float = 0) -> Polygon:
 
 def make_proxy(shape: Convex) -> ShapeProxy:
     """The proxy of a circle, a capsule, a segment or a polygon."""
+
+def delta(before: Any, after: Any) -> bytes:
+    """What changed between two snapshots, packed: apply(before, delta) gives `after` again."""
+
+def apply(before: Any, delta: Any) -> bytes:
+    """The snapshot to which a delta leads from the snapshot `before`."""
+
+def read_snapshot(image: Any) -> SnapshotInfo:
+    """What a snapshot says about itself."""
+
+def read_recording(recording: Any) -> RecordingInfo:
+    """What a recording says about itself."""
+
+def replay(recording: Any, steps: int | None = None, workers: int = 1, memory_limit: int = 2_000_000_000) -> tuple[World, ReplayResult]:
+    """Makes the calls of a recording again, in a world of its own, up to and including so many steps. Returns the world and a ReplayResult: whether each step
+    came out as recorded. A recording whose world needs more than memory_limit bytes is refused.
+    """
 
 def describe(code: ErrorCode) -> str:
     """A sentence that says what was wrong and how to fix it."""

@@ -23,6 +23,7 @@ struct PyFleet final : Owner {
             ::operator delete (block, std::align_val_t{world_alignment});
             refuse(error);
         }
+        for (std::uint32_t k = 0; k < worlds; ++k) (*fleet)[k].set_hooks({});  // which belong to the prototype
     }
     ~PyFleet() override { ::operator delete (block, std::align_val_t{world_alignment}); }
 

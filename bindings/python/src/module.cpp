@@ -27,6 +27,7 @@ void add_enums(py::module_& m) {
     add_enum(m, enum_of<JointType>());
     add_enum(m, enum_of<DriveKind>());
     add_enum(m, enum_of<SenseKind>());
+    add_enum(m, enum_of<ReplayEnd>());
     add_enum(m, enum_of<Error>());
 }
 
@@ -69,6 +70,8 @@ PYBIND11_MODULE(_islet, m) {
     add_making(w);
     add_finding(w);
     add_state(w);
+    add_asking(w);
+    add_images(m);
     add_fleet(m);
     add_scenes(m, w);
     m.attr("__version__") = ISLET_VERSION_STRING;

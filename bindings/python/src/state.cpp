@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <new>
 #include <optional>
 
 #include <pybind11/numpy.h>
@@ -12,17 +11,6 @@
 
 namespace islet::python {
 namespace {
-
-struct WorldOwner final : Owner {
-    WorldOwner(std::size_t bytes, std::uint32_t workers) : size(bytes), block(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{world_alignment}))) {
-        if (workers > 1) pool = std::make_unique<samples::ThreadPool>(workers);
-    }
-    ~WorldOwner() override { ::operator delete (block, std::align_val_t{world_alignment}); }
-    std::size_t size;
-    std::byte* block;
-    std::unique_ptr<samples::ThreadPool> pool;
-    std::unique_ptr<samples::WorldRecording> recording;
-};
 
 std::uint32_t checked_workers(std::uint32_t workers) {
     if (workers == 0 || workers > max_workers) refuse(Error::out_of_range, "workers");

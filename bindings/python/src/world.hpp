@@ -1,8 +1,12 @@
 // World as Python has it: who keeps its memory, and how each call is checked.
 #pragma once
 
+#include <exception>
 #include <memory>
+#include <new>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "records.hpp"
@@ -19,10 +23,30 @@ struct Refused {
 };
 [[noreturn]] inline void refuse(Error error, std::string detail = {}) { throw Refused{error, std::move(detail)}; }
 
+/// Functions of Python, or None, that a world asks. What the first of them raises is raised again where the call ends that made the world ask.
+struct PyHooks {
+    py::object filter, pre_solve, mix_friction, mix_restitution;
+    std::exception_ptr raised;
+};
+
 /// Keeps the memory of a world, or of all worlds of a fleet. `busy` while a thread steps them without Python's lock: other threads are refused.
 struct Owner {
     virtual ~Owner() = default;
     bool busy = false;
+    std::thread::id asking;  // the thread on which a world asks something of Python now
+    std::unique_ptr<PyHooks> hooks;
+};
+
+/// Of a world by itself.
+struct WorldOwner final : Owner {
+    WorldOwner(std::size_t bytes, std::uint32_t workers) : size(bytes), block(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{world_alignment}))) {
+        if (workers > 1) pool = std::make_unique<samples::ThreadPool>(workers);
+    }
+    ~WorldOwner() override { ::operator delete (block, std::align_val_t{world_alignment}); }
+    std::size_t size;
+    std::byte* block;
+    std::unique_ptr<samples::ThreadPool> pool;
+    std::unique_ptr<samples::WorldRecording> recording;
 };
 
 struct PyWorld {
@@ -31,33 +55,62 @@ struct PyWorld {
 };
 using WorldClass = py::class_<PyWorld>;
 
+/// While a world asks something of Python, the thread on which it does may call the world.
 inline void refuse_if_busy(const Owner& owner) {
-    if (owner.busy) refuse(Error::in_step, "another thread uses the world");
+    if (owner.busy && owner.asking != std::this_thread::get_id()) refuse(Error::in_step, "another thread uses the world");
 }
 
 /// A call to a world: refused while another thread steps it; its error becomes an exception.
 class Call {
 public:
-    explicit Call(const PyWorld& of) : world_(of.world) {
-        refuse_if_busy(*of.owner);
+    explicit Call(const PyWorld& of) : owner_(*of.owner), world_(of.world) {
+        refuse_if_busy(owner_);
+        is_answer_ = owner_.asking != std::thread::id{};
+        if (is_answer_) outer_ = world_->last_error();
         detail::begin_call(world_);
     }
     ~Call() {
-        if (!ended_) detail::end_call(world_, Error::none);
+        if (!ended_) end();
     }
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
     Error error() {
-        ended_ = true;
-        return detail::end_call(world_, Error::none);
+        const Error error = end();
+        if (!is_answer_ && owner_.hooks && owner_.hooks->raised) std::rethrow_exception(std::exchange(owner_.hooks->raised, nullptr));
+        return error;
     }
     void check() {
         if (const Error e = error(); e != Error::none) refuse(e);
     }
 
 private:
+    Error end() {
+        ended_ = true;
+        const Error error = detail::end_call(world_, Error::none);
+        if (is_answer_) {  // the call that the world is in has its own error
+            world_->clear_error();
+            if (outer_ != Error::none) detail::refuse_call(world_, outer_);
+        }
+        return error;
+    }
+
+    Owner& owner_;
     World* world_;
-    bool ended_ = false;
+    Error outer_ = Error::none;
+    bool is_answer_ = false, ended_ = false;
+};
+
+/// Marks, while it lives, that a world asks Python something on this thread.
+class Asking {
+public:
+    explicit Asking(Owner& owner) : owner_(owner), before_(std::exchange(owner.asking, std::this_thread::get_id())) {}
+    ~Asking() { owner_.asking = before_; }
+    Asking(const Asking&) = delete;
+    Asking& operator=(const Asking&) = delete;
+
+private:
+    Owner& owner_;
+    std::thread::id before_;
 };
 
 /// Without Python's lock, but with the world's.
@@ -154,6 +207,8 @@ void add_calls_2(WorldClass& w, py::module_& m);
 void add_making(WorldClass& w);     // bodies, shapes, joints
 void add_finding(WorldClass& w);    // queries
 void add_state(WorldClass& w);      // steps, snapshots, arrays
+void add_asking(WorldClass& w);     // hooks, the mover
+void add_images(py::module_& m);    // deltas, replays
 void add_fleet(py::module_& m);
 void add_scenes(py::module_& m, WorldClass& w);
 

@@ -136,7 +136,8 @@ TEST(Sweep, EveryParameterChangesTheScene) {
         const bool is_flag = name == "enable_sleep" || name == "continuous" || name == "warm_start" || name == "block_contacts" || name == "measure_residual";
         std::uint64_t hashes[2];
         for (int i = 0; i < 2; ++i) {
-            const Sweep sweep = sweep_of({name + "=" + (is_flag ? std::to_string(i) : i == 0 ? "1" : "2")});
+            const char* const* const names = value_names(name);
+            const Sweep sweep = sweep_of({name + "=" + (names != nullptr ? names[i] : is_flag ? std::to_string(i) : i == 0 ? "1" : "2")});
             const Scene scene = scene_of(sweep, make_sliding, 0);
             // All numbers that a parameter may have changed.
             const SolverDef& s = scene.world.solver;
@@ -167,6 +168,9 @@ TEST(Sweep, EveryParameterChangesTheScene) {
                                      s.shock,
                                      float(s.measure_residual),
                                      s.tolerance,
+                                     float(s.schedule),
+                                     float(s.joint_trees),
+                                     float(s.sweep_order),
                                      b.linear_damping,
                                      b.angular_damping,
                                      b.gravity_scale,
@@ -178,6 +182,24 @@ TEST(Sweep, EveryParameterChangesTheScene) {
         }
         EXPECT_NE(hashes[0], hashes[1]) << name;
     }
+}
+
+TEST(Sweep, ChoicesGoByTheirNames) {
+    const Sweep sweep = sweep_of({"gravity=5,10", "schedule=classic,soft"}, 1);
+    EXPECT_EQ(scene_of(sweep, make_sliding, 0).world.solver.schedule, Schedule::classic);
+    EXPECT_EQ(scene_of(sweep, make_sliding, 1).world.solver.schedule, Schedule::soft);
+    const SweepPart part = part_of(sweep, make_sliding);
+    const SweepTable table = tabulate(part);
+    EXPECT_NE(table_of(sweep, table).find("classic"), std::string::npos);
+    EXPECT_NE(json_of(sweep, table).find("\"schedule\": \"classic\""), std::string::npos);
+    EXPECT_NE(csv_of(part).find("\n0,5,classic,0,"), std::string::npos);
+    EXPECT_NE(plot_of(sweep, table).find(">schedule classic</text>"), std::string::npos);
+    EXPECT_EQ(manifest_of(read_manifest(manifest_of(part))), manifest_of(part));
+
+    EXPECT_SAYS("schedule is one of soft, classic, not 'hard'", read_axis("schedule=soft,hard"));
+    EXPECT_SAYS("schedule is one of soft, classic, not '0'", read_axis("schedule=0,1"));
+    EXPECT_SAYS("schedule is one of soft, classic, not '0:1:2'", read_axis("schedule=0:1:2"));
+    EXPECT_SAYS("a plot goes along numbers", plot_of(sweep_of({"schedule=soft"}), table));
 }
 
 TEST(Sweep, SeedZeroIsTheSceneAndOthersNudgeIt) {
