@@ -81,6 +81,8 @@ class Api:
             return "str"
         if cpp in POINTS:
             return POINTS[cpp] if takes else cpp
+        if cpp == "Error":
+            return "ErrorCode | str" if takes else "ErrorCode"
         if cpp in self.enum_names:
             return f"{cpp} | str" if takes else cpp
         array = re.fullmatch(r"(\w+)\[\w+\]", cpp)
@@ -176,7 +178,7 @@ class Api:
         if isinstance(value, bool) or isinstance(value, (int, float)):
             return repr(value)
         if isinstance(value, str) and "::" in value:
-            return value.replace("::", ".")
+            return re.sub(r"^Error\.", "ErrorCode.", value.replace("::", "."))
         return "..."
 
     def stub_functions(self, functions, indent):
