@@ -101,12 +101,13 @@ build_tests() {
     local preset=$1 options=(-DISLET_WERROR=ON)
     say "$preset: building"
     case $preset in
-    asan-ubsan) options+=(-DISLET_PRECOMPILE=ON -DISLET_TEST_SHARDS=8) ;; # the optimised build shows what a test forgets, and runs each by itself
+    # The optimised build compiles file by file, and runs each test by itself.
+    asan-ubsan) options+=(-DISLET_PRECOMPILE=ON -DCMAKE_UNITY_BUILD=ON -DISLET_TEST_SHARDS=8) ;;
     tsan) options=(-DCMAKE_UNITY_BUILD=ON -DISLET_WERROR=OFF) ;;           # the optimised build by the same compiler gives the warnings, file by file
     release)
         local extras
         extras=$($all && echo ON || echo OFF)
-        options+=(-DISLET_BROWSER_TESTS="$extras" -DISLET_BUILD_PYTHON="$extras")
+        options+=(-DISLET_PRECOMPILE="$extras" -DISLET_BROWSER_TESTS="$extras" -DISLET_BUILD_PYTHON="$extras")
         ;;
     esac
     configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON "${options[@]}"

@@ -1,5 +1,6 @@
 # cmake -D ISLET=FOLDER -P folders_test.cmake: every folder needs only what is below it. The engine knows nothing else of Islet, samples/ the engine, tools/
-# both; within samples/ and tools/ each folder knows those named before it. And no two files of tests/ have the same name.
+# both; within samples/ and tools/ each folder knows those named before it. And no two files of tests/ have the same name, and
+# each of its tests includes GoogleTest.
 cmake_minimum_required(VERSION 3.25)
 get_filename_component(ISLET ${ISLET} ABSOLUTE)
 set(sample_folders firmware boards prefabs programs workers harness scene_files scenes rollback sandbox window)
@@ -123,6 +124,15 @@ foreach(test IN LISTS tests)
         complain("${test} has the name of ${place_of_${name}}")
     endif()
     set(place_of_${name} ${test})
+endforeach()
+
+# Precompiled, GoogleTest's header is there whether a test includes it or not.
+file(GLOB_RECURSE tests RELATIVE ${ISLET} ${ISLET}/tests/*_test.cpp)
+foreach(test IN LISTS tests)
+    file(STRINGS ${ISLET}/${test} include REGEX "#include <(gtest/gtest|gmock/gmock).h>")
+    if(NOT include AND NOT test MATCHES "tests/(browser|package)/")
+        complain("${test} does not include GoogleTest")
+    endif()
 endforeach()
 
 if(complaints GREATER 0)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # one_file_test.sh ISLET BUILD PROGRAM LIBRARY...: what tools/amalgamate.sh writes compiles by one command without flags, by each compiler there is; the
-# README's program prints the same as PROGRAM, which CMake built; and scenes come to the golden hashes, also by g++ with the flags that ruin bits elsewhere.
+# README's program prints the same as PROGRAM, which CMake built; and scenes come to the golden hashes. (With flags that ruin bits
+# elsewhere: tests/determinism/by_hand.sh.)
 # AVX2 stays in the copies that only processors with AVX2 run. The LIBRARYs are those of the scenes. BUILD is a folder for it all.
 set -euo pipefail
 
@@ -61,9 +62,5 @@ for compiler in g++ clang++; do
         grep -v eight_lanes wide.txt && fail "$compiler: AVX2 where every processor runs it"
     fi
 done
-
-# (Not -O3, which takes three times as long; tests/determinism/by_hand.sh has it.)
-g++ -std=c++20 -O1 -march=native -ffast-math -c islet.cpp -o fast.o
-compare_hashes fast fast.o
 
 if $failed; then exit 1; fi
