@@ -49,4 +49,10 @@ std::string printable(std::string_view text) {
     return out;
 }
 
+std::string markup(std::string_view text) {
+    std::string out;
+    for (const char c : printable(text)) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    return out;
+}
+
 }  // namespace islet::samples

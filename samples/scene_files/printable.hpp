@@ -10,4 +10,7 @@ namespace islet::samples {
 /// are no characters (U+FFFE, U+FFFF and their like) become U+FFFD.
 std::string printable(std::string_view text);
 
+/// printable(text) for XML and HTML, between tags: &, < and > are written as entities.
+std::string markup(std::string_view text);
+
 }  // namespace islet::samples

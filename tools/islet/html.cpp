@@ -1,4 +1,5 @@
 #include "html.hpp"
+#include "common/hash_text.hpp"
 #include "scene_files/printable.hpp"
 #include "scenes/catalogue.hpp"
 
@@ -94,7 +95,7 @@ Json run_json(const Run& run, const RunResult& result, const MovieMaker& movie) 
         {"steps", result.steps},
         {"dt", result.dt},
         {"substeps", result.substeps},
-        {"hash", fmt::format("{:016x}", result.hash)},
+        {"hash", hash_text(result.hash)},
         {"dropped", result.most_dropped_contacts},
         {"checked", result.checked},
         {"passed", result.passed()},
@@ -113,13 +114,6 @@ Json run_json(const Run& run, const RunResult& result, const MovieMaker& movie) 
         {"looks", std::move(looks)},
         {"trails", run.trails.size()},
     };
-}
-
-/// As text inside an element, in which no tag and no character's name can begin.
-std::string element_text(const std::string& text) {
-    std::string out;
-    for (const char c : printable(text)) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-    return out;
 }
 
 /// As JSON inside a script, in which no tag can begin.
@@ -155,7 +149,7 @@ std::string player_page(const Run& run, const RunResult& result, const MovieMake
         page += text;
         done = at + place.size();
     };
-    fill("{{title}}", element_text(result.scene));
+    fill("{{title}}", markup(result.scene));
     fill("{{run}}", script_text(run_json(run, result, movie)));
     fill("{{models}}", models_json(movie.models()));
     fill("{{numbers}}", base64(numbers_of(movie)));

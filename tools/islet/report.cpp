@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/hash_text.hpp"
 #include "scene_files/printable.hpp"
 #include "scene_files/short_number.hpp"
 #include "harness/checks.hpp"
@@ -15,8 +16,6 @@ namespace islet::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 /// JSON has no infinity and no NaN: they become null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -65,8 +64,8 @@ std::string table_of(const RunResult& r) {
     row("energy", fmt::format("{:.6g} J kinetic, {:.6g} J potential", r.kinetic_energy, r.potential_energy));
     row("time", fmt::format("{:.3f} ms a step, {:.3f} at most, {:.1f} in all", r.ms_per_step_mean, r.ms_per_step_max, r.ms_total));
     row("memory", fmt::format("{}, of which a snapshot holds {}", bytes(r.world_bytes), bytes(r.snapshot_bytes)));
-    row("hash", hex(r.hash));
-    for (const HashRecord& h : r.hashes) row("", fmt::format("{} after step {}", hex(h.hash), h.step));
+    row("hash", hash_text(r.hash));
+    for (const HashRecord& h : r.hashes) row("", fmt::format("{} after step {}", hash_text(h.hash), h.step));
     if (!r.has_check) return text;
     if (!r.checked) return text + "check skipped: it holds for the scene's own steps, dt and solver\n";
     return text + fmt::format("check {}\n", r.passed() ? "passed" : "FAILED") + check_table(r.check);
@@ -98,12 +97,12 @@ std::string json_of(const RunResult& r) {
         {"potential_energy", number(r.potential_energy)},
         {"world_bytes", r.world_bytes},
         {"snapshot_bytes", r.snapshot_bytes},
-        {"hash", hex(r.hash)},
+        {"hash", hash_text(r.hash)},
     };
     if (r.residual) json["residual"] = number(double(*r.residual));
     if (!r.hashes.empty()) {
         Json hashes = Json::array();
-        for (const HashRecord& h : r.hashes) hashes.push_back({{"step", h.step}, {"hash", hex(h.hash)}});
+        for (const HashRecord& h : r.hashes) hashes.push_back({{"step", h.step}, {"hash", hash_text(h.hash)}});
         json["hashes"] = std::move(hashes);
     }
     Json check = Json::array();
@@ -125,7 +124,7 @@ std::string csv_line(const StepRecord& record, const Run& run) {
     return fmt::format("{},{:.9g},{:.6f},{},{},{},{},{},{:.9g},{:.9g},{:.6g},{},{:.6g},{:.6g},{}\n", record.step, record.time, record.ms,
                        counts.bodies, counts.awake_bodies, counts.contacts, counts.islands, run.engine.world().report().dropped_contacts,
                        kinetic_energy(run.engine), potential_energy(run.engine, run.scene.world.gravity), run.engine.max_penetration(),
-                       counts.joints, record.joint_error.linear, record.joint_error.angular, record.hash ? hex(*record.hash) : "");
+                       counts.joints, record.joint_error.linear, record.joint_error.angular, record.hash ? hash_text(*record.hash) : "");
 }
 
 std::string catalogue_table() {

@@ -237,17 +237,11 @@ std::string impulses(const Drawing& drawing, const Camera& camera, double size) 
 }
 
 /// (A scene's name may come from a file.)
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : printable(text)) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return out;
-}
-
 std::string words(const std::vector<Word>& list, const Camera& camera) {
     std::string text;
     for (const Word& word : list) {
         text += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\" fill=\"{}\">{}</text>\n",
-                            camera.x(double(word.at.x)), camera.y(double(word.at.y)) - units(3), units(11), css(word.color), escaped(word.text));
+                            camera.x(double(word.at.x)), camera.y(double(word.at.y)) - units(3), units(11), css(word.color), markup(word.text));
     }
     return text;
 }
@@ -259,9 +253,9 @@ std::string caption(const std::string& title, const std::string& details, const 
         fmt::format("<path fill=\"#fff\" d=\"M0 {}h{}v{}H0z\"/>\n<path stroke=\"#e3dfd6\" stroke-width=\"{}\" d=\"M0 {}h{}\"/>\n", top,
                     camera.width, units(caption_height), units(1), top, camera.width);
     text += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\"><tspan font-weight=\"600\">{}</tspan>", units(20), base,
-                        units(17), ink, escaped(title));
+                        units(17), ink, markup(title));
     text += fmt::format("<tspan dx=\"{}\" font-size=\"{}\" fill=\"{}\">{}</tspan></text>\n", units(14), units(14.5), pale_ink,
-                        escaped(details));
+                        markup(details));
 
     const double metres = round_length(camera, 60);
     const int bar = static_cast<int>(std::lround(metres * camera.scale));
@@ -347,7 +341,7 @@ std::string draw_svg(const World& world, const Picture& picture, const DebugDraw
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" "
         "font-family=\"Inter, 'Segoe UI', 'Helvetica Neue', Arial, sans-serif\">\n",
         picture_width, height / units_per_pixel, camera.width, height);
-    text += fmt::format("<title>{}</title>\n<path fill=\"{}\" d=\"M0 0h{}v{}H0z\"/>\n", escaped(picture.title), paper, camera.width, height);
+    text += fmt::format("<title>{}</title>\n<path fill=\"{}\" d=\"M0 0h{}v{}H0z\"/>\n", markup(picture.title), paper, camera.width, height);
     text += "<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     text += grid(camera);
     text += trails(picture.trails, camera);

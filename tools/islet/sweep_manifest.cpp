@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/hash_text.hpp"
 #include "islet/version.hpp"
 
 namespace islet::tools {
@@ -17,15 +18,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr int manifest_format = 1;
 
-std::string hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
-
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json sweep_json(const Sweep& sweep) {
     Json axes = Json::array();
     for (const SweepAxis& axis : sweep.axes) axes.push_back({{"name", axis.name}, {"values", axis.values}});
     return {{"scene", sweep.scene},
-            {"fingerprint", hex(sweep.fingerprint)},
+            {"fingerprint", hash_text(sweep.fingerprint)},
             {"start", sweep.start ? Json(*sweep.start) : Json(nullptr)},
             {"steps", sweep.steps ? Json(*sweep.steps) : Json(nullptr)},
             {"nudge", sweep.nudge},
@@ -68,7 +67,7 @@ bool same(const SweepRun& a, const SweepRun& b) {
 std::string manifest_of(const SweepPart& part) {
     Json runs = Json::array();
     for (const SweepRun& run : part.runs) {
-        Json row = {{"run", run.index}, {"hash", hex(run.hash)}, {"dropped_contacts", run.dropped_contacts}};
+        Json row = {{"run", run.index}, {"hash", hash_text(run.hash)}, {"dropped_contacts", run.dropped_contacts}};
         for (std::size_t i = 0; i < measure_count; ++i) row[measures[i].name] = number_or_null(run.values[i]);
         runs.push_back(std::move(row));
     }
@@ -114,7 +113,7 @@ SweepPart merge(const std::vector<SweepPart>& parts, const std::vector<std::stri
             const SweepRun*& slot = found[static_cast<std::size_t>(run.index)];
             if (slot != nullptr && !same(*slot, run))
                 throw SweepError(fmt::format("'{}' and '{}' differ in run {}: hash {} and {}", names[from[static_cast<std::size_t>(run.index)]], names[p],
-                                             run.index, hex(slot->hash), hex(run.hash)));
+                                             run.index, hash_text(slot->hash), hash_text(run.hash)));
             slot = &run;
             from[static_cast<std::size_t>(run.index)] = p;
         }

@@ -70,12 +70,6 @@ struct Panel {
     double py(double value) const { return at_y(y.share(value)); }
 };
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return out;
-}
-
 std::string frame_of(const Panel& panel, const MeasureInfo& measure, const std::string& x_name) {
     std::string text =
         fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"title\">{}, {}</text>\n", panel.x0 + left, panel.y0 + 18, measure.name, measure.unit);
@@ -88,7 +82,7 @@ std::string frame_of(const Panel& panel, const MeasureInfo& measure, const std::
     for (int i = 0; i <= panel.x.ticks(); ++i)
         text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"x\">{}</text>\n", panel.at_x(static_cast<double>(i) / panel.x.ticks()), bottom_y + 15,
                             panel.x.tick(i));
-    return text + fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"x\">{}</text>\n", (left_x + right_x) / 2, bottom_y + 31, escaped(x_name));
+    return text + fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"x\">{}</text>\n", (left_x + right_x) / 2, bottom_y + 31, markup(x_name));
 }
 
 /// A series: points that share all parameters but the first.
@@ -151,7 +145,7 @@ std::string plot_of(const Sweep& sweep, const SweepTable& table) {
         "<style>.grid{{stroke:#ddd}}.x{{text-anchor:middle}}.y{{text-anchor:end}}.title{{font-weight:bold}}</style>\n"
         "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#fff\"/>\n<text x=\"{2:.0f}\" y=\"18\" font-size=\"13\">{3}: {4} seeds a point; line: mean, band: "
         "smallest to largest</text>\n",
-        width, height, left, escaped(printable(sweep.scene)), sweep.seeds);
+        width, height, left, markup(sweep.scene), sweep.seeds);
     const auto [least_x, most_x] = std::minmax_element(sweep.axes[0].values.begin(), sweep.axes[0].values.end());
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const Panel panel{panel_width * static_cast<double>(i % columns), 26 + panel_height * static_cast<double>(i / columns), rounded(*least_x, *most_x),
@@ -162,7 +156,7 @@ std::string plot_of(const Sweep& sweep, const SweepTable& table) {
     for (std::size_t s = 0; has_legend && s < series.size(); ++s)
         text +=
             fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" fill=\"{}\">{}</text>\n", left + static_cast<double>(s % 4) * (width - left) / 4,
-                        38 + panel_height * static_cast<double>(rows) + 18.0 * static_cast<double>(s / 4), colors[s % colors.size()], escaped(series[s].name));
+                        38 + panel_height * static_cast<double>(rows) + 18.0 * static_cast<double>(s / 4), colors[s % colors.size()], markup(series[s].name));
     return text + "</svg>\n";
 }
 

@@ -9,14 +9,13 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "common/hash_text.hpp"
 #include "scene_files/printable.hpp"
 
 namespace islet::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 /// FNV-1a over the bytes of hashes, lowest first.
 class HashOfHashes {
@@ -85,7 +84,7 @@ std::string table_of(const Sweep& sweep, const SweepTable& table) {
         for (std::size_t i = 0; i < point.values.size(); ++i) row.push_back(value_text(sweep.axes[i].name, point.values[i], 6));
         for (const std::size_t m : shown) row.push_back(figure_text(point.figures[m]));
         row.push_back(fmt::format("{}", point.figures[static_cast<std::size_t>(Measure::sleep_time)].count));
-        row.push_back(hex(point.hash));
+        row.push_back(hash_text(point.hash));
         rows.push_back(std::move(row));
     }
     std::vector<std::size_t> widths(rows[0].size());
@@ -98,7 +97,7 @@ std::string table_of(const Sweep& sweep, const SweepTable& table) {
         text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     }
     return text + fmt::format("{}: {} runs ({} points, {} seeds); mean (smallest to largest); hash of all {}\n", printable(sweep.scene), sweep.runs(),
-                              sweep.points(), sweep.seeds, hex(table.hash));
+                              sweep.points(), sweep.seeds, hash_text(table.hash));
 }
 
 std::string json_of(const Sweep& sweep, const SweepTable& table) {
@@ -114,11 +113,11 @@ std::string json_of(const Sweep& sweep, const SweepTable& table) {
             row[measures[m].name] = {
                 {"count", f.count}, {"min", json_or_null(f, f.least)}, {"mean", json_or_null(f, f.mean)}, {"max", json_or_null(f, f.most)}};
         }
-        row["hash"] = hex(point.hash);
+        row["hash"] = hash_text(point.hash);
         points.push_back(std::move(row));
     }
     const Json json = {{"scene", sweep.scene}, {"seeds", sweep.seeds}, {"runs", sweep.runs()},
-                       {"nudge", sweep.nudge}, {"points", points},     {"hash", hex(table.hash)}};
+                       {"nudge", sweep.nudge}, {"points", points},     {"hash", hash_text(table.hash)}};
     return json.dump(2) + "\n";
 }
 
@@ -134,7 +133,7 @@ std::string csv_of(const SweepPart& part) {
         for (std::size_t i = 0; i < places.size(); ++i) text += "," + value_text(part.sweep.axes[i].name, part.sweep.axes[i].values[places[i]]);
         text += fmt::format(",{}", run.index % part.sweep.seeds);
         for (const double value : run.values) text += std::isnan(value) ? "," : fmt::format(",{}", value);
-        text += "," + hex(run.hash) + "\n";
+        text += "," + hash_text(run.hash) + "\n";
     }
     return text;
 }

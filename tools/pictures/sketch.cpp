@@ -2,6 +2,8 @@
 
 #include <cstdarg>
 
+#include "scene_files/printable.hpp"
+
 namespace islet::pictures {
 namespace {
 
@@ -11,12 +13,6 @@ namespace {
     va_start(values, format);
     std::vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    return text;
-}
-
-std::string escaped(const std::string& words) {
-    std::string text;
-    for (const char c : words) text += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
     return text;
 }
 
@@ -64,7 +60,7 @@ void Sketch::box(Vec2 corner, float width, float height, const Pen& pen) {
 
 void Sketch::text(Vec2 at, const std::string& words, const char* color, float size, const char* anchor) {
     body_ += print("<text x=\"%.1f\" y=\"%.1f\" fill=\"%s\" font-size=\"%.0f\" text-anchor=\"%s\">", double(at.x), double(at.y), color, double(size), anchor) +
-             escaped(words) + "</text>\n";
+             samples::markup(words) + "</text>\n";
 }
 
 /// Corners on the picture, rounded by a wide stroke of the shape's own colour.
