@@ -87,6 +87,7 @@ const std::vector<SceneInfo>& catalogue() {
         steady<make_tall_columns>("tall_columns", "columns of 30, 60 and 100 boxes stand for a minute"),
         steady<make_crooked_columns>("crooked_columns", "columns of 60 boxes, laid carelessly, stand"),
         steady<make_loaded_columns>("loaded_columns", "light boxes carry 100 and 300 times their weight for a minute"),
+        steady<make_resting_stacks>("resting_stacks", "columns and a wall of bricks fall asleep and have not sunk"),
         steady<make_weighed_stack>("weighed_stack", "the ground feels the weight of a stack", 20),
         steady<make_tall_card_house>("tall_card_house", "a house of cards, seven storeys high, stands for a minute"),
         steady<make_mixed_pile>("mixed_pile", "polygons of three to eight corners settle in a bin"),

@@ -21,6 +21,7 @@ Scene make_free_cluster(int start);
 Scene make_tall_columns(int start);
 Scene make_crooked_columns(int start);
 Scene make_loaded_columns(int start);
+Scene make_resting_stacks(int start);
 Scene make_weighed_stack(int start);
 Scene make_tall_card_house(int start);
 Scene make_mixed_pile(int start);

@@ -125,7 +125,7 @@ void put_to_sleep(Core& core, std::uint32_t body) {
     core.motions[body].v = {0, 0};
     core.motions[body].w = 0;
     core.motions[body].sleep_time = 0;
-    core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_fast);
+    core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_fast | pose_learns);
     rest_shapes(core, body);
     for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
         if (!core.is_awake(other_body(core, contact, side))) core.awake_contacts.clear(contact);

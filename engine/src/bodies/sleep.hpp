@@ -6,7 +6,8 @@
 
 namespace islet::detail {
 
-inline constexpr float time_to_sleep = 0.5f;  // s at rest before an island may fall asleep
+inline constexpr float time_to_sleep = 0.5f;   // s at rest before an island may fall asleep
+inline constexpr float time_to_learn = 0.25f;  // s at rest before its contacts learn their loads (step/contact_update.cpp)
 
 /// Wakes a body and, along touching contacts and joints, every dynamic body of its island. No effect on static bodies.
 void wake_island(Core& core, std::uint32_t body, Arena arena);

@@ -15,12 +15,13 @@
 namespace islet::detail {
 
 enum PoseFlags : std::uint32_t {
-    pose_fast = 1u,    // may move so far in this step that its contacts look further ahead
-    pose_leaves = 8u,  // within a step: may leave its fat boxes
-    pose_far = 32u,    // within a step: may come farther than its surroundings
-    pose_deep = 16u,   // within a step: has sunk so deep into what does not give way that it might be pressed through, however slowly
-    pose_moved = 2u,   // a fat box of it changed since contacts were last updated
-    pose_alone = 4u,   // within a step: nothing at rest is in its surroundings (broadphase/pairs.hpp)
+    pose_fast = 1u,     // may move so far in this step that its contacts look further ahead
+    pose_leaves = 8u,   // within a step: may leave its fat boxes
+    pose_far = 32u,     // within a step: may come farther than its surroundings
+    pose_deep = 16u,    // within a step: has sunk so deep into what does not give way that it might be pressed through, however slowly
+    pose_moved = 2u,    // a fat box of it changed since contacts were last updated
+    pose_learns = 64u,  // its island has just come to rest: in the next step its contacts learn their loads
+    pose_alone = 4u,    // within a step: nothing at rest is in its surroundings (broadphase/pairs.hpp)
 };
 
 /// Where a body is and how heavy: eight words, loaded at once by the narrow phase and the solver.

@@ -49,7 +49,7 @@ const char* fault_in_numbers(const State& s) {
 
 const char* fault_in_numbers(const Body& b, const Pose& pose, const Motion& motion) {
     if ((b.flags & body_type_mask) > static_cast<std::uint32_t>(BodyType::dynamic) || b.flags > body_all_flags) return "a body's flags are none";
-    if (pose.flags > (pose_fast | pose_moved)) return "a body's flags are none";
+    if ((pose.flags & ~std::uint32_t{pose_fast | pose_moved | pose_learns}) != 0) return "a body's flags are none";
     if (!is_near(pose.center) || !is_near(b.origin) || !is_near(b.local_center) || !is_finite(motion.v) || !is_finite(motion.w))
         return "a body's state is not finite";
     if (!is_unit(pose.q)) return "a rotation is not of unit length";

@@ -36,22 +36,40 @@ inline constexpr std::uint32_t update_grain = 4;               // words of 64 co
 inline constexpr std::uint32_t clear_grain = 16;               // words of 64 bodies that are worth a task
 inline constexpr float load_rate = 0.07f;                      // 1/s, at which the load of a contact follows the force that it bears
 inline constexpr float most_load = 1.0e28f;                    // N
+inline constexpr float worth_learning = 0.4f * linear_slop;    // m; a contact that would rise by less learns its load slowly
+inline constexpr float straight_share = 0.02f;                 // friction, as a share of the load, of a contact that bears its load straight
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
 
-// How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load.
+// How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load. But when an
+// island has come to rest (pose_learns), contacts that bear their load straight, as those of columns and walls do, learn it at once. So a column rises by most
+// of what it has sunk by before it falls asleep. (Ten boxes then lie 0.01 m too low instead of 0.03, and thirty 0.07 m instead of 0.29. If contacts with more
+// friction learn too, a brick wall of 20 rows sinks by 0.025 m instead of 0.061, but a pile of 500 boxes slides into another one and sleeps after 13.1 s in the
+// mean instead of 10.7. Loads that are followed quickly in every step pump up the sway of a wall of 30 rows to 0.8 m/s, even if that is done in quiet islands
+// only.)
 struct LoadFollower {
-    float keep = 1;  // share of the old load
-    float gain = 0;  // 1/s, of the impulses of the last substep
+    float keep = 1;   // share of the old load
+    float gain = 0;   // 1/s, of the impulses of the last substep
+    float force = 0;  // 1/s, what the impulses of the last substep come to
+    float give = 0;   // s^2, by which a contact gives way: 1 / omega^2
 
-    LoadFollower(float dt, float last_substep) {
-        if (!(last_substep > 0)) return;
+    LoadFollower(const State& state, float dt) {
+        if (!(state.last_substep > 0)) return;
         const float share = min(load_rate * dt, 1.0f);
         keep = 1 - share;
-        gain = share / last_substep;
+        gain = share / state.last_substep;
+        force = 1.0f / state.last_substep;
+        const float omega = 2.0f * pi * min(state.solver.contact_hertz, 0.125f * static_cast<float>(state.solver.substeps) / dt);
+        give = 1.0f / (omega * omega);
     }
-    void follow(ContactManifold& m) const {
+    // `inv_mass` (1/kg) is that of both bodies together.
+    void follow(ContactManifold& m, bool learns, float inv_mass) const {
         if ((m.flags & contact_special) != 0 || m.count() == 0) return;
-        const float load = keep * m.load + gain * (m.normal_impulse[0] + m.normal_impulse[1]);
+        const float impulse = m.normal_impulse[0] + m.normal_impulse[1];
+        float load = keep * m.load + gain * impulse;
+        if (learns && abs(m.tangent_impulse[0] + m.tangent_impulse[1]) <= straight_share * impulse) {
+            const float bears = force * impulse;
+            if (give * inv_mass * abs(bears - m.load) > worth_learning) load = bears;
+        }
         m.load = load >= 0 && load < most_load ? load : 0;
     }
 };
@@ -214,7 +232,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
         m.forget_impulses();
         return (m.flags & contact_touching) != 0 ? Change::changes : Change::none;
     }
-    loads.follow(m);
+    loads.follow(m, (a.flags & b.flags & pose_learns) != 0, a.inv_mass + b.inv_mass);
     // Shapes that touch already, and have slipped little, do not come together fast.
     // Bodies that bounce off each other, or that shock propagation takes for lighter, do not look ahead for each other: they would gain energy.
     const bool calm = (m.flags & contact_bouncy) == 0 && !has_shock(core.state->solver);
@@ -319,7 +337,7 @@ void update_contacts(Core& core, float dt) {
 
     // Word by word of the set of awake contacts, each range with its own count.
     const float fall = fall_in(core, dt);
-    const LoadFollower loads(dt, core.state->last_substep);
+    const LoadFollower loads(*core.state, dt);
     const std::uint32_t words = core.awake_contacts.word_count;
     std::uint32_t* recycled = arena.take<std::uint32_t>(range_count(words, update_grain));
     core.report.recycled_contacts = 0;

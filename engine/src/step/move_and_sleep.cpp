@@ -28,7 +28,7 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
         const bool alone = has_shortcuts && (pose.flags & pose_alone) != 0 && moved <= surroundings(pose);
         if (!alone) stop_at_static(core, i, way);
     }
-    pose.flags &= ~static_cast<std::uint32_t>(pose_alone | pose_leaves | pose_far | pose_deep);
+    pose.flags &= ~static_cast<std::uint32_t>(pose_alone | pose_leaves | pose_far | pose_deep | pose_learns);
     body.origin = pose.center - rotate(pose.q, body.local_center);
 
     motion.slack -= moved;
@@ -88,8 +88,8 @@ void report_moved(Core& core, Arena arena) {
     });
 }
 
-// Puts islands to sleep. Returns whether any body fell asleep.
-bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena arena) {
+// Says which islands have just come to rest, and puts those to sleep that have been at rest for longer. Returns whether any body fell asleep.
+bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena arena, float dt) {
     // The body of an island with the shortest rest decides for the island. A touch of an awake kinematic body, or a joint to one, keeps an island awake.
     float* rest = arena.take<float>(plan.island_count);
     for (std::uint32_t i = 0; i < plan.island_count; ++i) rest[i] = 3.0e38f;
@@ -114,6 +114,7 @@ bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena aren
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
         const std::uint32_t island = plan.island_of[slot];
         const float time = island != null_index ? rest[island] : rested[slot];
+        if (time >= time_to_learn && time < time_to_learn + dt) core.poses[plan.body_of[slot]].flags |= pose_learns;
         if (time < time_to_sleep) continue;
         put_to_sleep(core, plan.body_of[slot]);
         any = true;
@@ -128,7 +129,7 @@ void finish_bodies(Core& core, const Plan& plan, SolverBody* bodies, Arena& aren
     move_bodies(core, plan, bodies, rested, arena, dt);
     if (has_bullets && core.state->continuous != 0 && core.state->bullet_count != 0) stop_bullets(core, plan.body_of, plan.slot_count, bodies);
     report_moved(core, arena);
-    if (!has_sleep || core.state->enable_sleep == 0 || !sleep_islands(core, plan, rested, arena)) return;
+    if (!has_sleep || core.state->enable_sleep == 0 || !sleep_islands(core, plan, rested, arena, dt)) return;
     // Bodies that fell asleep are reported in the order of their slots, too.
     for (std::uint32_t i = 0; i < core.moved_count; ++i) {
         const BodyId id = core.moved_events[i];
