@@ -196,14 +196,14 @@ double surface_slope(const Engine& engine, std::size_t first, std::size_t count,
 Scene make_avalanche() {
     constexpr std::size_t count = 280;                        // on each side
     constexpr float ledge = 3.6f, drop = -2.5f, wall = 0.1f;  // m
-    constexpr float frictions[] = {0.15f, 0.6f};              // left and right of the wall
+    constexpr float frictions[] = {0.05f, 0.6f};              // left and right of the wall
     constexpr int open_step = 90;
     Scene scene;
     scene.name = "avalanche";
-    scene.steps = 960;
+    scene.steps = 1200;
     scene.view = {{-6.5f, -2.9f}, {6.5f, 2.9f}};
     add_static(scene, {0, drop - 0.2f}, make_box(7, 0.2f));
-    for (const float side : {-1.0f, 1.0f}) add_static(scene, {side * 6.9f, drop + 0.5f}, make_box(0.1f, 0.5f));
+    for (const float side : {-1.0f, 1.0f}) add_static(scene, {side * 6.9f, drop + 1}, make_box(0.1f, 1));
     add_static(scene, {0, -0.1f}, make_box(ledge, 0.1f));
     add_static(scene, {0, 1.4f}, make_box(wall, 1.4f));
     std::size_t gates[2], first[2];
@@ -230,7 +230,7 @@ Scene make_avalanche() {
             const double slope = surface_slope(engine, firsts[side], count, sign * double(ledge), sign * double(wall));
             angles[side] = std::atan(slope) / degree;
             const double sliding = std::atan(double(frictions[side])) / degree;
-            const std::string name = "mu = 0." + std::to_string(std::lround(100 * frictions[side])) + ": ";
+            const std::string name = side == 0 ? "mu = 0.05: " : "mu = 0.6: ";
             lines.push_back({name + "angle of repose, atan(mu) being " + std::to_string(std::lround(sliding)) + " (degrees)", angles[side],
                              0.6 * sliding, sliding + 20});
         }
