@@ -61,16 +61,17 @@ struct LoadFollower {
         const float omega = 2.0f * pi * min(state.solver.contact_hertz, 0.125f * static_cast<float>(state.solver.substeps) / dt);
         give = 1.0f / (omega * omega);
     }
-    // `inv_mass` (1/kg) is that of both bodies together.
-    void follow(ContactManifold& m, bool learns, float inv_mass) const {
+    void follow(ContactManifold& m) const {
         if ((m.flags & contact_special) != 0 || m.count() == 0) return;
-        const float impulse = m.normal_impulse[0] + m.normal_impulse[1];
-        float load = keep * m.load + gain * impulse;
-        if (learns && abs(m.tangent_impulse[0] + m.tangent_impulse[1]) <= straight_share * impulse) {
-            const float bears = force * impulse;
-            if (give * inv_mass * abs(bears - m.load) > worth_learning) load = bears;
-        }
+        const float load = keep * m.load + gain * (m.normal_impulse[0] + m.normal_impulse[1]);
         m.load = load >= 0 && load < most_load ? load : 0;
+    }
+    // `inv_mass` (1/kg) is that of both bodies together.
+    void learn(ContactManifold& m, float inv_mass) const {
+        const float impulse = m.normal_impulse[0] + m.normal_impulse[1];
+        if ((m.flags & contact_special) != 0 || m.count() == 0 || abs(m.tangent_impulse[0] + m.tangent_impulse[1]) > straight_share * impulse) return;
+        const float load = force * impulse;
+        if (load < most_load && give * inv_mass * abs(load - m.load) > worth_learning) m.load = load;
     }
 };
 
@@ -232,7 +233,8 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
         m.forget_impulses();
         return (m.flags & contact_touching) != 0 ? Change::changes : Change::none;
     }
-    loads.follow(m, (a.flags & b.flags & pose_learns) != 0, a.inv_mass + b.inv_mass);
+    loads.follow(m);
+    if ((a.flags & b.flags & pose_learns) != 0) loads.learn(m, a.inv_mass + b.inv_mass);
     // Shapes that touch already, and have slipped little, do not come together fast.
     // Bodies that bounce off each other, or that shock propagation takes for lighter, do not look ahead for each other: they would gain energy.
     const bool calm = (m.flags & contact_bouncy) == 0 && !has_shock(core.state->solver);
