@@ -5,6 +5,7 @@
 #include "../constraint/kernels.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
+#include "../graph/joint_graph.hpp"
 #include "../island/height_order.hpp"
 #include "../math/lanes.hpp"
 #include "../math/scalar.hpp"
@@ -185,20 +186,11 @@ void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
     const std::size_t block_bytes = joint_run_bytes_of(block, lanes);
     for (std::uint32_t i = 0; i < r.blocks; ++i) {
         Trial trial(s.joint_rows + r.offset + i * block_bytes, block_bytes);
-        const auto add = [&](const Joint& j) {
-            trial.add(j.body_a == null_index ? 0 : s.plan.slot_of[j.body_a]);
-            trial.add(s.plan.slot_of[j.body_b]);
-        };
         for (std::uint32_t lane = 0; lane < lanes; ++lane) {
             const std::uint32_t joint = s.plan.joints[r.first + i * lanes + lane];
             if (joint == null_index) continue;
-            const Joint& j = s.core.joints[joint];
-            if (r.kernel == JointKernel::gear) {
-                add(s.core.joints[j.joint1]);
-                add(s.core.joints[j.joint2]);
-            } else {
-                add(j);
-            }
+            for (const std::uint32_t body : bodies_of(s.core, s.core.joints[joint]).body)
+                if (body != null_index) trial.add(s.plan.slot_of[body]);
         }
         begin_trial(trial, s.bodies);
         solve_joint_run(block, lanes, s.bodies, trial.rows, joints);
