@@ -145,5 +145,5 @@ int main() {
     std::printf("from 2 s on: %.1f mm on average, %.1f mm at most; %u futures take %.0f kB\n", 1000 * static_cast<double>(sum / static_cast<float>(counted)),
                 1000 * static_cast<double>(worst), futures, static_cast<double>(planner.bytes()) / 1000);
     std::printf("state %016llx\n", static_cast<unsigned long long>(arm.world.hash()));
-    return worst < 0.1f ? 0 : 1;
+    return worst < 0.06f ? 0 : 1;
 }

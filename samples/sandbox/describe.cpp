@@ -1,4 +1,4 @@
-// A scene as text, for an engine of another package that runs it beside Islet: the fields of a scene file (docs/scenes.md), those as usual left out.
+// A scene as text, for an engine of another package that runs it beside Islet: the fields of a scene file (docs/scenes-and-tools.md), those as usual left out.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

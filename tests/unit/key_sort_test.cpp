@@ -1,5 +1,5 @@
 // Every way of sorting by keys against the standard library's stable sort.
-#include "broadphase/key_sort.hpp"
+#include "math/key_sort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ Items sorted_stably(Items items) {
 }
 
 Items by_gaps(Items items) {
-    sort_by_gaps(items.data(), static_cast<std::uint32_t>(items.size()));
+    sort_by_gaps(items.data(), static_cast<std::uint32_t>(items.size()), [](KeyedItem a, KeyedItem b) { return a < b; });
     return items;
 }
 

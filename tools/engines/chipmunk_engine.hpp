@@ -1,4 +1,4 @@
-// Chipmunk 7 behind the interface of samples/engine.hpp, so that it runs the same scenes as Islet. README.md says what is made equal.
+// Chipmunk 7 behind the interface of samples/harness/engine.hpp, so that it runs the same scenes as Islet. README.md says what is made equal.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,5 @@
-// Which field of a definition breaks its rules, by name: for what tells a user why a call was refused. A program that does not call this does not link it.
+// The name of the field that makes a definition invalid, so that an editor or a binding can show it to its user. A program that does not call find_fault does
+// not link it.
 //
 //   BodyId body = world.create_body(def);
 //   if (!body) {
@@ -17,11 +18,12 @@ namespace islet {
 /// A field that breaks its rules.
 struct FieldFault {
     Error error = Error::none;    ///< not_finite, out_of_range or feature_cut; none if all fields keep their rules
-    const char* field = nullptr;  ///< its name, with the structs it stands in: "limit.lower", "solver.substeps"; null if there is none
+    const char* field = nullptr;  ///< its name, after those of the structs that hold it: "limit.lower", "solver.substeps"; null if there is none
 };
 
-/// The first field, in the order of the struct, for whose sake World::create, World::create_body, World::create_joint and so on refuse the definition. This
-/// asks no world: ids, geometries, points that lie too close together, and room that is used up are not looked at. Of several faults the call may tell another.
+/// The first field, in the order of the struct, that makes World::create, World::create_body, World::create_joint and so on refuse the definition. No world is
+/// needed, so ids, geometries, points that are too close together and a lack of room are not checked. If several fields are invalid, the call that refuses the
+/// definition may report the error of another one.
 FieldFault find_fault(const WorldDef& def);
 FieldFault find_fault(const SolverDef& def);
 FieldFault find_fault(const BodyDef& def);

@@ -6,7 +6,7 @@
 //     fleet->step({.dt = 1.0f / 60, .drives = drives, .actions = actions, .senses = senses, .observations = observations});
 //
 // Actions and observations are flat arrays of floats, world after world. Because all worlds are copies, an id of the prototype names the same object in each.
-// The worlds do not know of each other. What each comes to is the same whatever the number of worlds and workers, and the same as that of a world by itself.
+// The worlds do not affect each other: each gives the same bits as a single world, for any number of worlds and workers.
 #pragma once
 
 #include <cstddef>
@@ -49,7 +49,7 @@ enum class SenseKind : std::uint8_t {
     angular_velocity,  ///< 1 column, rad/s
     joint,             ///< 2 columns: the joint's position (rad or m) and speed
     touching,          ///< 1 column: 1 if a shape of the body touches another, else 0
-    ray,               ///< 1 column: how far a ray that the body carries goes before it meets a shape of another body, as a fraction of it; 1 if it meets none
+    ray,               ///< 1 column: the fraction of a ray, fixed to the body, at which it meets a shape of another body; 1 if it meets none
 };
 
 /// One to two columns of the observations (SenseKind).
@@ -57,9 +57,9 @@ struct Sense {
     SenseKind kind = SenseKind::position;
     BodyId body = {};
     JointId joint = {};
-    Vec2 origin = {};          ///< m, where a ray starts, in the body's frame
-    Vec2 translation = {};     ///< m, from there to its end, in the body's frame
-    QueryFilter filter = {};   ///< what a ray can meet
+    Vec2 origin = {};         ///< m, where a ray starts, in the body's frame
+    Vec2 translation = {};    ///< m, from there to its end, in the body's frame
+    QueryFilter filter = {};  ///< what a ray can meet
 };
 
 /// Columns that these senses fill.
@@ -76,7 +76,7 @@ struct FleetStep {
     span<float> observations = {};  ///< Fleet::size() rows of columns(senses) numbers. Rows of worlds that did not step stay as they are.
 };
 
-/// A random change of one body of a world, by which starts differ: each number is the half width of a range around 0, >= 0.
+/// A random change of one body, so that starts differ. Each number is half the width of a range around 0, >= 0.
 struct Variation {
     BodyId body = {};
     Vec2 position = {};          ///< m
@@ -88,15 +88,15 @@ struct Variation {
 class Fleet;
 
 namespace detail {
-/// For the C interface: whether a fleet was made here, and is where it was made.
+/// For the C interface: whether Fleet::create made this fleet at this address.
 bool is_fleet(const Fleet& fleet);
 }  // namespace detail
 
 /// A fleet lives at the start of the block of memory it was created in, and its worlds behind it; it never moves, allocates or frees. Not copyable.
 ///
-/// Its functions check their arguments as a world's do: on bad input they change nothing and return the error. Worlds share the memory that a step needs, so
-/// they take far less than as many worlds by themselves. For this reason no two of them may step, save, validate or draw at the same time on threads of yours:
-/// step() does that for you.
+/// Its functions check their arguments as a world's do: on bad input they change nothing and return the error. The worlds share the memory that a step needs,
+/// so they take far less memory than as many single worlds. Therefore no two of them may step, save, validate or draw at the same time on threads of yours:
+/// step() uses the threads for you.
 class Fleet {
 public:
     /// Bytes of memory that a fleet needs; 0 if the capacity is not valid, or there is no world or no worker, or more than max_worlds or max_workers.
@@ -138,8 +138,9 @@ public:
     /// Makes world `to` a copy of world `from`; a recording of `to` ends. Errors: out_of_range.
     Error copy(std::uint32_t from, std::uint32_t to);
 
-    /// Makes each world k a copy of world parents[k], at once, to go on with the best futures of a search. A parent stays as it is: parents[parents[k]] is
-    /// parents[k], and so does a recording of it. Errors: out_of_range (a parent that is not so, or not size() of them).
+    /// Makes each world k a copy of world parents[k], at once, to go on with the best futures of a search. A parent must be its own parent,
+    /// parents[parents[k]] == parents[k], so it stays as it is, and so does a recording of it. Errors: out_of_range (a parent that breaks this rule, or another
+    /// number of parents than size()).
     Error fork(span<const std::uint32_t> parents);
 
 private:
@@ -150,8 +151,8 @@ private:
 
     const Fleet* self_ = nullptr;  // where the fleet is, by which a fleet is known
     std::uint32_t size_ = 0;
-    std::byte* worlds_ = nullptr;  // the first world's block
-    std::size_t stride_ = 0;       // bytes from a world's block to the next
+    std::byte* worlds_ = nullptr;   // the first world's block
+    std::size_t stride_ = 0;        // bytes from a world's block to the next
     std::byte* scratch_ = nullptr;  // the first worker's
     std::size_t scratch_bytes_ = 0;
     TaskSystem tasks_;

@@ -128,9 +128,9 @@ struct DistanceJointDef {
 /// Holds two bodies together rigidly, or softly where a frequency is given.
 struct WeldJointDef {
     JointBase base = {};
-    float linear_hertz = 0;  ///< Hz, >= 0; 0 is rigid
-    float linear_damping_ratio = 1;  ///< >= 0; 1 is critical
-    float angular_hertz = 0;  ///< Hz, >= 0; 0 is rigid
+    float linear_hertz = 0;           ///< Hz, >= 0; 0 is rigid
+    float linear_damping_ratio = 1;   ///< >= 0; 1 is critical
+    float angular_hertz = 0;          ///< Hz, >= 0; 0 is rigid
     float angular_damping_ratio = 1;  ///< >= 0; 1 is critical
 };
 
@@ -147,23 +147,23 @@ struct WheelJointDef {
 /// friction of a body sliding on A, seen from above.
 struct MotorJointDef {
     JointBase base = {};
-    Vec2 linear_velocity = {};   ///< m/s in frame A, of B's point relative to A's
-    float angular_velocity = 0;  ///< rad/s
-    float max_force = 0;         ///< N, >= 0
-    float max_torque = 0;        ///< N m, >= 0
-    float linear_hertz = 0;      ///< Hz, >= 0; 0 drives the velocity, more the position
-    float linear_damping_ratio = 1;  ///< >= 0; 1 is critical
-    float angular_hertz = 0;  ///< Hz, >= 0; as above, for the angle
+    Vec2 linear_velocity = {};        ///< m/s in frame A, of B's point relative to A's
+    float angular_velocity = 0;       ///< rad/s
+    float max_force = 0;              ///< N, >= 0
+    float max_torque = 0;             ///< N m, >= 0
+    float linear_hertz = 0;           ///< Hz, >= 0; 0 drives the velocity, more the position
+    float linear_damping_ratio = 1;   ///< >= 0; 1 is critical
+    float angular_hertz = 0;          ///< Hz, >= 0; as above, for the angle
     float angular_damping_ratio = 1;  ///< >= 0; 1 is critical
 };
 
 /// Pulls a point of `body` to the target, which you can move: the point that is at `target` when the joint is made.
 struct MouseJointDef {
     BodyId body = {};
-    Vec2 target = {};  ///< m, world
-    float hertz = 5;   ///< Hz, > 0
+    Vec2 target = {};            ///< m, world
+    float hertz = 5;             ///< Hz, > 0
     float damping_ratio = 0.7f;  ///< >= 0; 1 is critical
-    float max_force = 0;  ///< N, >= 0
+    float max_force = 0;         ///< N, >= 0
     std::uint64_t user_data = 0;
 };
 

@@ -93,8 +93,8 @@ struct QueryFilter {
 /// A shape that a ray or a cast meets, with the fields of CastHit. Null if there is none.
 struct QueryHit {
     ShapeId shape = {};
-    Vec2 point = {};   ///< m, world
-    Vec2 normal = {};  ///< unit, world
+    Vec2 point = {};       ///< m, world
+    Vec2 normal = {};      ///< unit, world
     float fraction = 0;    ///< 0 to 1, of the translation
     float separation = 0;  ///< m, 0; for shapes that overlapped at the start, minus the depth
     explicit constexpr operator bool() const { return bool(shape); }

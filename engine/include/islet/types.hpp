@@ -228,13 +228,13 @@ enum class BodyType : std::uint8_t {
 /// What a new body is like.
 struct BodyDef {
     BodyType type = BodyType::static_body;
-    Vec2 position = {};          ///< m, of the body's origin; within max_position
-    float angle = 0;             ///< rad
-    Vec2 linear_velocity = {};   ///< m/s, of the centre of mass
-    float angular_velocity = 0;  ///< rad/s
-    float linear_damping = 0;    ///< 1/s, >= 0
-    float angular_damping = 0;   ///< 1/s, >= 0
-    float gravity_scale = 1;     ///< multiple of the gravity that the body feels
+    Vec2 position = {};             ///< m, of the body's origin; within max_position
+    float angle = 0;                ///< rad
+    Vec2 linear_velocity = {};      ///< m/s, of the centre of mass
+    float angular_velocity = 0;     ///< rad/s
+    float linear_damping = 0;       ///< 1/s, >= 0
+    float angular_damping = 0;      ///< 1/s, >= 0
+    float gravity_scale = 1;        ///< multiple of the gravity that the body feels
     float sleep_threshold = 0.05f;  ///< m/s, >= 0. Slower bodies may fall asleep.
     bool enable_sleep = true;       ///< false: the body keeps itself and its island awake.
     bool awake = true;              ///< false: the body starts asleep.

@@ -66,9 +66,9 @@ std::uint32_t share_geometry(Core& core, const Geometry& g) {
 void release_geometry(Core& core, std::uint32_t index) {
     Geometry& g = core.geometries[index];
     if (--g.references != 0) return;
-    std::uint32_t* link = &core.geometry_buckets[g.hash & bucket_mask(core)];
-    while (*link != index) link = &core.geometries[*link].next;
-    *link = g.next;
+    std::uint32_t* place = &core.geometry_buckets[g.hash & bucket_mask(core)];
+    while (*place != index) place = &core.geometries[*place].next;
+    *place = g.next;
     g = Geometry{};
     PoolState& pool = core.state->geometry_pool;
     g.next = pool.free_head;

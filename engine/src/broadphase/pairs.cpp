@@ -6,11 +6,11 @@
 #include "../broadphase/pairs.hpp"
 
 #include "../broadphase/columns.hpp"
-#include "../broadphase/key_sort.hpp"
 #include "../broadphase/tree.hpp"
 #include "../collide/manifold.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/contacts.hpp"
+#include "../math/key_sort.hpp"
 #include "../math/scalar.hpp"
 #include "../shapes/shape_types.hpp"
 

@@ -133,7 +133,7 @@ Manifold clip_faces(const Face& reference, const Face& incident, bool reference_
 
 // Box against box, when both are rectangles by their normals.
 bool is_box(const Polygon& p);
-// False if the answer needs more than faces (corner against corner): then use collide_outlines.
+// False if the answer needs more than faces (corner against corner): then use collide_cores.
 bool collide_boxes(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin, Manifold& manifold);
 
 }  // namespace islet::detail

@@ -30,7 +30,7 @@ struct Core {
     std::uint32_t lanes = 1;
     // Not part of the world's value: functions that only read record errors too, and close the world while they call the user's functions.
     mutable Error last_error = Error::none;
-    Error kept_error = Error::none;  // the last error before a call of another language (begin_call)
+    Error kept_error = Error::none;    // the last error before a call of another language (begin_call)
     mutable std::uint32_t inside = 0;  // Inside
     bool exact = true;                 // false: no step is taken (Error::inexact_build)
     ErrorHook error_hook = nullptr;

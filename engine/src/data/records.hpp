@@ -153,7 +153,7 @@ enum ContactFlags : std::uint32_t {
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
-/// Two shapes whose fat boxes overlap: the links.
+/// Two shapes whose fat boxes overlap, and the place of their contact in the lists of both bodies.
 struct Contact {
     std::uint32_t shape_a = null_index, shape_b = null_index;
     std::uint32_t next[2] = {0, 0}, prev[2] = {0, 0};  // contact keys, in the lists of the two bodies
@@ -332,7 +332,7 @@ struct State {
     float last_substep = 0;          // s; impulses kept for warm starting belong to a substep of this length
     std::uint32_t trees_stale = 0;   // 1: something that decides which joints are solved exactly has changed
     std::uint32_t exact_joints = 0;  // how many are
-    std::uint32_t continuous = 1;    // 1: fast bodies are swept
+    std::uint32_t continuous = 1;    // 1: fast bodies are followed
     std::uint32_t bullet_count = 0;  // bodies that are bullets
     float hit_threshold = 1;         // m/s
     std::uint32_t locked_count = 0;  // bodies with a lock

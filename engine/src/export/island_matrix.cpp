@@ -3,6 +3,7 @@
 #include "../exact.hpp"
 
 #include "../export/island_problem.hpp"
+#include "../graph/joint_graph.hpp"
 
 namespace islet::detail {
 
@@ -71,13 +72,9 @@ IslandConstraints list_constraints(IslandRows& counter, Arena& arena) {
         ++l.count;
     };
     members.joints.for_each([&](std::uint32_t i) {
-        const Joint& j = core.joints[i];
         const std::uint32_t first_row = counter.count;
         add_joint_rows(counter, i);
-        if (j.joint_type() != JointType::gear) return add(first_row, {j.body_a, j.body_b, null_index, null_index});
-        const Joint& j1 = core.joints[j.joint1];
-        const Joint& j2 = core.joints[j.joint2];
-        add(first_row, {j1.body_a, j1.body_b, j2.body_a, j2.body_b});
+        add(first_row, bodies_of(core, core.joints[i]).body);
     });
     members.contacts.for_each([&](std::uint32_t i) {
         const std::uint32_t first_row = counter.count;

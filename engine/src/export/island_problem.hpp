@@ -15,7 +15,7 @@ struct IslandMembers {
     std::uint32_t constraint_count = 0;  // contacts and joints
 };
 
-/// The island of a body that can be pushed: what is linked to it by touching contacts and joints through bodies that can be pushed too.
+/// The island of a body that can be pushed: what is connected to it by touching contacts and joints through bodies that can be pushed too.
 IslandMembers find_island(const Core& core, std::uint32_t body, Arena& arena);
 
 /// Makes rows, one after the other: writes them where it is told to, or only counts them.

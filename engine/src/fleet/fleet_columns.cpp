@@ -47,8 +47,7 @@ void drive_joint(World& world, const Drive& drive, float value) {
             world.apply_torque(world.body_a(drive.joint), -value);
             return world.apply_torque(world.body_b(drive.joint), value);
         case DriveKind::motor_speed:
-        case DriveKind::motor_force:
-            return (type & with_coordinate) != 0 ? drive_motor(world, drive, value) : void();
+        case DriveKind::motor_force: return (type & with_coordinate) != 0 ? drive_motor(world, drive, value) : void();
         default: return is_mouse ? drive_target(world, drive, value) : void();
     }
 }

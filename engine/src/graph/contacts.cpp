@@ -24,11 +24,11 @@ bool filters_agree(const Filter& a, const Filter& b) {
     return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 
-void link(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
+void attach_contact(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
     add_to_list(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
 }
 
-void unlink(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
+void detach_contact(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
     remove_from_list(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
 }
 
@@ -68,8 +68,8 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     if (is_sensor(core, shape_1) || is_sensor(core, shape_2)) m.flags |= contact_sensor;
     mix_materials(core, index);
 
-    link(core, index, 0, m.body_a);
-    link(core, index, 1, m.body_b);
+    attach_contact(core, index, 0, m.body_a);
+    attach_contact(core, index, 1, m.body_b);
     core.pairs.insert(PairSet::key(shape_1, shape_2));
     core.awake_contacts.assign(index, core.is_awake(m.body_a) || core.is_awake(m.body_b));
     return true;
@@ -81,8 +81,8 @@ void destroy_contact(Core& core, std::uint32_t index) {
     if (is_told(m)) record_end_event(core, index);
     if (has_sensors && (m.flags & contact_overlap) != 0) end_overlap(core, index);
     release_color(core, index);
-    unlink(core, index, 0, m.body_a);
-    unlink(core, index, 1, m.body_b);
+    detach_contact(core, index, 0, m.body_a);
+    detach_contact(core, index, 1, m.body_b);
     core.pairs.erase(PairSet::key(c.shape_a, c.shape_b));
     core.awake_contacts.clear(index);
     clear_slot(c);

@@ -6,12 +6,9 @@
 namespace islet::detail {
 
 bool has_disabled_body(const Core& core, const Joint& j) {
-    const auto off = [&](std::uint32_t body) { return body != null_index && (core.bodies[body].flags & body_disabled) != 0; };
-    if (off(j.body_a) || off(j.body_b)) return true;
-    if (j.joint_type() != JointType::gear) return false;
-    const Joint& j1 = core.joints[j.joint1];
-    const Joint& j2 = core.joints[j.joint2];
-    return off(j1.body_a) || off(j1.body_b) || off(j2.body_a) || off(j2.body_b);
+    for (const std::uint32_t body : bodies_of(core, j).body)
+        if (body != null_index && (core.bodies[body].flags & body_disabled) != 0) return true;
+    return false;
 }
 
 void refresh_awake_joints(Core& core) {

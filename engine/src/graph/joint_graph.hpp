@@ -17,6 +17,16 @@ inline std::uint32_t other_joined(const Core& core, std::uint32_t joint, std::ui
     return side == 0 ? core.joints[joint].body_b : core.joints[joint].body_a;
 }
 
+/// The bodies whose velocities a joint's row reads: four of a gear, which has those of its two joints, and two of any other joint. null_index: the world, or none.
+struct BodiesOfJoint {
+    std::uint32_t body[4];
+};
+inline BodiesOfJoint bodies_of(const Core& core, const Joint& j) {
+    if (j.joint_type() != JointType::gear) return {{j.body_a, j.body_b, null_index, null_index}};
+    const Joint &j1 = core.joints[j.joint1], &j2 = core.joints[j.joint2];
+    return {{j1.body_a, j1.body_b, j2.body_a, j2.body_b}};
+}
+
 /// True if a joint between the two bodies forbids their shapes to collide.
 inline bool joint_forbids(const Core& core, std::uint32_t body_1, std::uint32_t body_2) {
     if (!has_joints) return false;

@@ -2,7 +2,7 @@
 
 #include "../island/height_order.hpp"
 
-#include "../island/heap_sort.hpp"
+#include "../math/key_sort.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {
@@ -13,8 +13,8 @@ constexpr float most_lightness = 1.0e4f;
 constexpr float least_level = 0.5f;  // the least part of a contact's normal against gravity with which one body lies on the other
 
 [[gnu::noinline]] void sort_by_height(PlannedConstraint* contacts, std::uint32_t count) {
-    heap_sort(contacts, count,
-              [](const PlannedConstraint& a, const PlannedConstraint& b) { return a.height != b.height ? a.height < b.height : a.index < b.index; });
+    sort_by_gaps(contacts, count,
+                 [](const PlannedConstraint& a, const PlannedConstraint& b) { return a.height != b.height ? a.height < b.height : a.index < b.index; });
 }
 
 // From the lowest along `up`.

@@ -62,8 +62,8 @@ template <class T>
 IsletLcpStatus fault_of_options(const typename Twins<T>::Options* o) {
     if (o == nullptr) return ISLET_LCP_STATUS_CONVERGED;
     if (o->struct_size != sizeof *o) return ISLET_LCP_STATUS_STRUCT_SIZE;
-    const bool there = (o->order_count == 0 || o->order != nullptr) && (o->block_count == 0 || o->blocks != nullptr) &&
-                       (o->history_count == 0 || o->history != nullptr);
+    const bool there =
+        (o->order_count == 0 || o->order != nullptr) && (o->block_count == 0 || o->blocks != nullptr) && (o->history_count == 0 || o->history != nullptr);
     return there ? ISLET_LCP_STATUS_CONVERGED : ISLET_LCP_STATUS_NULL_POINTER;
 }
 

@@ -20,7 +20,7 @@ struct Stay {
     float leave = 0;
 };
 
-// One axis of the sweep: the interval lower-upper moves by d. Every operation is monotone, so a larger box is never entered later.
+// One axis of the way: the interval lower-upper moves by d. Every operation is monotone, so a larger box is never entered later.
 Stay stay_in(float lower, float upper, float d, float inv_d, float box_lower, float box_upper) {
     if (inv_d == 0) return box_lower <= upper && lower <= box_upper ? Stay{-3.0e38f, 3.0e38f} : Stay{3.0e38f, -3.0e38f};
     const float t1 = (box_lower - upper) * inv_d;
@@ -35,19 +35,19 @@ struct Cast {
     Vec2 d;
     QueryFilter filter;
     Aabb box;    // at the start, and a little more
-    Aabb swept;  // around the whole way
+    Aabb all;    // around the whole way
     Vec2 inv_d;  // 0 where d is as good as 0
 
     Cast(const Core& c, const ShapeProxy& p, Vec2 translation, const QueryFilter& f) : core(c), moving(p), d(translation), filter(f) {
         const Aabb start = box_of(p);
         box = expand(start, rounding_of(merge(start, {start.lower + d, start.upper + d})));
-        swept = merge(box, {box.lower + d, box.upper + d});
+        all = merge(box, {box.lower + d, box.upper + d});
         inv_d = {abs(d.x) > 1e-30f ? 1.0f / d.x : 0, abs(d.y) > 1e-30f ? 1.0f / d.y : 0};
     }
 
-    /// The fraction of the way at which the sweep enters a box, at least 0; above 1 if it does not.
+    /// The fraction of the way at which the proxy's box enters another, at least 0; above 1 if it does not.
     float entry(const Aabb& to) const {
-        if (!meet_at_once(swept, to)) return 2.0f;
+        if (!meet_at_once(all, to)) return 2.0f;
         const Stay x = stay_in(box.lower.x, box.upper.x, d.x, inv_d.x, to.lower.x, to.upper.x);
         const Stay y = stay_in(box.lower.y, box.upper.y, d.y, inv_d.y, to.lower.y, to.upper.y);
         const float enter = max(0.0f, max(x.enter, y.enter));

@@ -1,13 +1,13 @@
-// One link of a chain against circles and convex outlines: solid on one side, and smooth across the corners to its neighbours.
+// One segment of a chain against circles and convex outlines: solid on one side, and smooth across the corners to its neighbours.
 //
-// A body sliding over links that meet flush must not feel the corners between them. So a contact may only use a normal that the surface
+// A body sliding over segments that meet flush must not feel the corners between them. So a contact may only use a normal that the surface
 // really has there: between its own normal and that of the neighbour at an outer (convex) corner, its own alone at a flat or inner one.
-// Other normals are left to the neighbour, or replaced by the link's own. (The idea of sorting normals by the Gauss map of the corner,
+// Other normals are left to the neighbour, or replaced by the segment's own. (The idea of sorting normals by the Gauss map of the corner,
 // and of comparing with the neighbours' axes in overlap, is from Erin Catto, "Ghost collisions", box2d.org, 2020.)
 //
 //          n0  \   | n1
 //     leave to  \  |          convex corner p1, outward up: normals between n0 and n1 are the corner's own;
-//     neighbour  \ | link     left of n0 they belong to the neighbour.
+//     neighbour  \ | segment  left of n0 they belong to the neighbour.
 //     ---------.__\|_________
 //     ghost1     p1     ->  p2   (drawn mirrored: the outward side is on the right of p1 -> p2)
 #include "../exact.hpp"
@@ -31,8 +31,8 @@ ISLET_SHARED bool is_ghost(Vec2 a) { return detail::in_range(0.25f * a); }
 // Corners and normals closer to straight than this (sine of the angle) count as straight.
 constexpr float straight = 0.01f;
 
-// A link relative to p1, so p1 = 0 and p2 = `end`.
-struct Link {
+// A segment relative to p1, so p1 = 0 and p2 = `end`.
+struct LocalSegment {
     Vec2 end;
     Vec2 edge;     // unit, p1 to p2
     Vec2 normal;   // its own
@@ -42,10 +42,10 @@ struct Link {
     bool convex2 = false;
 };
 
-Link link_of(const ChainSegment& s) {
+LocalSegment local_segment(const ChainSegment& s) {
     const Vec2 p1 = s.segment.point1;
     const Vec2 p2 = s.segment.point2;
-    Link k;
+    LocalSegment k;
     k.end = p2 - p1;
     k.edge = direction_of(k.end, {1, 0}).unit;
     k.normal = right_perp(k.edge);
@@ -60,8 +60,8 @@ Link link_of(const ChainSegment& s) {
 
 enum class Verdict { own, neighbours, replace };
 
-// Whose is a contact whose normal (from the link outwards) is n?
-Verdict judge(const Link& k, Vec2 n) {
+// Whose is a contact whose normal (from the segment outwards) is n?
+Verdict judge(const LocalSegment& k, Vec2 n) {
     if (dot(n, k.edge) <= 0.0f) {
         if (!k.convex1) { return Verdict::replace; }
         return cross(n, k.normal0) > straight ? Verdict::neighbours : Verdict::own;
@@ -72,23 +72,23 @@ Verdict judge(const Link& k, Vec2 n) {
 
 ISLET_SHARED float least_along(const Outline& o, Vec2 n) { return dot(n, o.vertices[corner_against(o, n)]); }
 
-Manifold contact_on_link(const Link& k, const Outline& b, Vec2 origin, float margin) {
-    const Face link = {{}, k.end, k.normal, 0, 0, 1};
-    return clip_faces(link, face_of(b, face_against(b, k.normal)), false, origin, margin);
+Manifold contact_on_segment(const LocalSegment& k, const Outline& b, Vec2 origin, float margin) {
+    const Face face = {{}, k.end, k.normal, 0, 0, 1};
+    return clip_faces(face, face_of(b, face_against(b, k.normal)), false, origin, margin);
 }
 
-// A face of B against a corner of the link, unless the neighbour lies closer to that face.
-Manifold contact_on_face(const Link& k, const Outline& b, std::uint32_t index, Vec2 origin, float margin) {
+// A face of B against a corner of the segment, unless the neighbour lies closer to that face.
+Manifold contact_on_face(const LocalSegment& k, const Outline& b, std::uint32_t index, Vec2 origin, float margin) {
     const Face face = face_of(b, index);
     const Vec2 beside = dot(face.normal, k.end) > 0.0f ? k.normal0 : k.normal2;
     if (dot(beside, face.normal) < dot(k.normal, face.normal)) { return {}; }
     return clip_faces(face, {{}, k.end, k.normal, 0, 0, 1}, true, origin, margin);
 }
 
-// B is clear of the link: closest features.
-Manifold collide_apart(const Link& k, const Outline& b, const DistanceResult& near, Vec2 origin, float margin) {
-    const bool link_edge = near.count == 2 && near.index_a[0] != near.index_a[1];
-    if (link_edge) { return contact_on_link(k, b, origin, margin); }
+// B is clear of the segment: closest features.
+Manifold collide_apart(const LocalSegment& k, const Outline& b, const DistanceResult& near, Vec2 origin, float margin) {
+    const bool on_edge = near.count == 2 && near.index_a[0] != near.index_a[1];
+    if (on_edge) { return contact_on_segment(k, b, origin, margin); }
     const bool b_edge = near.count == 2;
     std::uint32_t face = 0;
     Vec2 n = near.normal;
@@ -98,7 +98,7 @@ Manifold collide_apart(const Link& k, const Outline& b, const DistanceResult& ne
     }
     switch (judge(k, n)) {
         case Verdict::neighbours: return {};
-        case Verdict::replace: return contact_on_link(k, b, origin, margin);
+        case Verdict::replace: return contact_on_segment(k, b, origin, margin);
         case Verdict::own: break;
     }
     if (b_edge) { return contact_on_face(k, b, face, origin, margin); }
@@ -106,11 +106,11 @@ Manifold collide_apart(const Link& k, const Outline& b, const DistanceResult& ne
     return point_manifold(near.point_a + origin, 0, near.point_b + origin, b.radius, n, near.distance, feature_id(near.index_a[0], near.index_b[0]));
 }
 
-// B's core touches or crosses the link: least overlap among the link's normal, its convex neighbours' and those of B it may use.
-Manifold collide_overlapping(const Link& k, const Outline& b, float link_gap, Vec2 origin, float margin) {
-    const float gap0 = k.convex1 ? least_along(b, k.normal0) : link_gap;
-    const float gap2 = k.convex2 ? least_along(b, k.normal2) - dot(k.normal2, k.end) : link_gap;
-    const float surface_gap = max(link_gap, max(gap0, gap2));
+// B's core touches or crosses the segment: least overlap among the segment's normal, its convex neighbours' and those of B it may use.
+Manifold collide_overlapping(const LocalSegment& k, const Outline& b, float segment_gap, Vec2 origin, float margin) {
+    const float gap0 = k.convex1 ? least_along(b, k.normal0) : segment_gap;
+    const float gap2 = k.convex2 ? least_along(b, k.normal2) - dot(k.normal2, k.end) : segment_gap;
+    const float surface_gap = max(segment_gap, max(gap0, gap2));
 
     float face_gap = -3e38f;
     std::uint32_t face = 0;
@@ -123,34 +123,34 @@ Manifold collide_overlapping(const Link& k, const Outline& b, float link_gap, Ve
         }
     }
     if (face_gap > surface_gap + separation_tie) { return contact_on_face(k, b, face, origin, margin); }
-    if (surface_gap > link_gap) {
+    if (surface_gap > segment_gap) {
         return {};  // the neighbour's
     }
-    return contact_on_link(k, b, origin, margin);
+    return contact_on_segment(k, b, origin, margin);
 }
 
-Manifold collide_link(const Link& k, const Outline& b, Vec2 centroid, Vec2 origin, float margin) {
-    // One-sided: behind the link and, at convex corners, behind the neighbours too.
+Manifold collide_segment(const LocalSegment& k, const Outline& b, Vec2 centroid, Vec2 origin, float margin) {
+    // One-sided: behind the segment and, at convex corners, behind the neighbours too.
     const bool behind = dot(k.normal, centroid) < 0.0f;
     const bool behind0 = !k.convex1 || dot(k.normal0, centroid) < 0.0f;
     const bool behind2 = !k.convex2 || dot(k.normal2, centroid - k.end) < 0.0f;
     if (behind && behind0 && behind2) { return {}; }
     const Vec2 lowest = b.vertices[corner_against(b, k.normal)];
-    const float link_gap = dot(lowest, k.normal);
+    const float segment_gap = dot(lowest, k.normal);
     const float limit = margin + b.radius;
-    if (link_gap > limit) { return {}; }
-    // Between flat and inner corners every normal but the link's own is replaced by it.
-    if (!k.convex1 && !k.convex2) { return contact_on_link(k, b, origin, margin); }
-    // A lowest corner over the link itself, at its height, is closest to it or just through it: no need to search.
+    if (segment_gap > limit) { return {}; }
+    // Between flat and inner corners every normal but the segment's own is replaced by it.
+    if (!k.convex1 && !k.convex2) { return contact_on_segment(k, b, origin, margin); }
+    // A lowest corner over the segment itself, at its height, is closest to it or just through it: no need to search.
     const float along = dot(lowest, k.edge);
-    if (!behind && along > 0.0f && along < dot(k.end, k.edge) && link_gap > -speculative_distance) {
-        return link_gap > separation_tie ? contact_on_link(k, b, origin, margin) : collide_overlapping(k, b, link_gap, origin, margin);
+    if (!behind && along > 0.0f && along < dot(k.end, k.edge) && segment_gap > -speculative_distance) {
+        return segment_gap > separation_tie ? contact_on_segment(k, b, origin, margin) : collide_overlapping(k, b, segment_gap, origin, margin);
     }
     const Vec2 core[2] = {{}, k.end};
     const DistanceResult near = core_distance(core, 2, b.vertices, b.count);
     if (near.distance > limit) { return {}; }
     if (!behind && near.distance > separation_tie) { return collide_apart(k, b, near, origin, margin); }
-    return collide_overlapping(k, b, link_gap, origin, margin);
+    return collide_overlapping(k, b, segment_gap, origin, margin);
 }
 
 }  // namespace
@@ -174,26 +174,26 @@ Manifold collide(const ChainSegment& a, const Circle& b, const Transform& b_in_a
         return {};  // behind
     }
 
-    // The link owns what lies above it, and beyond its ends what does not lie above the neighbour.
-    Vec2 on_link;
+    // The segment owns what lies above it, and beyond its ends what does not lie above the neighbour.
+    Vec2 on_segment;
     std::uint32_t feature = 0;
     const float along = dot(center - p1, edge);
     const float whole = length_squared(edge);
     if (along <= 0.0f) {
         if (dot(center - p1, p1 - a.ghost1) <= 0.0f) { return {}; }
-        on_link = p1;
+        on_segment = p1;
     } else if (along >= whole) {
         if (dot(center - p2, a.ghost2 - p2) > 0.0f) { return {}; }
-        on_link = p2;
+        on_segment = p2;
         feature = 1;
     } else {
-        on_link = p1 + (along / whole) * edge;
+        on_segment = p1 + (along / whole) * edge;
     }
-    const Vec2 between = center - on_link;
+    const Vec2 between = center - on_segment;
     const float limit = margin + b.radius;
     if (length_squared(between) > limit * limit) { return {}; }
     const Direction d = direction_of(between, right_perp(direction_of(edge, {1, 0}).unit));
-    return point_manifold(on_link, 0, center, b.radius, d.unit, d.length, feature_id(feature, 0));
+    return point_manifold(on_segment, 0, center, b.radius, d.unit, d.length, feature_id(feature, 0));
 }
 
 Manifold collide(const ChainSegment& a, const Capsule& b, const Transform& b_in_a, float margin) {
@@ -201,13 +201,13 @@ Manifold collide(const ChainSegment& a, const Capsule& b, const Transform& b_in_
     const Transform t = {b_in_a.p - origin, b_in_a.q};
     const Vec2 p1 = transform_point(t, b.point1);
     const Vec2 p2 = transform_point(t, b.point2);
-    return collide_link(link_of(a), outline_of<Outline>(p1, p2, b.radius), 0.5f * (p1 + p2), origin, margin);
+    return collide_segment(local_segment(a), outline_of<Outline>(p1, p2, b.radius), 0.5f * (p1 + p2), origin, margin);
 }
 
 Manifold collide(const ChainSegment& a, const Polygon& b, const Transform& b_in_a, float margin) {
     const Vec2 origin = a.segment.point1;
     const Transform t = {b_in_a.p - origin, b_in_a.q};
-    return collide_link(link_of(a), outline_of(b, b_in_a, origin), transform_point(t, b.centroid), origin, margin);
+    return collide_segment(local_segment(a), outline_of(b, b_in_a, origin), transform_point(t, b.centroid), origin, margin);
 }
 
 }  // namespace detail

@@ -5,238 +5,21 @@
 #include "../constraint/kernels.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
-#include "../graph/mixing.hpp"
+#include "../graph/joint_graph.hpp"
 #include "../island/height_order.hpp"
-#include "../math/inlining.hpp"
 #include "../math/lanes.hpp"
 #include "../math/scalar.hpp"
-#include "../solver/free_motion.hpp"
+#include "../solver/contact_names.hpp"
 #include "../solver/hits.hpp"
 #include "../solver/joint_solve.hpp"
 #include "../solver/ordered_sweep.hpp"
+#include "../solver/solver_bodies.hpp"
 #include "../solver/sweep_residual.hpp"
 #include "../solver/tree_solve.hpp"
 
 namespace islet::detail {
 
 namespace {
-
-/// The numbers of a solve: time, warm start and limits, and how each kind of sweep treats contacts and joints.
-struct SolveNumbers {
-    StepNumbers step;
-    SweepNumbers biased, ground, relaxed;  // `ground`: with bias, for contacts with bodies that cannot be pushed, which are stiffer
-    JointSweep biased_joints, relaxed_joints;
-    float tolerance = 0;  // m/s; 0: no sweep is left out
-    bool is_ordered = false;
-};
-
-/// What all batches of one solve share.
-struct Solve {
-    Core& core;
-    const Plan& plan;
-    SolveNumbers numbers;
-    SolverBody* bodies = nullptr;     // by slot
-    SolverMotion* motions = nullptr;  // by slot
-    std::byte* joint_rows = nullptr;
-    TreeLink* links = nullptr;
-    std::byte* blocks = nullptr;  // ContactRows of the core's lanes
-    ContactRows<1>* overflow = nullptr;
-    float* residuals = nullptr;  // m/s, by island; null if not wanted
-    Hit* hits = nullptr;         // by contact; null if not wanted
-};
-
-SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_speed, float h) {
-    const Softness soft = make_soft(hertz, damping_ratio, h);
-    SweepNumbers n;
-    n.inv_h = 1.0f / h;
-    n.bias_rate = soft.rate * soft.mass_scale;
-    n.mass_scale = soft.mass_scale;
-    n.impulse_scale = soft.impulse_scale;
-    n.push_speed = push_speed;
-    return n;
-}
-
-// Of the overlap of moving bodies under a steady load, the share that contacts undo slowly; and the shares of deep overlaps that they undo in a step.
-inline constexpr float load_share = 0.8f;
-inline constexpr float corner_share = 0.95f;
-inline constexpr float face_share = 0.55f;
-
-SolveNumbers choose_numbers(const State& state, float dt) {
-    SolveNumbers s;
-    const SolverState& def = state.solver;
-    StepNumbers& n = s.step;
-    n.dt = dt;
-    n.h = dt / static_cast<float>(def.substeps);
-    n.inv_h = 1.0f / n.h;
-    n.omega = def.omega;
-    // Impulses grow with the substep, so those of the last step are scaled to this substep's length. A last substep that was nothing beside this one says
-    // nothing about it.
-    n.warm = def.warm_start == 0 ? 0.0f : state.last_substep > 0 ? n.h / state.last_substep : 1.0f;
-    if (!(n.warm <= 1.0e6f)) n.warm = 0;
-    n.restitution_threshold = state.restitution_threshold;
-    n.max_speed = state.max_speed;
-    n.max_turn = max_turn_of(dt);
-    n.lightens = has_shock(def);
-
-    s.relaxed.inv_h = n.inv_h;
-    if (is_soft(def)) {
-        const float hertz = min(def.contact_hertz, 0.125f * n.inv_h);
-        s.biased = soft_sweep(hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
-        s.ground = soft_sweep(2.0f * hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
-        if (const float undone = s.biased.bias_rate * dt; undone > 1.0e-3f) {
-            n.give_back = load_share * n.omega * n.h * s.biased.impulse_scale / s.biased.bias_rate;
-            n.deep_corner = max(corner_share / undone - 1.0f, 0.0f);
-            n.deep_face = max(face_share / undone - 1.0f, 0.0f);
-        }
-        s.biased.impulse_scale *= n.omega;
-        s.ground.impulse_scale *= n.omega;
-        // Friction is solved in both sweeps. Solving it in the relaxing sweep alone, as Box2D 3.2 does, saves 3 % of large_pyramid's time, but the pile then
-        // still holds 6.4 J after 500 steps instead of 0.07 J.
-    } else {
-        s.biased.inv_h = n.inv_h;
-        s.biased.bias_rate = def.baumgarte * n.inv_h;
-        s.biased.push_speed = def.contact_push_speed;
-        s.biased.slop = linear_slop;
-        s.ground = s.biased;
-    }
-
-    s.is_ordered = is_ordered(state.solver);
-    s.tolerance = def.tolerance;
-
-    s.relaxed_joints.h = n.h;
-    s.relaxed_joints.inv_h = n.inv_h;
-    s.relaxed_joints.omega = n.omega;
-    s.biased_joints = s.relaxed_joints;
-    s.biased_joints.biased = true;
-    if (is_soft(def)) {
-        // Joints are as stiff as Gauss-Seidel bears. At 240 substeps a second, the largest gap of joint_grid is 0.33 m at 60 Hz, 0.22 m at 75 Hz and 0.16 m
-        // at 90 Hz. But from 65 Hz on, figures that stand on jointed legs no longer come to rest (3e-6 m/s at 60 Hz, 1e-3 m/s at 65 Hz, 0.1 m/s at 75 Hz),
-        // and at 120 Hz nets and chains under load swing up by themselves. With a rigid bias they do so however weak it is.
-        s.biased_joints.tree_rate = n.inv_h;
-        s.biased_joints.soft = make_soft(min(def.joint_hertz, 0.25f * n.inv_h), def.joint_damping_ratio, n.h);
-    } else {
-        s.biased_joints.soft.rate = s.biased_joints.tree_rate = def.baumgarte * n.inv_h;
-    }
-    return s;
-}
-
-void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
-    Core& core = s.core;
-    const float h = s.numbers.step.h;
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        const std::uint32_t i = s.plan.body_of[slot];
-        const Pose& pose = core.poses[i];
-        const Motion& motion = core.motions[i];
-        SolverBody& b = s.bodies[slot];
-        // Adding +0 turns -0 into +0. After that no sum in the solve is ever -0, so a lane that adds nothing changes no bit.
-        b.v = {motion.v.x + 0.0f, motion.v.y + 0.0f};
-        b.w = motion.w + 0.0f;
-        b.inv_mass = pose.inv_mass;
-        b.warm_v = {0, 0};
-        b.warm_w = 0;
-        const float lightness = has_tuning && s.plan.lightness != nullptr ? s.plan.lightness[i] : 1.0f;
-        b.inv_mass *= lightness;
-        b.inv_inertia = stiffened(lightness * pose.inv_inertia, core.bodies[i].stretch);
-        gather_motion(s.motions[slot], core, i, h);
-        core.bodies[i].stretch = 0;  // the joints' forces of this step give the next step's
-    }
-}
-
-// v <- factor (v + a) + warm start. Within a step anchors and normals do not change. So the warm start of a later substep, M^-1 J^T lambda summed over a body's
-// rows, is what the sweeps of the substep before added to the body's velocity, v - v_free: one addition a body instead of a pass over all rows.
-void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot, bool first) {
-    const float max_speed = s.numbers.step.max_speed;
-    const float max_turn = s.numbers.step.max_turn;
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        SolverBody& b = s.bodies[slot];
-        SolverMotion& m = s.motions[slot];
-        Vec2 dv = b.v - m.v_free;
-        float dw = b.w - m.w_free;
-        if (first) {
-            dv = b.warm_v;
-            dw = b.warm_w;
-            b.dp = {0, 0};
-            b.dq = 0;
-        }
-        const Vec2 v = free_velocity(m, b.v, max_speed);
-        const float w = free_turn(m, b.w, max_turn);
-        m.v_free = v;
-        m.w_free = w;
-        b.v = v + dv;
-        b.w = w + dw;
-    }
-}
-
-void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
-    const float h = s.numbers.step.h;
-    const float max_speed = s.numbers.step.max_speed;
-    const float max_turn = s.numbers.step.max_turn;
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        SolverBody& b = s.bodies[slot];
-        if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
-        b.w = within(b.w, max_turn);
-        b.dp += h * b.v;
-        b.dq += h * b.w;
-    }
-}
-
-// A lock is a row like any other, v . axis = 0, solved last in each sweep. (Later warm starts hold its impulses of the substeps before.)
-void hold_locked(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        const Body& body = s.core.bodies[s.plan.body_of[slot]];
-        if (body.type() != BodyType::dynamic) continue;
-        if ((body.flags & body_lock_x) != 0) s.bodies[slot].v.x = 0;
-        if ((body.flags & body_lock_y) != 0) s.bodies[slot].v.y = 0;
-    }
-}
-
-void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
-    const float max_turn = 0.5f * pi;
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        const std::uint32_t i = s.plan.body_of[slot];
-        SolverBody& b = s.bodies[slot];
-        b.dq = within_bounds(b.dq, max_turn);
-        Pose& pose = s.core.poses[i];
-        Motion& motion = s.core.motions[i];
-        motion.v = limit_speed(b.v, s.numbers.step.max_speed);
-        motion.w = within(b.w, s.numbers.step.max_turn);
-        motion.force = {0, 0};
-        motion.torque = 0;
-        pose.center = max(min(pose.center + b.dp, Vec2{max_position, max_position}), Vec2{-max_position, -max_position});
-        if (b.dq != 0) pose.q = integrate(pose.q, b.dq);
-    }
-}
-
-// Fills in the contacts of each block, and the materials of those that are special or bouncy.
-template <std::uint32_t W>
-void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, const std::uint32_t* contacts) {
-    for (std::uint32_t block = 0; block < count; ++block) {
-        ContactRows<W>& r = rows[block];
-        std::uint32_t any = 0;
-        for (std::uint32_t i = 0; i < W; ++i) {
-            const std::uint32_t c = contacts[block * W + i];
-            const std::uint32_t soon = block + 1 < count ? contacts[(block + 1) * W + i] : null_index;
-            if (W > 1 && soon != null_index) {  // the next block's contacts may be anywhere in memory
-                __builtin_prefetch(&core.manifolds[soon].flags);
-                __builtin_prefetch(&core.contacts[soon]);
-            }
-            r.contact[i] = c;
-            if (c != null_index) any |= core.manifolds[c].flags;
-        }
-        if ((any & (contact_special | contact_bouncy | contact_hits)) == 0) continue;
-        for (std::uint32_t i = 0; i < W; ++i) {
-            // A contact's own flags decide, whatever the other contacts of the block have, and whatever its shapes would mix to now.
-            const std::uint32_t c = r.contact[i];
-            const bool is_live = W == 1 || c != null_index;
-            const std::uint32_t own = W == 1 ? any : is_live ? core.manifolds[c].flags : 0;
-            const MixedSurface surface = is_live ? surface_of(core, c) : MixedSurface{};
-            const bool special = W == 1 || (own & contact_special) != 0;  // a block of one contact is read only if it is special
-            r.restitution[i] = (own & contact_bouncy) != 0 ? surface.restitution : 0;
-            r.rolling_resistance[i] = special ? surface.rolling_resistance : 0;
-            r.tangent_speed[i] = special ? surface.tangent_speed : 0;
-        }
-    }
-}
 
 inline constexpr std::uint32_t wide_contacts = 4096;  // a batch with so many contacts and joints is solved by all workers together
 inline constexpr std::uint32_t contact_grain = 192;   // contacts of a colour, joints of a run, and bodies that are worth a task
@@ -403,20 +186,11 @@ void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
     const std::size_t block_bytes = joint_run_bytes_of(block, lanes);
     for (std::uint32_t i = 0; i < r.blocks; ++i) {
         Trial trial(s.joint_rows + r.offset + i * block_bytes, block_bytes);
-        const auto add = [&](const Joint& j) {
-            trial.add(j.body_a == null_index ? 0 : s.plan.slot_of[j.body_a]);
-            trial.add(s.plan.slot_of[j.body_b]);
-        };
         for (std::uint32_t lane = 0; lane < lanes; ++lane) {
             const std::uint32_t joint = s.plan.joints[r.first + i * lanes + lane];
             if (joint == null_index) continue;
-            const Joint& j = s.core.joints[joint];
-            if (r.kernel == JointKernel::gear) {
-                add(s.core.joints[j.joint1]);
-                add(s.core.joints[j.joint2]);
-            } else {
-                add(j);
-            }
+            for (const std::uint32_t body : bodies_of(s.core, s.core.joints[joint]).body)
+                if (body != null_index) trial.add(s.plan.slot_of[body]);
         }
         begin_trial(trial, s.bodies);
         solve_joint_run(block, lanes, s.bodies, trial.rows, joints);

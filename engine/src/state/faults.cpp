@@ -100,7 +100,7 @@ auto* slots_of(const Core& c) {
 template <class Array, class = void>
 constexpr bool has_generation = false;
 template <class Array>
-constexpr bool has_generation<Array, decltype(void(Array{}->generation))> = true;
+constexpr bool has_generation<Array, decltype(void(Array {} -> generation))> = true;
 
 const char* fault_in_pools(const Core& c, Arena scratch) {
     const State& s = *c.state;

@@ -9,7 +9,7 @@
 // A contact along a covered side is made anew: along that uncovered face of S in which D is least deep. If D is clear of that face there is no contact, since
 // the neighbour alone holds D.
 //
-// A line (a segment, a capsule, a link of a chain) has no sides, but its ends are met like corners. It counts as a box behind that face of it which looks at D;
+// A line (a segment, a capsule, a segment of a chain) has no sides, but its ends are met like corners. It counts as a box behind that face of it which looks at D;
 // so lines laid end to end, or flush beside a box, are a floor like any other.
 //
 // (Bullet, Jolt and bepuphysics2 correct the inner edges of triangle meshes in similar ways. Here there is no mesh: the neighbours are the shapes that the body
@@ -107,11 +107,11 @@ struct Floor {
     void for_each_neighbor(Visit&& visit) const {
         const std::uint32_t body = core.shapes[shape].body;
         for_each_contact(core, other, [&](std::uint32_t contact, std::uint32_t end) {
-            const Contact& link = core.contacts[contact];
-            const std::uint32_t neighbor = end == 0 ? link.shape_b : link.shape_a;
+            const Contact& record = core.contacts[contact];
+            const std::uint32_t neighbor = end == 0 ? record.shape_b : record.shape_a;
             const std::uint32_t its_body = core.shapes[neighbor].body;
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
-            const std::uint32_t flags = core.shapes[link.shape_a].flags | core.shapes[link.shape_b].flags;
+            const std::uint32_t flags = core.shapes[record.shape_a].flags | core.shapes[record.shape_b].flags;
             if (neighbor == shape || !fixed || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
             const Outline its = piece_of(geometry_at(core, neighbor), inv_mul(frame, body_transform(core, its_body)), middle, behind_line, end_reach);
             if (its.count != 0) visit(its);

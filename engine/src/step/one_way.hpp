@@ -8,9 +8,9 @@
 //     dropped   passes until the two part or it is above by more than a slop: the pre_solve hook said no to a contact that would have held
 #pragma once
 
-#include "../shapes/shape_types.hpp"
 #include "../collide/manifold.hpp"
 #include "../data/core.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 

@@ -28,11 +28,6 @@ void set_lock(Core& core, BodyId id, std::uint32_t flag, bool lock) {
     wake_island(core, i, core.arena());
 }
 
-bool flag_of(const Core& core, BodyId id, std::uint32_t flag) {
-    const std::uint32_t i = find_slot(core, id);
-    return i != null_index && (core.bodies[i].flags & flag) != 0;
-}
-
 void disable(Core& core, std::uint32_t i) {
     wake_island(core, i, core.arena());
     end_contacts(core, i);
@@ -58,9 +53,9 @@ void enable(Core& core, std::uint32_t i) {
 
 }  // namespace
 
-bool World::is_x_locked(BodyId id) const { return flag_of(core(), id, body_lock_x); }
-bool World::is_y_locked(BodyId id) const { return flag_of(core(), id, body_lock_y); }
-bool World::is_rotation_fixed(BodyId id) const { return flag_of(core(), id, body_fixed_rotation); }
+bool World::is_x_locked(BodyId id) const { ISLET_READ((c.bodies[i].flags & body_lock_x) != 0); }
+bool World::is_y_locked(BodyId id) const { ISLET_READ((c.bodies[i].flags & body_lock_y) != 0); }
+bool World::is_rotation_fixed(BodyId id) const { ISLET_READ((c.bodies[i].flags & body_fixed_rotation) != 0); }
 void World::lock_x(BodyId id, bool lock) {
     note_call<Call::lock_x>(core(), id, lock);
     set_lock(core(), id, body_lock_x, lock);

@@ -1,4 +1,4 @@
-// Making chains. A program that makes none does not link this file, nor the functions with which chains collide (link_chains).
+// Making chains. A program that makes none does not link this file, nor the functions with which chains collide (shapes/chain_segment.cpp).
 #include "../exact.hpp"
 
 #include "../bodies/geometry_pool.hpp"

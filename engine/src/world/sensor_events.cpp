@@ -20,9 +20,9 @@ std::uint32_t World::sensor_overlaps(ShapeId id, span<ShapeId> out) const {
     if (i == null_index || !check(c, detail::is_sensor(c, i), Error::not_a_sensor)) return 0;
     std::uint32_t n = 0;
     for_each_contact(c, c.shapes[i].body, [&](std::uint32_t contact, std::uint32_t) {
-        const Contact& link = c.contacts[contact];
-        if ((link.shape_a != i && link.shape_b != i) || (c.manifolds[contact].flags & contact_overlap) == 0) return;
-        if (n < out.size()) out[n] = c.shape_id(link.shape_a == i ? link.shape_b : link.shape_a);
+        const Contact& of = c.contacts[contact];
+        if ((of.shape_a != i && of.shape_b != i) || (c.manifolds[contact].flags & contact_overlap) == 0) return;
+        if (n < out.size()) out[n] = c.shape_id(of.shape_a == i ? of.shape_b : of.shape_a);
         ++n;
     });
     return n;

@@ -59,11 +59,6 @@ void set_flag(Core& core, ShapeId id, std::uint32_t flag, bool on) {
     for_each_contact(core, s.body, [&](std::uint32_t contact, std::uint32_t) { mix_materials(core, contact); });
 }
 
-bool flag_of(const Core& core, ShapeId id, std::uint32_t flag) {
-    const std::uint32_t i = find_slot(core, id);
-    return i != null_index && (core.shapes[i].flags & flag) != 0;
-}
-
 }  // namespace
 
 #define ISLET_SET(name, Type, feature, kind, linked) ISLET_SET_##linked(name, Type)
@@ -104,7 +99,7 @@ void World::set_material(ShapeId id, const SurfaceMaterial& m) {
     remix(c, i);
 }
 
-bool World::is_sensor(ShapeId id) const { return flag_of(core(), id, shape_sensor); }
+bool World::is_sensor(ShapeId id) const { ISLET_READ((c.shapes[i].flags & shape_sensor) != 0); }
 
 void World::set_sensor(ShapeId id, bool sensor) {
     const auto [c, i] = begin_call<Call::set_sensor>(core(), id, sensor);
@@ -117,8 +112,8 @@ void World::set_sensor(ShapeId id, bool sensor) {
     mark_moved(c, i);
 }
 
-bool World::hit_events_enabled(ShapeId id) const { return flag_of(core(), id, shape_hit_events); }
-bool World::pre_solve_enabled(ShapeId id) const { return flag_of(core(), id, shape_pre_solve); }
+bool World::hit_events_enabled(ShapeId id) const { ISLET_READ((c.shapes[i].flags & shape_hit_events) != 0); }
+bool World::pre_solve_enabled(ShapeId id) const { ISLET_READ((c.shapes[i].flags & shape_pre_solve) != 0); }
 bool World::sensor_events_enabled(ShapeId id) const { ISLET_READ((c.shapes[i].flags & shape_unseen) == 0); }
 
 void World::enable_hit_events(ShapeId id, bool enable) {

@@ -74,7 +74,7 @@ void remix(Core& core, std::uint32_t shape, std::uint32_t forget) {
 
 namespace {
 
-void link_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32_t geometry, const ShapeDef& def) {
+void list_shape(Core& core, std::uint32_t body, std::uint32_t index, std::uint32_t geometry, const ShapeDef& def) {
     Shape& s = core.shapes[index];
     Body& b = core.bodies[body];
     clear_slot(s);
@@ -124,7 +124,7 @@ std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& g, const
     const std::uint32_t geometry = share_geometry(core, g);
     if (!check(core, geometry != null_index, Error::geometries_full)) return null_index;
     const std::uint32_t index = pool_take(core.state->shape_pool, core.shapes, core.capacity.shapes);
-    link_shape(core, body, index, geometry, def);
+    list_shape(core, body, index, geometry, def);
     return index;
 }
 

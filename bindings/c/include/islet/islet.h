@@ -334,7 +334,7 @@ enum {
     ISLET_SENSE_KIND_JOINT = 4,
     /// 1 column: 1 if a shape of the body touches another, else 0
     ISLET_SENSE_KIND_TOUCHING = 5,
-    /// 1 column: how far a ray that the body carries goes before it meets a shape of another body, as a fraction of it; 1 if it meets none
+    /// 1 column: the fraction of a ray, fixed to the body, at which it meets a shape of another body; 1 if it meets none
     ISLET_SENSE_KIND_RAY = 6,
 };
 
@@ -1212,7 +1212,7 @@ typedef struct IsletJointBreakEvent {
 typedef struct IsletFieldFault {
     /// not_finite, out_of_range or feature_cut; none if all fields keep their rules
     IsletError error;
-    /// its name, with the structs it stands in: "limit.lower", "solver.substeps"; null if there is none
+    /// its name, after those of the structs that hold it: "limit.lower", "solver.substeps"; null if there is none
     const char* field;
 } IsletFieldFault;
 
@@ -1316,7 +1316,7 @@ typedef struct IsletSense {
     IsletQueryFilter filter;
 } IsletSense;
 
-/// A random change of one body of a world, by which starts differ: each number is the half width of a range around 0, >= 0.
+/// A random change of one body, so that starts differ. Each number is half the width of a range around 0, >= 0.
 typedef struct IsletVariation {
     IsletBodyId body;
     /// m

@@ -1,4 +1,4 @@
-// Sorting few or many items by a 32-bit key. Items with equal keys stay in order.
+// Sorting in place, and sorting few or many items by a 32-bit key, for which items with equal keys stay in order.
 #pragma once
 
 #include <cstdint>
@@ -8,25 +8,27 @@
 
 namespace islet::detail {
 
+/// Sorts in ascending order, in place: by insertion, after coarser passes over items that are far apart (Shell 1959, with Knuth's gaps). Best for few items.
+/// Equal items end in some order, always the same one.
+template <class Item, class Less>
+void sort_by_gaps(Item* items, std::uint32_t count, Less&& less) {
+    std::uint32_t gap = 1;
+    while (gap < count / 9) gap = 3 * gap + 1;
+    for (; gap > 0; gap /= 3) {
+        for (std::uint32_t i = gap; i < count; ++i) {
+            const Item item = items[i];
+            std::uint32_t to = i;
+            for (; to >= gap && less(item, items[to - gap]); to -= gap) items[to] = items[to - gap];
+            items[to] = item;
+        }
+    }
+}
+
 /// A key, and below it the item's number. All are different, so every sort gives the same order.
 using KeyedItem = std::uint64_t;
 
 constexpr KeyedItem keyed(std::uint32_t key, std::uint32_t number) { return KeyedItem{key} << 32 | number; }
 constexpr std::uint32_t number_of(KeyedItem item) { return static_cast<std::uint32_t>(item); }
-
-/// Sorts in place: by insertion, after coarser passes over items that are far apart (Shell 1959, with Knuth's gaps). Best for few items.
-inline void sort_by_gaps(KeyedItem* items, std::uint32_t count) {
-    std::uint32_t gap = 1;
-    while (gap < count / 9) gap = 3 * gap + 1;
-    for (; gap > 0; gap /= 3) {
-        for (std::uint32_t i = gap; i < count; ++i) {
-            const KeyedItem item = items[i];
-            std::uint32_t to = i;
-            for (; to >= gap && items[to - gap] > item; to -= gap) items[to] = items[to - gap];
-            items[to] = item;
-        }
-    }
-}
 
 /// A least-significant-digit radix sort, whose cost is fixed. The items must stand in the order of their numbers. Returns where they are sorted: `items` or
 /// `spare`. `counts` has room for sort_digits numbers.
@@ -64,7 +66,7 @@ inline KeyedItem* sort_by_key(KeyedItem* items, [[maybe_unused]] KeyedItem* spar
         if (count >= many_items) return sort_by_digits<11>(items, spare, count, counts);
         if (count > few_items) return sort_by_digits<8>(items, spare, count, counts);
     }
-    sort_by_gaps(items, count);
+    sort_by_gaps(items, count, [](KeyedItem a, KeyedItem b) { return a < b; });
     return items;
 }
 

@@ -1,0 +1,28 @@
+// What all batches of one solve share.
+#pragma once
+
+#include "../constraint/contact_rows.hpp"
+#include "../constraint/solver_body.hpp"
+#include "../data/core.hpp"
+#include "../island/batches.hpp"
+#include "../solver/hits.hpp"
+#include "../solver/solve_numbers.hpp"
+#include "../solver/tree_solve.hpp"
+
+namespace islet::detail {
+
+struct Solve {
+    Core& core;
+    const Plan& plan;
+    SolveNumbers numbers;
+    SolverBody* bodies = nullptr;     // by slot
+    SolverMotion* motions = nullptr;  // by slot
+    std::byte* joint_rows = nullptr;
+    TreeLink* links = nullptr;
+    std::byte* blocks = nullptr;  // ContactRows of the core's lanes
+    ContactRows<1>* overflow = nullptr;
+    float* residuals = nullptr;  // m/s, by island; null if not wanted
+    Hit* hits = nullptr;         // by contact; null if not wanted
+};
+
+}  // namespace islet::detail
