@@ -1,12 +1,16 @@
 #include "thread_pool.hpp"
 
-#include <chrono>
+#if defined(__linux__)
+#include <pthread.h>
+#include <time.h>
+#endif
 
 namespace islet::samples {
 namespace {
 
 constexpr std::uint64_t closed = 0;                  // a share that belongs to no job
 constexpr std::chrono::microseconds spin_time{100};  // longer than the stages of a step that have nothing to share
+constexpr int rest_per_wait = 20;                    // a worker that held up the caller rests so many times as long
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -29,9 +33,30 @@ bool spin_until(Done&& done) {
     return false;
 }
 
+using Nanoseconds = std::chrono::nanoseconds;
+
+#if defined(__linux__)
+Nanoseconds read_clock(clockid_t clock) {
+    timespec time{};
+    if (clock_gettime(clock, &time) != 0) return Nanoseconds(-1);
+    return std::chrono::seconds(time.tv_sec) + Nanoseconds(time.tv_nsec);
+}
+
+/// How long a thread has been on a core until now; less than 0 if that cannot be known.
+Nanoseconds time_on_core(std::thread& thread) {
+    clockid_t clock{};
+    return pthread_getcpuclockid(thread.native_handle(), &clock) == 0 ? read_clock(clock) : Nanoseconds(-1);
+}
+Nanoseconds own_time_on_core() { return read_clock(CLOCK_THREAD_CPUTIME_ID); }
+#else
+// One thread cannot see whether another one runs.
+Nanoseconds time_on_core(std::thread&) { return Nanoseconds(-1); }
+Nanoseconds own_time_on_core() { return Nanoseconds(0); }
+#endif
+
 }  // namespace
 
-ThreadPool::ThreadPool(std::uint32_t workers) : workers_(workers > 1 ? workers : 1), shares_(std::make_unique<Share[]>(workers_)) {
+ThreadPool::ThreadPool(std::uint32_t workers) : workers_(workers > 1 ? workers : 1), shares_(std::make_unique<Share[]>(workers_)), rests_(workers_) {
     for (std::uint32_t i = 1; i < workers_; ++i) threads_.emplace_back([this, i] { work(i); });
 }
 
@@ -41,18 +66,18 @@ ThreadPool::~ThreadPool() {
         ends_ = true;
     }
     wake_.notify_all();
+    end_of_rest_.notify_all();
     for (std::thread& thread : threads_) thread.join();
 }
 
 TaskSystem ThreadPool::tasks() {
-    const auto parallel_for = [](void* pool, std::uint32_t count, Task task, void* data) {
-        static_cast<ThreadPool*>(pool)->parallel_for(count, task, data);
-    };
+    const auto parallel_for = [](void* pool, std::uint32_t count, Task task, void* data) { static_cast<ThreadPool*>(pool)->parallel_for(count, task, data); };
     return {parallel_for, this, workers_};
 }
 
 void ThreadPool::parallel_for(std::uint32_t count, Task task, void* data) {
-    if (workers_ == 1 || count <= 1) {
+    if (resting_ != 0) end_rests();
+    if (workers_ == 1 + resting_ || count <= 1) {
         for (std::uint32_t i = 0; i < count; ++i) task(data, i);
         return;
     }
@@ -71,11 +96,44 @@ void ThreadPool::parallel_for(std::uint32_t count, Task task, void* data) {
         wake_.notify_all();
     }
     take_tasks(job, 0);
+    wait_for_tasks();
+}
+
+// Waits until the tasks that other workers took have returned. A worker that had taken one and was on a core for less than half of a long wait has to rest.
+// (What counts is how long the caller was on a core itself while it waited.)
+void ThreadPool::wait_for_tasks() {
     const auto all_returned = [this] { return left_.load(std::memory_order_acquire) == 0; };
+    if (spin_until(all_returned)) return;
+    const Nanoseconds begin = own_time_on_core();
+    for (std::uint32_t i = 1; i < workers_; ++i) {
+        const bool works = shares_[i].works.load(std::memory_order_acquire) && !shares_[i].rests.load(std::memory_order_relaxed);
+        rests_[i].ran = works ? time_on_core(threads_[i - 1]) : Nanoseconds(-1);
+    }
     while (!spin_until(all_returned)) std::this_thread::yield();
+    const Nanoseconds waited = own_time_on_core() - begin;
+    for (std::uint32_t i = 1; i < workers_; ++i) {
+        if (rests_[i].ran.count() < 0 || 2 * (time_on_core(threads_[i - 1]) - rests_[i].ran) >= waited) continue;
+        rests_[i].end = std::chrono::steady_clock::now() + rest_per_wait * (waited + spin_time);
+        shares_[i].rests = true;
+        ++resting_;
+    }
+}
+
+void ThreadPool::end_rests() {
+    const auto now = std::chrono::steady_clock::now();
+    bool any = false;
+    for (std::uint32_t i = 1; i < workers_; ++i) {
+        if (!shares_[i].rests.load(std::memory_order_relaxed) || now < rests_[i].end) continue;
+        const std::lock_guard<std::mutex> lock(mutex_);
+        shares_[i].rests = false;
+        --resting_;
+        any = true;
+    }
+    if (any) end_of_rest_.notify_all();
 }
 
 void ThreadPool::take_tasks(std::uint32_t job, std::uint32_t worker) {
+    shares_[worker].works.store(true, std::memory_order_release);
     for (std::uint32_t k = 0; k < workers_; ++k) {
         const std::uint32_t share = (worker + k) % workers_;
         std::atomic<std::uint64_t>& taken = shares_[share].taken;
@@ -84,8 +142,7 @@ void ThreadPool::take_tasks(std::uint32_t job, std::uint32_t worker) {
             const std::uint64_t count = count_.load(std::memory_order_acquire);
             const Task task = task_.load(std::memory_order_acquire);
             void* const data = data_.load(std::memory_order_acquire);
-            const auto first = static_cast<std::uint32_t>(count * share / workers_),
-                       end = static_cast<std::uint32_t>(count * (share + 1) / workers_);
+            const auto first = static_cast<std::uint32_t>(count * share / workers_), end = static_cast<std::uint32_t>(count * (share + 1) / workers_);
             const std::uint32_t index = first + static_cast<std::uint32_t>(seen);
             if (index >= end) break;
             if (!taken.compare_exchange_weak(seen, seen + 1, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
@@ -94,22 +151,30 @@ void ThreadPool::take_tasks(std::uint32_t job, std::uint32_t worker) {
             seen = taken.load(std::memory_order_acquire);
         }
     }
+    shares_[worker].works.store(false, std::memory_order_release);
 }
 
-std::uint32_t ThreadPool::wait_for_job(std::uint32_t last) {
-    if (spin_until([&] { return job_.load(std::memory_order_acquire) != last || ends_.load(std::memory_order_relaxed); }))
-        return job_.load();
+std::uint32_t ThreadPool::wait_for_job(std::uint32_t last, std::uint32_t worker) {
+    const std::atomic<bool>& rests = shares_[worker].rests;
+    const auto is_called = [&] { return ends_.load() || (job_.load() != last && !rests.load()); };
+    if (spin_until(is_called)) return job_.load();
     std::unique_lock<std::mutex> lock(mutex_);
-    ++asleep_;
-    wake_.wait(lock, [&] { return job_.load() != last || ends_.load(); });
-    --asleep_;
+    while (!is_called()) {
+        if (rests) {
+            end_of_rest_.wait(lock);
+            continue;
+        }
+        ++asleep_;
+        if (!is_called()) wake_.wait(lock);  // asked again: the caller looks whether anybody sleeps after it has set the job
+        --asleep_;
+    }
     return job_.load();
 }
 
 void ThreadPool::work(std::uint32_t worker) {
     std::uint32_t job = 0;
     for (;;) {
-        job = wait_for_job(job);
+        job = wait_for_job(job, worker);
         if (ends_) return;
         take_tasks(job, worker);
     }

@@ -10,6 +10,11 @@
 
 #include "workers/thread_pool.hpp"
 
+#if defined(__linux__)
+#include <pthread.h>
+#include <time.h>
+#endif
+
 namespace {
 
 using islet::samples::ThreadPool;
@@ -81,6 +86,92 @@ TEST(ThreadPool, WhatTasksWroteIsSeenByTheCaller) {
         for (std::uint32_t i = 0; i < 100; ++i) ASSERT_EQ(written[i], i + 1);
     }
 }
+
+#if defined(__linux__)
+
+std::chrono::nanoseconds on_core() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+// A worker that sleeps in its tasks is to the pool like one that has lost its core. It holds up the caller for 2.5 ms and more of the caller's time on a core.
+struct Sleeper {
+    using Clock = std::chrono::steady_clock;
+    std::thread::id caller = std::this_thread::get_id();
+    clockid_t caller_clock = CLOCK_THREAD_CPUTIME_ID;
+    int naps = 0, too_soon = 0;
+    Clock::time_point last_end = Clock::now() - std::chrono::seconds(1);
+
+    Sleeper() { pthread_getcpuclockid(pthread_self(), &caller_clock); }
+    std::chrono::nanoseconds caller_on_core() const {
+        timespec time{};
+        clock_gettime(caller_clock, &time);
+        return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+    }
+    static void task(void* data, std::uint32_t) {
+        auto& sleeper = *static_cast<Sleeper*>(data);
+        const Clock::time_point begin = Clock::now();
+        if (std::this_thread::get_id() == sleeper.caller) {
+            while (Clock::now() < begin + std::chrono::microseconds(300)) {}  // long enough for the worker to take the other task
+            return;
+        }
+        ++sleeper.naps;
+        sleeper.too_soon += begin < sleeper.last_end + std::chrono::milliseconds(50) ? 1 : 0;
+        const std::chrono::nanoseconds held = sleeper.caller_on_core() + std::chrono::milliseconds(3);
+        for (std::chrono::milliseconds nap{2}; sleeper.caller_on_core() < held; nap *= 2) std::this_thread::sleep_for(nap);
+        sleeper.last_end = Clock::now();
+    }
+};
+
+TEST(ThreadPool, AWorkerThatDoesNotRunRestsTwentyTimesAsLongAsItHeldUpTheCaller) {
+    ThreadPool pool(2);
+    Sleeper sleeper;
+    for (int job = 0; job < 300 && sleeper.naps < 6; ++job) pool.parallel_for(2, Sleeper::task, &sleeper);
+    EXPECT_EQ(sleeper.too_soon, 0) << "of " << sleeper.naps;
+}
+
+TEST(ThreadPool, AWorkerThatRestedComesBack) {
+    ThreadPool pool(2);
+    Sleeper sleeper;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (sleeper.naps < 2 && std::chrono::steady_clock::now() < end) pool.parallel_for(2, Sleeper::task, &sleeper);
+    EXPECT_EQ(sleeper.naps, 2);
+}
+
+TEST(ThreadPool, AWorkerWhoseTaskIsLongIsNotLeftOut) {
+    struct Pair {
+        std::thread::id caller = std::this_thread::get_id();
+        std::atomic<int> begun{0};
+        bool waits_in_vain = false, lost_core = false;
+        static void task(void* data, std::uint32_t) {
+            auto& pair = *static_cast<Pair*>(data);
+            const auto begin = std::chrono::steady_clock::now();
+            const std::chrono::nanoseconds began = on_core();
+            ++pair.begun;
+            if (std::this_thread::get_id() == pair.caller) {  // the worker's task begins, and lasts longer
+                while (pair.begun < 2 && !pair.waits_in_vain) {
+                    std::this_thread::yield();
+                    pair.waits_in_vain = on_core() > began + std::chrono::milliseconds(20);
+                }
+                return;
+            }
+            while (std::chrono::steady_clock::now() < begin + std::chrono::milliseconds(5)) {}
+            pair.lost_core = 10 * (on_core() - began) < 9 * (std::chrono::steady_clock::now() - begin);
+        }
+    };
+    ThreadPool pool(2);
+    int alone = 0;
+    for (int job = 0; job < 10; ++job) {
+        Pair pair;
+        pool.parallel_for(2, Pair::task, &pair);
+        alone += pair.waits_in_vain ? 1 : 0;
+        if (pair.lost_core) return;  // to another program: then the worker may rest
+    }
+    EXPECT_LE(alone, 5);  // a worker that rested after each task of 5 ms would be there for one job in six
+}
+
+#endif
 
 TEST(ThreadPool, EndsWhetherItWasUsedOrNot) {
     for (int i = 0; i < 50; ++i) {

@@ -35,6 +35,7 @@
 #include "svg.hpp"
 #include "sweep.hpp"
 #include "sweep_cluster.hpp"
+#include "worker_span.hpp"
 
 namespace {
 
@@ -61,9 +62,10 @@ struct ReplayCommand {
 struct BenchCommand {
     std::vector<std::string> scenes, engines;
     BenchOptions options;
-    bool json = false, quick = false, small = false;
-    std::string small_world;  // the one to step, for valgrind
-    std::uint32_t lanes = 0;  // of that one
+    bool json = false, quick = false, small = false, span = false;
+    bool has_workers = false;  // numbers of workers were given
+    std::string small_world;   // the one to step, for valgrind
+    std::uint32_t lanes = 0;   // of that one
 };
 
 struct SteadyCommand {
@@ -269,6 +271,31 @@ int run_small_bench(const BenchCommand& command) {
     return ok;
 }
 
+int run_span_bench(const BenchCommand& command, const BenchOptions& bench) {
+    SpanOptions options;
+    options.scenes = bench.scenes;
+    options.steps = bench.steps;
+    options.most_steps = bench.most_steps;
+    options.repeat = bench.repeat;
+    if (command.has_workers) options.workers = bench.workers;
+    std::optional<ProgressBar> bar;
+    const auto stepped = [&bar](int done, int total) {
+        if (!bar) bar.emplace(total, "step", 10);
+        bar->update(done);
+    };
+    bool any = false;
+    const std::vector<SpanResult> results = measure_span(options, stepped, [&](const SpanResult& result) {
+        if (command.json) return;
+        if (bar) bar->clear();
+        fmt::print("{}{}", any ? "\n" : "", span_table(result));
+        std::fflush(stdout);
+        any = true;
+    });
+    if (bar) bar->clear();
+    if (command.json) fmt::print("{}", json_of(results));
+    return ok;
+}
+
 int run_bench(const BenchCommand& command) {
     if (command.small || !command.small_world.empty()) return run_small_bench(command);
     BenchOptions options = command.options;
@@ -293,6 +320,7 @@ int run_bench(const BenchCommand& command) {
         options.repeat = 1;
         options.most_steps = quick_steps;
     }
+    if (command.span) return run_span_bench(command, options);
     if (const double seconds = estimate_seconds(options); seconds >= 5)
         fmt::print(stderr, "islet: this takes about {}; Ctrl-C ends it and prints what there is{}\n", duration(seconds), command.quick ? "" : ", --quick gives a first impression");
 
@@ -495,14 +523,22 @@ struct CommandLine {
         // The bounds keep the number of all steps below 2^31.
         BenchOptions& b = bench_command.options;
         bench->add_option("scene", bench_command.scenes, "names of scenes; the group benchmark if none is given");
-        bench->add_option("--engine", bench_command.engines, "an engine to time, once or more; all there are if not given");
+        CLI::Option* const engine = bench->add_option("--engine", bench_command.engines, "an engine to time, once or more; all there are if not given");
         bench->add_option("--workers", b.workers, "threads for Islet to step with; several numbers (1,2,4) are timed beside each other")
             ->delimiter(',')
-            ->check(CLI::Range(1u, islet::max_workers));
+            ->check(CLI::Range(1u, islet::max_workers))
+            ->each([this](const std::string&) { bench_command.has_workers = true; });
         CLI::Option* const quick = bench->add_flag("--quick", bench_command.quick, fmt::format("one run of at most {} steps: a first impression", quick_steps));
         bench->add_option("--repeat", b.repeat, "runs of each engine, of which the medians are taken")->check(CLI::Range(1, 100))->excludes(quick);
         bench->add_option("--steps", b.steps, "steps of a run; the scene's own if not given")->check(CLI::Range(1, 100'000))->excludes(quick);
-        bench->add_flag("--small", bench_command.small, "small worlds in Islet alone: the instructions that a step takes, counted by valgrind")->excludes(quick);
+        CLI::Option* const small =
+            bench->add_flag("--small", bench_command.small, "small worlds in Islet alone: the instructions that a step takes, counted by valgrind")
+                ->excludes(quick);
+        bench
+            ->add_flag("--span", bench_command.span,
+                       "what each stage of a step would take with 2, 4, 8 and 16 workers: their tasks, one after another, in Islet alone")
+            ->excludes(small)
+            ->excludes(engine);
         std::vector<std::string> worlds;
         for (const SmallWorld& world : small_worlds()) worlds.emplace_back(world.name);
         bench->add_option("--small-world", bench_command.small_world, "step this small world and print nothing")->check(CLI::IsMember(worlds))->group("");

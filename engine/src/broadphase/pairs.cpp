@@ -32,31 +32,44 @@ void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, [[maybe_
     if (!create_contact(core, shape_1, shape_2)) ++core.report.dropped_contacts;
 }
 
-// Most pairs found already have a contact. Looking them up some at a time hides the time in which the set of pairs comes from memory. On processors without
-// vectors, which have hardly a cache either, pairs are looked up one by one.
-struct PairBuffer {
-    static constexpr std::uint32_t size = max_lanes > 1 ? 64 : 1;
+/// Makes the contacts of pairs that have none.
+struct ContactMaker {
+    static constexpr bool looks_up = true;  // whether there is a contact already
     Core& core;
     float dt;
+    void add(std::uint32_t shape_1, std::uint32_t shape_2) { add_pair(core, shape_1, shape_2, dt); }
+    bool is_over() const { return detail::is_over(core); }
+};
+
+// Most pairs found already have a contact. Looking them up some at a time hides the time in which the set of pairs comes from memory. On processors without
+// vectors, which have hardly a cache either, pairs are looked up one by one. The others go to `sink`.
+template <class Sink>
+struct PairBuffer {
+    static constexpr std::uint32_t size = max_lanes > 1 ? 64 : 1;
+    Sink sink;
     std::uint32_t count = 0;
     std::uint64_t keys[size];
     std::uint32_t pairs[size][2];
 
-    PairBuffer(Core& of, float time) : core(of), dt(time) {}  // clears no room
+    explicit PairBuffer(const Sink& to) : sink(to) {}  // clears no room
 
     void push(std::uint32_t shape_1, std::uint32_t shape_2) {
-        if constexpr (size == 1) return add_pair(core, shape_1, shape_2, dt);
+        if constexpr (size == 1) {
+            if (Sink::looks_up || !sink.core.pairs.contains(PairSet::key(shape_1, shape_2))) sink.add(shape_1, shape_2);
+            return;
+        }
         keys[count] = PairSet::key(shape_1, shape_2);
-        core.pairs.prefetch(keys[count]);
+        sink.core.pairs.prefetch(keys[count]);
         pairs[count][0] = shape_1;
         pairs[count][1] = shape_2;
         if (++count == size) flush();
     }
     void flush() {
         for (std::uint32_t i = 0; i < count; ++i)
-            if (!core.pairs.contains(keys[i])) add_pair(core, pairs[i][0], pairs[i][1], dt);
+            if (!sink.core.pairs.contains(keys[i])) sink.add(pairs[i][0], pairs[i][1]);
         count = 0;
     }
+    bool is_over() const { return sink.is_over(); }
 };
 
 Columns take_columns(Arena& arena, std::uint32_t n) {
@@ -67,14 +80,17 @@ Columns take_columns(Arena& arena, std::uint32_t n) {
     return c;
 }
 
-void push_box(Columns& c, float lower, float upper, float lower2, float upper2, std::uint32_t shape, std::uint32_t place) {
-    const std::uint32_t i = c.count++;
+void set_box(Columns& c, std::uint32_t i, float lower, float upper, float lower2, float upper2, std::uint32_t shape, std::uint32_t place) {
     c.lower[i] = lower;
     c.upper[i] = upper;
     c.lower2[i] = lower2;
     c.upper2[i] = upper2;
     c.shape[i] = shape;
     c.place[i] = place;
+}
+
+void push_box(Columns& c, float lower, float upper, float lower2, float upper2, std::uint32_t shape, std::uint32_t place) {
+    set_box(c, c.count++, lower, upper, lower2, upper2, shape, place);
 }
 
 void close_columns(Columns& c) {
@@ -203,6 +219,8 @@ bool find_near_changed(const Core& core, float dt, BitSet bodies) {
     return true;
 }
 
+inline constexpr std::uint32_t box_grain = 512;  // boxes that are worth a task
+
 Moving sorted_columns(Core& core, Arena& arena, float dt) {
     const std::uint32_t room = core.state->shape_pool.count;
     MovingShape* shapes = arena.take<MovingShape>(room);
@@ -227,21 +245,28 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     KeyedItem* keys = arena.take<KeyedItem>(n);
     KeyedItem* spare = sorts_by_digits ? arena.take<KeyedItem>(n) : nullptr;
     std::uint32_t* counts = sorts_by_digits ? arena.take<std::uint32_t>(sort_digits) : nullptr;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const Aabb box = box_along_way(core, shapes[i]);
-        keys[i] = keyed(sort_key(along_x ? box.lower.x : box.lower.y), i);
-    }
+    for_ranges(core, n, box_grain, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+            const Aabb box = box_along_way(core, shapes[i]);
+            keys[i] = keyed(sort_key(along_x ? box.lower.x : box.lower.y), i);
+        }
+    });
     const KeyedItem* sorted = sort_by_key(keys, spare, n, counts);
 
     Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, along_x, dt, fall_in(core, dt)};
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const MovingShape& moving_shape = shapes[number_of(sorted[i])];
-        const Aabb box = box_along_way(core, moving_shape);
-        const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
-        const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
-        push_box(c.all, x.x, x.y, y.x, y.y, moving_shape.shape, i);
-        if (core.moved_shapes.test(moving_shape.shape)) push_box(c.moved, x.x, x.y, y.x, y.y, moving_shape.shape, i);
-    }
+    for_ranges(core, n, box_grain, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+            const MovingShape& moving_shape = shapes[number_of(sorted[i])];
+            const Aabb box = box_along_way(core, moving_shape);
+            const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
+            const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
+            set_box(c.all, i, x.x, x.y, y.x, y.y, moving_shape.shape, i);
+            if (!has_threads && core.moved_shapes.test(moving_shape.shape)) push_box(c.moved, x.x, x.y, y.x, y.y, moving_shape.shape, i);
+        }
+    });
+    c.all.count = n;
+    for (std::uint32_t i = 0; has_threads && i < n; ++i)
+        if (core.moved_shapes.test(c.all.shape[i])) push_box(c.moved, c.all.lower[i], c.all.upper[i], c.all.lower2[i], c.all.upper2[i], c.all.shape[i], i);
     close_columns(c.all);
     close_columns(c.moved);
     return c;
@@ -266,16 +291,32 @@ template <class Visit>
 #endif
 }
 
-// Finds the pairs in which a box changed. A box that changed is compared with all boxes that begin after it, any other box with the changed boxes that do.
-void scan_all(PairBuffer& out, const Scan& how, const Moving& m) {
+// The pairs in which a box changed: a box that changed is compared with all boxes that begin after it, any other box with the changed boxes that do. The first
+// function takes changed boxes [begin, end), the second one boxes [begin, end).
+template <class Out>
+void scan_changed(Out& out, const Scan& how, const Moving& m, std::uint32_t begin, std::uint32_t end) {
     const Columns& all = m.all;
     const Columns& moved = m.moved;
-    for (std::uint32_t i = 0; i < moved.count && !is_over(out.core); ++i)
+    for (std::uint32_t i = begin; i < end && !out.is_over(); ++i)
         scan(how, all, moved.place[i] + 1, moved, i, [&](std::uint32_t j) {
             if (m.may_meet(moved.place[i], j)) out.push(moved.shape[i], all.shape[j]);
         });
+}
+
+template <class Out>
+void scan_others(Out& out, const Scan& how, const Moving& m, std::uint32_t begin, std::uint32_t end) {
+    const Columns& all = m.all;
+    const Columns& moved = m.moved;
     std::uint32_t first = 0;  // of the changed boxes behind box i
-    for (std::uint32_t i = 0; i < all.count && !is_over(out.core); ++i) {
+    for (std::uint32_t above = begin == 0 ? 0 : moved.count; first < above;) {
+        const std::uint32_t middle = first + (above - first) / 2;
+        if (moved.place[middle] < begin) {
+            first = middle + 1;
+        } else {
+            above = middle;
+        }
+    }
+    for (std::uint32_t i = begin; i < end && !out.is_over(); ++i) {
         while (first < moved.count && moved.place[first] < i) ++first;
         if (first == moved.count) break;
         if (moved.place[first] == i) continue;
@@ -322,25 +363,115 @@ bool stays_alone(const Core& core, std::uint32_t body, float dt) {
     return (pose.flags & pose_alone) != 0 && reach <= pose.max_extent + surroundings(pose);
 }
 
+// The pairs of changed boxes [begin, end) with shapes at rest.
+template <class Out>
+void query_tree(Out& out, const Moving& m, const Tree& tree, std::uint32_t begin, std::uint32_t end) {
+    const Core& core = out.sink.core;
+    for (std::uint32_t i = begin; i < end && !out.is_over(); ++i) {
+        const std::uint32_t shape = m.moved.shape[i];
+        const MovingShape& moving_shape = m.shapes[number_of(m.order[m.moved.place[i]])];
+        const Aabb box = m.box(i);
+        if (is_clear(core.poses[moving_shape.body], box)) continue;
+        tree_query(tree, box, [&](std::uint32_t other) {
+            if (!moving_shape.leaves || meet(moving_shape.box, core.boxes[other]) ||
+                may_meet_on(core.boxes[other], {}, moving_shape.box, moving_shape.way, m.fall))
+                out.push(shape, other);
+        });
+    }
+}
+
+/// The search for pairs with shapes in motion has three parts; each is a loop over items.
+inline constexpr std::uint32_t search_parts = 3;
+
+std::uint32_t items_of(const Moving& m, std::uint32_t part) { return part == 1 ? m.all.count : m.moved.count; }
+
+template <class Out>
+void search(Out& out, const Scan& how, const Moving& m, std::uint32_t part, std::uint32_t begin, std::uint32_t end) {
+    if (part == 0) scan_changed(out, how, m, begin, end);
+    if (part == 1) scan_others(out, how, m, begin, end);
+    if (part == 2) query_tree(out, m, {&m.core.state->tree, m.core.tree}, begin, end);
+}
+
+/// A range of a part of the search, which a worker makes: the pairs that have no contact yet, in order.
+struct SearchRange {
+    static constexpr std::uint32_t room = 256;  // pairs; a range with more is searched again when contacts are made, as it may be in the first steps of a world
+    std::uint32_t part = 0, begin = 0, end = 0;
+    std::uint32_t count = 0;
+    std::uint32_t (*pairs)[2] = nullptr;
+    std::uint32_t* found = nullptr;  // room for a scan
+
+    bool is_over() const { return count > room; }
+};
+
+/// Lists the pairs of a range.
+struct PairLister {
+    static constexpr bool looks_up = false;
+    const Core& core;
+    SearchRange& range;
+
+    void add(std::uint32_t shape_1, std::uint32_t shape_2) {
+        if (range.count < SearchRange::room) {
+            range.pairs[range.count][0] = shape_1;
+            range.pairs[range.count][1] = shape_2;
+        }
+        ++range.count;
+    }
+    bool is_over() const { return range.is_over(); }
+};
+
+inline constexpr std::uint32_t least_searched = 512;   // boxes that make workers pay
+inline constexpr std::uint32_t ranges_per_worker = 4;  // of each part
+
+// Workers search the ranges; then the contacts are made in order. False if there is no room in scratch memory for that.
+bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena arena) {
+    const std::size_t bytes_of_range = sizeof(SearchRange) + align_up(sizeof(std::uint32_t[2]) * SearchRange::room) + align_up(m.all.count * std::size_t{4});
+    const std::size_t fitting = arena.room() <= line_bytes ? 0 : (arena.room() - line_bytes) / (search_parts * bytes_of_range);
+    const std::uint32_t wanted = ranges_per_worker * worker_count(core);
+    const std::uint32_t ranges_of_part = fitting < wanted ? static_cast<std::uint32_t>(fitting) : wanted;
+    if (ranges_of_part < 2) return false;
+    const std::uint32_t count = search_parts * ranges_of_part;
+    SearchRange* ranges = arena.take<SearchRange>(count);
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t part = k / ranges_of_part, i = k % ranges_of_part;
+        const std::uint64_t items = items_of(m, part);
+        SearchRange& range = ranges[k] = {};
+        range.part = part;
+        range.begin = static_cast<std::uint32_t>(items * i / ranges_of_part);
+        range.end = static_cast<std::uint32_t>(items * (i + 1) / ranges_of_part);
+        range.pairs = arena.take<std::uint32_t[2]>(SearchRange::room);
+        range.found = arena.take<std::uint32_t>(m.all.count);
+    }
+    for_ranges(core, count, 1, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t k = first; k < end; ++k) {
+            PairBuffer<PairLister> out({core, ranges[k]});
+            search(out, {core.lanes, ranges[k].found}, m, ranges[k].part, ranges[k].begin, ranges[k].end);
+            out.flush();
+        }
+    });
+    for (std::uint32_t k = 0; k < count; ++k) {
+        SearchRange& range = ranges[k];
+        if (range.is_over()) {
+            PairBuffer<ContactMaker> out(maker);
+            search(out, {core.lanes, range.found}, m, range.part, range.begin, range.end);
+            out.flush();
+        } else {
+            for (std::uint32_t i = 0; i < range.count; ++i) maker.add(range.pairs[i][0], range.pairs[i][1]);
+        }
+    }
+    return true;
+}
+
 // Finds every pair in which a fat box changed.
 void find_moved_pairs(Core& core, float dt) {
     Arena arena = core.arena();
     const Moving moving = sorted_columns(core, arena, dt);
-    const Columns& moved = moving.moved;
-    PairBuffer out(core, dt);
-    scan_all(out, {core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count) : nullptr}, moving);
-
     const Tree tree{&core.state->tree, core.tree};
-    for (std::uint32_t i = 0; i < moved.count && !is_over(core); ++i) {
-        const std::uint32_t shape = moved.shape[i];
-        const MovingShape& moving_shape = moving.shapes[number_of(moving.order[moved.place[i]])];
-        const Aabb box = moving.box(i);
-        if (is_clear(core.poses[moving_shape.body], box)) continue;
-        tree_query(tree, box, [&](std::uint32_t other) {
-            if (!moving_shape.leaves || meet(moving_shape.box, core.boxes[other]) ||
-                may_meet_on(core.boxes[other], {}, moving_shape.box, moving_shape.way, moving.fall))
-                out.push(shape, other);
-        });
+    PairBuffer<ContactMaker> out({core, dt});
+    if (!has_workers(core) || moving.all.count < least_searched || !search_by_workers(core, moving, out.sink, arena)) {
+        const Scan how{core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count) : nullptr};
+        scan_changed(out, how, moving, 0, moving.moved.count);
+        scan_others(out, how, moving, 0, moving.all.count);
+        query_tree(out, moving, tree, 0, moving.moved.count);
     }
 
     // Shapes at rest whose boxes changed were just created or teleported, or fell asleep as they moved. Each pair is tried once, so a dropped one counts once.

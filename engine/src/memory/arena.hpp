@@ -19,6 +19,9 @@ struct Arena {
         return reinterpret_cast<T*>(take_bytes(n * sizeof(T)));
     }
 
+    /// Bytes that are left.
+    std::size_t room() const { return static_cast<std::size_t>(end - at); }
+
 private:
     ISLET_SHARED std::byte* take_bytes(std::size_t wanted) {
         std::byte* p = at;

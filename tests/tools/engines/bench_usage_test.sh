@@ -37,6 +37,15 @@ PATH=$no_valgrind "$program" bench --small --json 2>/dev/null | grep -q '"us_per
 expect 2 'not in' --small-world nothing
 expect 2 'excludes' --small --quick
 
+# What workers would take: a table, or JSON.
+expect 0 '^step .*' hello --span "${few[@]}"
+expect 0 ' 16 workers ' hello --span "${few[@]}"
+expect 0 ' 3 workers ' hello --span --workers 3 "${few[@]}"
+expect 0 '"ms_chain": ' hello --span --json "${few[@]}"
+expect 0 'hello: 60 steps' hello --span --quick
+expect 2 'excludes' --span --small
+expect 2 'excludes' hello --span --engine islet
+
 # Standard output holds results only, from its first byte: other engines' greetings must not get in.
 first=$("$program" bench hello --json "${few[@]}" 2>/dev/null | head -c 1)
 [ "$first" = '[' ] || complain "JSON must begin with [, not '$first'"
