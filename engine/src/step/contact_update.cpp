@@ -174,8 +174,8 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
     const Vec2 center_a = core.bodies[m.body_a].local_center;
     Transform b_in_a;
     float margin = speculative_distance;
-    Manifold fresh = has_continuous && comes_fast(approach) ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a)
-                                                            : manifold_at(core, c, m, stand, margin, b_in_a);
+    Manifold fresh = is_continuous(core) && comes_fast(approach) ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a)
+                                                                 : manifold_at(core, c, m, stand, margin, b_in_a);
     if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) mend_inner_edges(core, c, b_in_a, margin, fresh);
 
     const ContactManifold old = m;
@@ -249,7 +249,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
         if (one_way) mend_one_way(core, index);
     }
     const bool is = m.count() > 0;
-    if (has_continuous && ((m.flags & contact_untold) != 0 || is_deep(core, m))) return Change::changes;
+    if ((m.flags & contact_untold) != 0 || (is_continuous(core) && is_deep(core, m))) return Change::changes;
     if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // perhaps: the hook has not decided yet
     return is == ((m.flags & contact_touching) != 0) ? Change::none : Change::changes;
 }
@@ -293,7 +293,7 @@ void end_touch(Core& core, std::uint32_t index) {
 void commit(Core& core, std::uint32_t index, BitSet to_wake) {
     const ContactManifold& m = core.manifolds[index];
     if (has_sensors && (m.flags & contact_sensor) != 0) return (m.flags & contact_overlap) != 0 ? end_overlap(core, index) : begin_overlap(core, index);
-    if (has_continuous && is_deep(core, m)) {
+    if (is_continuous(core) && is_deep(core, m)) {
         const std::uint32_t body = core.is_dynamic(m.body_a) ? m.body_a : m.body_b;
         if (core.is_awake(body)) core.poses[body].flags |= pose_deep;
     }

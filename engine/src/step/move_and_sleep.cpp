@@ -24,7 +24,7 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     Motion& motion = core.motions[i];
     Body& body = core.bodies[i];
     const float moved = length_inline(way.dp) + abs(way.dq) * pose.max_extent;
-    if (has_continuous && (moved > look_fraction * body.min_extent || (pose.flags & pose_deep) != 0) && core.state->continuous != 0) {
+    if (is_continuous(core) && (moved > look_fraction * body.min_extent || (pose.flags & pose_deep) != 0)) {
         const bool alone = has_shortcuts && (pose.flags & pose_alone) != 0 && moved <= surroundings(pose);
         if (!alone) stop_at_static(core, i, way);
     }
@@ -127,7 +127,7 @@ bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena aren
 void finish_bodies(Core& core, const Plan& plan, SolverBody* bodies, Arena& arena, float dt) {
     float* rested = arena.take<float>(plan.slot_count);
     move_bodies(core, plan, bodies, rested, arena, dt);
-    if (has_bullets && core.state->continuous != 0 && core.state->bullet_count != 0) stop_bullets(core, plan.body_of, plan.slot_count, bodies);
+    if (has_bullets && is_continuous(core) && core.state->bullet_count != 0) stop_bullets(core, plan.body_of, plan.slot_count, bodies);
     report_moved(core, arena);
     if (!has_sleep || core.state->enable_sleep == 0 || !sleep_islands(core, plan, rested, arena, dt)) return;
     // Bodies that fell asleep are reported in the order of their slots, too.

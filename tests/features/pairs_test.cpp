@@ -1,0 +1,70 @@
+// What a build leaves out comes to the same as what the whole engine does not use: a world of without.cpp has one hash in both.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <islet/config.hpp>
+
+namespace {
+
+const std::string programs = std::string(ISLET_PROGRAMS) + "/";
+
+// The first line that a program prints.
+std::string run(const std::string& program, const std::string& arguments) {
+    const std::string command = programs + program + " " + arguments;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+    char line[256] = "";
+    if (!pipe || std::fgets(line, sizeof line, pipe.get()) == nullptr) return "nothing printed by " + command;
+    return line;
+}
+
+// All names, and those of which this build has an engine without.
+std::vector<std::string> features() {
+    std::vector<std::string> names = {"joints"};
+#define ISLET_NAME(name, needs) names.emplace_back(#name);
+    ISLET_FEATURES(ISLET_NAME)
+#undef ISLET_NAME
+    return names;
+}
+std::vector<std::string> switched() {
+    std::istringstream given(ISLET_SWITCHED);
+    std::vector<std::string> names;
+    for (std::string name; std::getline(given, name, ',');) names.push_back(name);
+    return names;
+}
+
+class Pairs : public testing::TestWithParam<std::string> {};
+
+TEST_P(Pairs, LeftOutAndSwitchedOffAreOneHash) { EXPECT_EQ(run("islet_without_" + GetParam(), GetParam()), run("islet_with_all", GetParam())); }
+
+INSTANTIATE_TEST_SUITE_P(Each, Pairs, testing::ValuesIn(switched()), [](const auto& each) { return each.param; });
+
+TEST(PairsOfAll, LeftOutAndNotUsedAreOneHash) {
+    std::string names;
+    for (const std::string& name : features()) names += name + " ";
+    EXPECT_EQ(run("islet_without_all", names), run("islet_with_all", names));
+}
+
+// The world of these tests uses what it is said to use. (Three features change no world, whoever uses them.)
+TEST(PairsOfAll, WhatIsNotUsedMakesADifference) {
+    const std::string whole = run("islet_with_all", "");
+    for (const std::string& name : features()) {
+        if (name == "recorder" || name == "profile" || name == "shortcuts") continue;
+        EXPECT_NE(run("islet_with_all", name), whole) << name;
+    }
+}
+
+// A world in which continuous collision or sleep is switched off later goes on alike in an engine that has none, which loads its snapshot. (Hooks are in none.)
+TEST(PairsLater, SwitchedOffAndLeftOutAreOneHash) {
+    for (const std::string name : {"continuous", "sleep"}) {
+        const std::string image = testing::TempDir() + "islet_without_" + name + ".image";
+        const std::string whole = run("islet_with_all", "--switch bullets hooks " + name + " " + image);  // writes the image
+        EXPECT_EQ(run("islet_without_" + name, "--load " + image), whole) << name;
+    }
+}
+
+}  // namespace

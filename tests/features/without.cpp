@@ -1,0 +1,193 @@
+// A world that uses every feature of islet/config.hpp but the ones named on the command line, and its hash after two seconds. It is linked once with the whole
+// engine and once with each engine that leaves one feature out (pairs_test.cpp).
+//
+//   without NAME...                  with these features switched off from the beginning
+//   without --switch NAME... FILE    sleep and continuous collision are switched off after a second; the world is saved then, too
+//   without --load FILE              goes on from there
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <islet/islet.hpp>
+#include <islet/mover.hpp>
+
+namespace {
+
+using namespace islet;
+
+constexpr int half_steps = 60;
+constexpr float dt = 1.0f / 60;
+
+StaticWorld<Capacity{.bodies = 64, .shapes = 80, .contacts = 400, .joints = 24}> storage;
+
+/// The features that the world does not use.
+std::vector<std::string> unused;
+
+bool uses(const std::string& feature) { return std::find(unused.begin(), unused.end(), feature) == unused.end(); }
+bool uses_joint(const std::string& type) { return uses("joints") && uses(type + "_joints"); }
+
+BodyId add_body(World& world, Vec2 position, Vec2 velocity = {}) {
+    return world.create_body({.type = BodyType::dynamic, .position = position, .linear_velocity = velocity});
+}
+
+template <class Geometry>
+BodyId add(World& world, const Geometry& geometry, Vec2 position, const ShapeDef& def = {}, Vec2 velocity = {}) {
+    const BodyId body = add_body(world, position, velocity);
+    world.create_shape(body, geometry, def);
+    return body;
+}
+
+void add_shapes(World& world, BodyId ground) {
+    world.create_shape(ground, Circle{{-12, -20}, 20});
+    if (uses("polygons")) {
+        world.create_shape(world.create_body({.position = {10, -0.5f}}), make_box(12, 0.5f));
+        for (int row = 0; row < 3; ++row)
+            for (int i = 0; i < 3 - row; ++i)
+                add(world, make_box(0.4f, 0.4f), {6 + 0.9f * static_cast<float>(i) + 0.45f * static_cast<float>(row), 0.5f + 0.85f * static_cast<float>(row)});
+    }
+    if (uses("half_spaces")) world.create_shape(ground, HalfSpace{{0, 1}, -3});
+    if (uses("segments")) world.create_shape(ground, Segment{{-6, 2}, {-3, 1}});
+    if (uses("chains")) world.create_shape(ground, ChainSegment{{-10, 3}, {{-9, 2}, {-6, 2}}, {-5, 3}});
+    if (uses("capsules")) add(world, Capsule{{-0.3f, 0}, {0.3f, 0}, 0.2f}, {-5, 3});
+    for (int i = 0; i < 4; ++i) add(world, Circle{{}, 0.3f}, {-8.2f + 0.65f * static_cast<float>(i), 3.5f + 0.2f * static_cast<float>(i)});
+    if (uses("restitution")) add(world, Circle{{}, 0.3f}, {-12, 3}, {.restitution = 0.7f});
+    if (uses("surfaces")) {
+        add(world, Circle{{}, 0.3f}, {-4, 4}, {.rolling_resistance = 0.2f, .tangent_speed = 1});
+        add(world, Circle{{}, 0.3f}, {12, 0.4f}, {.tangent_speed = 2}, {3, 0});
+    }
+}
+
+void add_events(World& world, BodyId ground) {
+    if (uses("sensors")) world.create_shape(ground, Circle{{-7, 2.5f}, 1}, {.sensor = true});
+    if (uses("hits")) add(world, Circle{{}, 0.3f}, {-3.5f, 6}, {.hit_events = true});
+    if (uses("one_way")) {
+        world.create_shape(ground, Circle{{16, 2}, 1}, {.one_way = {0, 1}});
+        add(world, Circle{{}, 0.3f}, {16.2f, 0.5f}, {}, {0, 12});
+    }
+    if (uses("hooks")) {
+        add(world, Circle{{}, 0.3f}, {-11, 4}, {.pre_solve = true, .material = 7});
+        world.set_hooks({.filter = [](ShapeId a, ShapeId b, void*) { return a.index1 % 5 != 2 || b.index1 % 7 != 3; },
+                         .pre_solve = [](PreSolve& contact, void*) { contact.friction = 0.05f; },
+                         .mix_friction = [](float a, std::uint32_t, float b, std::uint32_t m, void*) { return m == 7 ? 0.9f : a * b; }});
+    }
+}
+
+// Bodies that go farther in a step than the walls before them are thick.
+void add_fast(World& world) {
+    const BodyId wall = world.create_body({.position = {30, 3}});
+    world.create_shape(wall, Circle{{0, 0}, 0.2f});
+    world.create_shape(wall, Circle{{0, 0.5f}, 0.2f});
+    world.create_shape(wall, Circle{{0, 1}, 0.2f});
+    for (int i = 0; i < 3; ++i) add(world, Circle{{}, 0.15f}, {24, 3 + 0.4f * static_cast<float>(i)}, {}, {120 + 40 * static_cast<float>(i), 0});
+    add(world, Circle{{}, 0.1f}, {-12, 8}, {}, {0, -90});
+    if (uses("continuous") && uses("bullets")) world.set_bullet(add(world, Circle{{}, 0.1f}, {-30, 3.1f}, {}, {350, 0}), true);
+}
+
+void add_joints(World& world, BodyId ground) {
+    std::uint32_t places = 0;
+    const auto pair = [&] {
+        const Vec2 at = {-30 - 3 * static_cast<float>(places++), 10};
+        const BodyId body = add(world, Circle{{}, 0.4f}, at, {}, {1, 0});
+        world.set_angular_velocity(body, 2);
+        return JointBase{.body_a = ground, .body_b = body, .frame_a = {{at.x - 1, at.y}, 0}, .frame_b = {{-1, 0}, 0}};
+    };
+    JointId hinge;
+    if (uses_joint("revolute")) {
+        hinge = world.create_joint(RevoluteJointDef{.base = pair()});
+        JointBase next = pair();
+        next.body_a = next.body_b;  // a chain of two, which is solved as a tree
+        next.body_b = add(world, Circle{{}, 0.4f}, {-36, 10});
+        next.frame_a = {{0, 0}, 0};
+        world.create_joint(RevoluteJointDef{.base = next});
+    }
+    if (uses_joint("prismatic")) world.create_joint(PrismaticJointDef{.base = pair(), .limit = {true, -1, 1}});
+    if (uses_joint("distance")) world.create_joint(DistanceJointDef{.base = pair(), .length = 1.5f, .spring = {true, 2, 0.3f}});
+    if (uses_joint("weld")) world.create_joint(WeldJointDef{.base = pair(), .angular_hertz = 3});
+    if (uses_joint("wheel")) world.create_joint(WheelJointDef{.base = pair()});
+    if (uses_joint("motor")) world.create_joint(MotorJointDef{.base = pair(), .linear_velocity = {1, 0}, .max_force = 20, .max_torque = 3});
+    if (uses_joint("mouse")) world.create_joint(MouseJointDef{.body = add(world, Circle{{}, 0.4f}, {-20, 9}), .target = {-20, 10}, .max_force = 50});
+    if (uses_joint("angle")) world.create_joint(AngleJointDef{.base = pair(), .friction = 1});
+    if (uses_joint("pulley")) {
+        JointBase base = pair();
+        base.body_a = add(world, Circle{{}, 0.5f}, {-90, 10});
+        base.frame_a = base.frame_b = {};
+        world.create_joint(PulleyJointDef{.base = base, .ground_a = {-90, 14}, .ground_b = {-84, 14}});
+    }
+    if (uses_joint("gear") && uses_joint("revolute")) {
+        const JointId other = world.create_joint(RevoluteJointDef{.base = pair()});
+        world.create_joint(GearJointDef{.joint1 = hinge, .joint2 = other, .ratio = 2});
+    }
+}
+
+/// What a program does between two steps.
+struct Player {
+    MoverState hero{.position = {9, 0.5f}};
+    BodyId ball;
+
+    void act(World& world, int step) {
+        if (uses("disabling") && (step == 20 || step == 70)) world.set_enabled(ball, step == 70);
+        if (uses("queries")) {
+            const QueryHit hit = world.cast_ray({-7, 9}, {0, -12});
+            if (hit) world.apply_linear_impulse_to_center(world.body(hit.shape), {0.01f, 0});
+        }
+        if (uses("queries") && uses("mover")) step_mover(world, {}, hero, {.walk = -3}, dt);
+    }
+};
+
+}  // namespace
+
+int main(int count, char** words) {
+    std::string file;
+    bool switches = false, loads = false;
+    for (int i = 1; i < count; ++i) {
+        const std::string word = words[i];
+        if (word == "--switch")
+            switches = true;
+        else if (word == "--load")
+            loads = true;
+        else if ((switches || loads) && i + 1 == count)
+            file = word;
+        else
+            unused.push_back(word);
+    }
+    World& world = storage.create();
+    if (loads) {
+        std::ifstream in(file, std::ios::binary);
+        const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+        if (!world.load({reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()})) return std::printf("refused: %s\n", describe(world.last_error())), 1;
+        for (int i = 0; i < half_steps; ++i) world.step(dt);
+        std::printf("%016llx %s\n", static_cast<unsigned long long>(world.hash()), describe(world.last_error()));
+        return 0;
+    }
+    static std::byte recording[1 << 18];
+    if (uses("recorder")) world.start_recording(recording);
+    if (uses("profile")) world.set_clock([](void*) { return std::uint64_t{0}; }, nullptr);
+    if (uses("tuning")) world.set_solver({.sweep_order = SweepOrder::upward, .block_contacts = true, .measure_residual = true});
+    if (!uses("sleep") && !switches) world.enable_sleep(false);
+    if (!uses("continuous") && !switches) world.enable_continuous(false);
+    const BodyId ground = world.create_body({});
+    add_shapes(world, ground);
+    add_events(world, ground);
+    add_fast(world);
+    if (uses("sleep")) world.create_shape(world.create_body({.type = BodyType::dynamic, .position = {40, 9}, .awake = false}), Circle{{}, 0.3f});
+    if (uses("joints")) add_joints(world, ground);
+    Player player{.ball = add(world, Circle{{}, 0.25f}, {-6.5f, 6})};
+    for (int i = 0; i < 2 * half_steps; ++i) {
+        if (switches && i == half_steps) {
+            if (!uses("sleep")) world.enable_sleep(false);
+            if (!uses("continuous")) world.enable_continuous(false);
+            std::vector<std::byte> image(world.snapshot_bytes());
+            world.save(image);
+            std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(image.data()), static_cast<std::streamsize>(image.size()));
+        }
+        if (!switches) player.act(world, i);
+        world.step(dt);
+    }
+    std::printf("%016llx %s\n", static_cast<unsigned long long>(world.hash()), describe(world.last_error()));
+    return 0;
+}
