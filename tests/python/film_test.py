@@ -76,7 +76,12 @@ class Films(unittest.TestCase):
         for _ in range(5):
             env.step(env.action_space.sample())
             film.take()
-        self.assertEqual(len(film_of(film.html())[1]), 6)
+        data, moments = film_of(film.html())
+        self.assertEqual(len(moments), 6)
+        hull = env.vector.hull.slot
+        for moment, (left, bottom, right, top) in data["views"]:  # which follow the walker
+            self.assertAlmostEqual((left + right) / 2, moments[moment][1][hull][0], places=4)
+        self.assertGreater(len(data["views"]), 1)
 
     def test_what_a_title_says_is_no_markup(self):
         title = "</script><b>&\"'{{film}}"

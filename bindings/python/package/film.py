@@ -27,7 +27,7 @@ class Film:
         """of     a World, a Scene, or an environment of islet.envs; what it looks like now is the first moment
         dt     s, between two moments; a scene's own if not given, else 1/60
         title  of the page
-        view   m, the box that is shown; if not given, a scene's own, or all that is there at the first moment
+        view   m, the box that is shown; if not given, a scene's own, the one that an environment shows at each moment, or all that is there at the first
         """
         self._of = of
         self._world = getattr(of, "world", of)
@@ -36,6 +36,7 @@ class Film:
             raise ValueError("dt must be above 0 s")
         self.title = str(title if title is not None else getattr(of, "name", "") or "Islet")
         self._view = view if view is not None else getattr(of, "view", None)
+        self._views: List[Tuple[int, List[float]]] = []  # from which moment on: what is shown
         self._models: List[list] = []  # each the outlines of a body's shapes, and its look
         self._numbers: dict = {}  # of the models
         self._known: dict = {}  # by body: its shapes and type when it was last looked at, and the number of its model
@@ -59,6 +60,10 @@ class Film:
         if not self._casts or self._casts[-1][1] != cast:
             self._casts.append((len(self._poses), cast))
         self._poses.append(poses[:len(cast)].astype("<f4").tobytes())
+        if not self._views or self._moves():
+            shown = self._shown()
+            if not self._views or self._views[-1][1] != shown:
+                self._views.append((len(self._poses) - 1, shown))
 
     def run(self, steps: int) -> None:
         """Takes steps of dt of the world or the scene, and each moment after one."""
@@ -73,7 +78,7 @@ class Film:
         """The page."""
         with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "film.html"), encoding="utf-8") as file:
             page = file.read()
-        data = {"title": self.title, "dt": self.dt, "view": self._shown(), "models": self._models, "casts": self._casts,
+        data = {"title": self.title, "dt": self.dt, "views": self._views, "models": self._models, "casts": self._casts,
                 "poses": base64.b64encode(b"".join(self._poses)).decode(), "moments": len(self._poses)}
         text = json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")  # no tag can begin within the script
         head, rest = page.split("{{title}}")
@@ -103,10 +108,15 @@ class Film:
             self._known[body] = key, self._numbers[text]
         return self._known[body][1]
 
+    def _moves(self) -> bool:
+        """Whether the view is an environment's, which may follow what moves."""
+        return self._view is None and hasattr(self._of, "vector")
+
     def _shown(self) -> List[float]:
-        """m: left, bottom, right, top."""
-        if self._view is not None:
-            (left, bottom), (right, top) = self._view
+        """m, of the last moment: left, bottom, right, top."""
+        view = self._of.vector.view_of(0) if self._moves() else self._view
+        if view is not None:
+            (left, bottom), (right, top) = view
             return [float(left), float(bottom), float(right), float(top)]
         xs, ys = [], []
         rows = struct.iter_unpack("<4f", self._poses[0])
