@@ -44,8 +44,23 @@ class Rules(unittest.TestCase):
             envs.make("kart_pole")
         with self.assertRaises(islet.Error):
             envs.make("cart_pole", max_episode_steps=0)
-        with self.assertRaises(islet.Error):
-            envs.make_vec("cart_pole", 0)
+        for worlds in (0, -1, 2.5, "2", True, None):
+            with self.subTest(worlds), self.assertRaisesRegex(islet.Error, "num_envs must be a whole number"):
+                envs.make_vec("cart_pole", worlds)
+        for steps in (0, 1.5, math.nan, "7", True):
+            with self.subTest(steps), self.assertRaisesRegex(islet.Error, "max_episode_steps must be a whole number"):
+                envs.make("cart_pole", max_episode_steps=steps)
+
+    def test_a_refused_reset_changes_nothing(self):
+        env = envs.make_vec("cart_pole", 2)
+        env.reset(seed=1)
+        before, random = env.fleet.hashes().tolist(), env.np_random[0].bit_generator.state
+        for seed in (1.5, "1", -1, True, [1], [1, 2, 3], [1, -2], [1, 2.5], [True, 2], {1, 2}):
+            with self.subTest(seed), self.assertRaisesRegex(islet.Error, "seed must be"):
+                env.reset(seed=seed)
+        with self.assertRaisesRegex(TypeError, "options must be a dict"):
+            env.reset(seed=2, options=5)
+        self.assertEqual((env.fleet.hashes().tolist(), env.np_random[0].bit_generator.state), (before, random))
 
 
 class Physics(unittest.TestCase):

@@ -2,7 +2,7 @@
 """Learns to control an environment by an evolution strategy, with numpy alone.
 
     train.py ENVIRONMENT [--seed N] [--generations N] [--pairs N] [--workers N] [--save POLICY.json] [--csv FILE]
-    train.py ENVIRONMENT --load POLICY.json [--film FOLDER]
+    train.py ENVIRONMENT --load POLICY.json [--film PAGE.html | --film FOLDER]
 
 The method is augmented random search (Mania, Guy, Recht 2018), a simple evolution strategy. A policy is one matrix from observations, each brought to mean
 0 and deviation 1, to actions. A generation tries pairs of policies, the present one plus and minus a random matrix, each in a world of its own of one
@@ -17,6 +17,7 @@ import time
 
 import numpy
 
+import islet
 from islet import envs
 
 # What each task wants: pairs of policies, generations, size of the random matrices, length of a move, steps of an episode while it learns.
@@ -169,7 +170,7 @@ def main():
     parser.add_argument("--save", metavar="FILE", help="writes the policy")
     parser.add_argument("--load", metavar="FILE", help="takes a policy instead of learning one")
     parser.add_argument("--csv", metavar="FILE", help="writes the learning curve")
-    parser.add_argument("--film", metavar="FOLDER", help="writes pictures of an episode into a folder")
+    parser.add_argument("--film", metavar="PAGE.html", help="writes a page that plays an episode; or, into a folder, pictures of it")
     options = parser.parse_args()
     name, began = options.environment, time.perf_counter()
     if options.load:
@@ -188,18 +189,24 @@ def main():
         film(name, policy, options.film)
 
 
-def film(name, policy, folder):
-    """A picture of each tenth step of an episode."""
-    os.makedirs(folder, exist_ok=True)
+def film(name, policy, path):
+    """An episode: a page that plays it, or a picture of each tenth step in a folder."""
     env = envs.make(name, render_mode="svg")
     observation, _ = env.reset(seed=1 << 32)
+    page = islet.Film(env, env.vector.dt * env.vector.repeat, name.replace("_", " ")) if path.endswith(".html") else None
+    if page is None:
+        os.makedirs(path, exist_ok=True)
     over, step = False, 0
     while not over:
-        if step % 10 == 0:
-            with open(os.path.join(folder, f"{name}_{step:04}.svg"), "w", encoding="utf-8") as file:
+        if page is None and step % 10 == 0:
+            with open(os.path.join(path, f"{name}_{step:04}.svg"), "w", encoding="utf-8") as file:
                 file.write(env.render())
         observation, _, terminated, truncated, _ = env.step(policy.actions(observation[None], policy.weights)[0])
         over, step = terminated or truncated, step + 1
+        if page is not None:
+            page.take()
+    if page is not None:
+        page.save(path)
 
 
 if __name__ == "__main__":

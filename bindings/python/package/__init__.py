@@ -15,9 +15,10 @@ Metres, kilograms, seconds and radians. A call that fails raises islet.Error and
 from islet import _islet
 from islet._islet import *  # noqa: F401,F403
 from islet._islet import __version__
+from islet.film import Film
 from islet.plain import Aabb, Error, Rot, Transform, Vec2
 
-__all__ = sorted([name for name in dir(_islet) if not name.startswith("_")] + ["Aabb", "Error", "Rot", "Transform", "Vec2", "__version__"])
+__all__ = sorted([name for name in dir(_islet) if not name.startswith("_")] + ["Aabb", "Error", "Film", "Rot", "Transform", "Vec2", "__version__"])
 
 for _name in __all__:  # one package, wherever its parts are made
     if isinstance(globals()[_name], type):

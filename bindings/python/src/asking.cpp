@@ -11,9 +11,7 @@ void ask(Owner& owner, Ask&& ask_hooks) {
     if (owner.hooks->raised) return;
     try {
         ask_hooks(*owner.hooks);
-    } catch (...) {
-        owner.hooks->raised = std::current_exception();
-    }
+    } catch (...) { owner.hooks->raised = std::current_exception(); }
 }
 
 Owner& owner_of(void* context) { return *static_cast<Owner*>(context); }
@@ -99,7 +97,45 @@ void move(PyWorld& w, MoverState& state, const MoverDef& given, float dt, const 
     if (question.raised) std::rethrow_exception(question.raised);
 }
 
+/// The hooks of a world that has one object in Python, as a world by itself has; or null.
+PyHooks* hooks_of(PyObject* self) {
+    const auto* const world = static_cast<const PyWorld*>(reinterpret_cast<py::detail::instance*>(self)->get_value_and_holder().value_ptr());
+    return world != nullptr && world->owner.use_count() == 1 ? world->owner->hooks.get() : nullptr;
+}
+
+int traverse(PyObject* self, visitproc visit, void* arg) {
+    Py_VISIT(Py_TYPE(self));
+    if (const PyHooks* const hooks = hooks_of(self)) {
+        Py_VISIT(hooks->filter.ptr());
+        Py_VISIT(hooks->pre_solve.ptr());
+        Py_VISIT(hooks->mix_friction.ptr());
+        Py_VISIT(hooks->mix_restitution.ptr());
+    }
+    return 0;
+}
+
+int clear(PyObject* self) {
+    if (PyHooks* const hooks = hooks_of(self)) {
+        auto* const world = static_cast<const PyWorld*>(reinterpret_cast<py::detail::instance*>(self)->get_value_and_holder().value_ptr());
+        world->world->set_hooks({});
+        *hooks = {};
+    }
+    return 0;
+}
+
 }  // namespace
+
+py::custom_type_setup collectable() {
+    return py::custom_type_setup([](PyHeapTypeObject* heap_type) {
+        heap_type->ht_type.tp_flags |= Py_TPFLAGS_HAVE_GC;
+        heap_type->ht_type.tp_traverse = traverse;
+        heap_type->ht_type.tp_clear = clear;
+        heap_type->ht_type.tp_dealloc = [](PyObject* self) {
+            PyObject_GC_UnTrack(self);
+            py::detail::pybind11_object_dealloc(self);
+        };
+    });
+}
 
 void add_asking(WorldClass& w) {
     w.def("set_hooks", set_hooks, py::kw_only(), py::arg("filter") = py::none(), py::arg("pre_solve") = py::none(), py::arg("mix_friction") = py::none(),

@@ -198,6 +198,25 @@ class Scene:
         """A picture: an SVG document."""
     def _repr_svg_(self) -> str: ...
 
+class Film:
+    """What a world, a scene or the world of an environment looked like at some moments. The page that shows it needs nothing else, and no network."""
+    title: str
+    dt: float
+    def __init__(self, of: Any, dt: float | None = None, title: str | None = None, view: Box | None = None) -> None:
+        """Of a World, a Scene, or an environment of islet.envs: what it looks like now is the first moment. dt (s) is the time between two moments, a scene's
+        own if not given, else 1/60. `view` (m) is the box that is shown: if not given, a scene's own, the one that an environment shows at each moment, or all that is there at the
+        first."""
+    def __len__(self) -> int: ...
+    def take(self) -> None:
+        """Adds what the world looks like now."""
+    def run(self, steps: int) -> None:
+        """Takes steps of dt of the world or the scene, and each moment after one."""
+    def html(self) -> str:
+        """The page."""
+    def save(self, path: Any) -> None:
+        """Writes the page to a file."""
+    def _repr_html_(self) -> str: ...
+
 def scenes() -> dict[str, str]:
     """The scenes of the catalogue: a line about each by its name."""
 

@@ -13,9 +13,7 @@ void translate(std::exception_ptr thrown) {
         if (!refused.detail.empty()) text = refused.detail + ": " + text;
         const py::object error = cls(text, py::cast(refused.error));
         PyErr_SetObject(cls.ptr(), error.ptr());
-    } catch (const py::cast_error& wrong) {
-        PyErr_SetString(PyExc_TypeError, wrong.what());
-    }
+    } catch (const py::cast_error& wrong) { PyErr_SetString(PyExc_TypeError, wrong.what()); }
 }
 
 void add_enums(py::module_& m) {
@@ -46,10 +44,10 @@ void add_geometry(py::module_& m) {
             return polygon;
         },
         py::arg("points"), py::arg("radius") = 0.0f, "The convex hull of at least 3 points (8 corners at most), rounded by a radius (m).");
-    m.def("describe", [](Error code) { return describe(code); }, py::arg("code"), "A sentence that says what was wrong and how to fix it.");
     m.def(
-        "make_proxy",
-        [](const ShapeProxy& shape) { return shape; }, py::arg("shape"), "The proxy of a circle, a capsule, a segment or a polygon.");
+        "describe", [](Error code) { return describe(code); }, py::arg("code"), "A sentence that says what was wrong and how to fix it.");
+    m.def(
+        "make_proxy", [](const ShapeProxy& shape) { return shape; }, py::arg("shape"), "The proxy of a circle, a capsule, a segment or a polygon.");
 }
 
 }  // namespace
@@ -62,7 +60,8 @@ PYBIND11_MODULE(_islet, m) {
     add_records_0(m);
     add_records_1(m);
     add_records_2(m);
-    WorldClass w(m, "World", "A world: one block of memory that holds bodies, shapes and joints, and steps them.");
+    WorldClass w(m, "World", "A world: one block of memory that holds bodies, shapes and joints, and steps them.", collectable());
+    zero_what_is_not_made<PyWorld>();
     add_calls_0(w, m);
     add_calls_1(w, m);
     add_calls_2(w, m);

@@ -170,14 +170,14 @@ void add_fields(py::object cls, const RecordInfo& info, void* (*place)(py::handl
     const bool is_id = py::hasattr(cls, "slot") || std::string(info.name).ends_with("Id");
     for (std::size_t i = 0; i < info.count; ++i) {
         const Field& field = info.fields[i];
-        const py::cpp_function get([&field, place](py::handle self) { return field.kind->get(static_cast<const char*>(place(self)) + field.offset); });
+        const py::cpp_function get([&field, place](py::handle self) { return field.kind->get(static_cast<const char*>(place(self)) + field.offset, self); });
         const py::cpp_function set([&info, &field, place](py::handle self, py::handle value) { set_field(place(self), info, field, value); });
         cls.attr(field.name) = property(get, is_id ? py::object(py::none()) : py::object(set), py::none(), field.doc);
     }
     const auto method = [&cls](const char* name, auto function) { cls.attr(name) = py::cpp_function(function, py::name(name), py::is_method(cls)); };
     const auto values = [&info, place](py::handle self) {
         py::tuple all(info.count);
-        for (std::size_t i = 0; i < info.count; ++i) all[i] = info.fields[i].kind->get(static_cast<const char*>(place(self)) + info.fields[i].offset);
+        for (std::size_t i = 0; i < info.count; ++i) all[i] = info.fields[i].kind->get(static_cast<const char*>(place(self)) + info.fields[i].offset, self);
         return all;
     };
     method("__repr__", [&info, values](py::handle self) {

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <new>
 #include <string>
 #include <type_traits>
 
@@ -20,8 +22,8 @@ struct EnumInfo {
     const char* name;
     const char* const* names;
     std::size_t count;
-    py::handle cls;        // made by add_enum; lives as long as the program
-    py::handle members;    // a tuple
+    py::handle cls;      // made by add_enum; lives as long as the program
+    py::handle members;  // a tuple
 };
 template <class E>
 const EnumInfo& enum_of();
@@ -31,7 +33,7 @@ int enum_value(const EnumInfo& info, py::handle from);
 
 /// How a field of one type is read and set.
 struct Kind {
-    py::object (*get)(const void* place);
+    py::object (*get)(const void* place, py::handle record);  // a record in a record is the field itself, not a copy
     void (*set)(void* place, py::handle value);
 };
 
@@ -103,11 +105,11 @@ struct RecordCaster : py::detail::type_caster_base<T> {
 
 namespace pybind11::detail {
 
-#define ISLET_PAIR(type, text, from, to)                                                                                \
-    template <>                                                                                                         \
-    struct type_caster<islet::type> {                                                                                   \
-        PYBIND11_TYPE_CASTER(islet::type, const_name(text));                                                            \
-        bool load(handle source, bool) { return islet::python::from(source, value); }                                   \
+#define ISLET_PAIR(type, text, from, to)                                                                                 \
+    template <>                                                                                                          \
+    struct type_caster<islet::type> {                                                                                    \
+        PYBIND11_TYPE_CASTER(islet::type, const_name(text));                                                             \
+        bool load(handle source, bool) { return islet::python::from(source, value); }                                    \
         static handle cast(const islet::type& v, return_value_policy, handle) { return islet::python::to(v).release(); } \
     };
 ISLET_PAIR(Vec2, "Vec2", load_point, give_point)
@@ -142,13 +144,21 @@ bool RecordCaster<T>::load(py::handle from, bool convert) {
 }
 
 template <class T>
+inline constexpr bool is_id = std::is_same_v<T, BodyId> || std::is_same_v<T, ShapeId> || std::is_same_v<T, JointId>;
+
+template <class T>
 struct KindOf {
-    static py::object get(const void* place) { return py::cast(*static_cast<const T*>(place)); }
+    static py::object get(const void* place, py::handle record) {
+        if constexpr (std::is_base_of_v<py::detail::type_caster_generic, py::detail::make_caster<T>> && !is_id<T>)
+            return py::cast(static_cast<const T*>(place), py::return_value_policy::reference_internal, record);
+        else
+            return py::cast(*static_cast<const T*>(place));
+    }
     static void set(void* place, py::handle value) { *static_cast<T*>(place) = py::cast<T>(value); }
 };
 template <class T, std::size_t n>
 struct KindOf<T[n]> {
-    static py::object get(const void* place) {
+    static py::object get(const void* place, py::handle) {
         py::tuple all(n);
         for (std::size_t i = 0; i < n; ++i) all[i] = py::cast(static_cast<const T*>(place)[i]);
         return all;
@@ -166,6 +176,12 @@ inline constexpr Kind kind_of = {KindOf<T>::get, KindOf<T>::set};
 void add_fields(py::object cls, const RecordInfo& info, void* (*place)(py::handle));
 void add_id_members(py::object cls, void* (*place)(py::handle));
 
+/// T.__new__(T), which a damaged pickle may call without T.__init__, has all fields 0.
+template <class T>
+void zero_what_is_not_made() {
+    py::detail::get_type_info(typeid(T), true)->operator_new = [](std::size_t size) { return std::memset(::operator new(size), 0, size); };
+}
+
 template <class T>
 void add_record(py::module_& m) {
     const RecordInfo& info = record_of<T>();
@@ -176,8 +192,9 @@ void add_record(py::module_& m) {
         return made;
     }));
     void* (*const place)(py::handle) = [](py::handle self) -> void* { return &py::cast<T&>(self); };
+    zero_what_is_not_made<T>();
     add_fields(cls, info, place);
-    if constexpr (std::is_same_v<T, BodyId> || std::is_same_v<T, ShapeId> || std::is_same_v<T, JointId>) add_id_members(cls, place);
+    if constexpr (is_id<T>) add_id_members(cls, place);
 }
 
 }  // namespace islet::python

@@ -53,13 +53,17 @@ void add_scenes(py::module_& m, WorldClass&) {
         },
         "The scenes of the catalogue: a line about each by its name.");
     py::class_<PyScene, std::shared_ptr<PyScene>> c(m, "Scene", "A scene of the catalogue with its script. step() runs both; world.step() only the world.");
+    zero_what_is_not_made<PyScene>();
     c.def(py::init(&open), py::arg("name"));
     c.def("step", step, py::arg("count") = 1, "Takes steps of `dt`, with what the script does before and after each.");
     c.def_property_readonly("world", world_of, "Its world.");
     c.def_property_readonly("name", [](const PyScene& s) { return s.scene.name; });
-    c.def_property_readonly("dt", [](const PyScene& s) { return s.scene.dt; }, "s");
-    c.def_property_readonly("steps", [](const PyScene& s) { return s.scene.steps; }, "How long it runs in the manual and in tests.");
-    c.def_property_readonly("view", [](const PyScene& s) { return s.scene.view; }, "m, what a picture shows.");
+    c.def_property_readonly(
+        "dt", [](const PyScene& s) { return s.scene.dt; }, "s");
+    c.def_property_readonly(
+        "steps", [](const PyScene& s) { return s.scene.steps; }, "How long it runs in the manual and in tests.");
+    c.def_property_readonly(
+        "view", [](const PyScene& s) { return s.scene.view; }, "m, what a picture shows.");
     c.def("svg", svg, "A picture: an SVG document.");
     c.def("_repr_svg_", svg);
     c.def("__repr__", [](const PyScene& s) { return "<islet.Scene " + s.scene.name + ", " + std::to_string(s.steps) + " steps>"; });

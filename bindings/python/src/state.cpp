@@ -65,7 +65,7 @@ void step(PyWorld& w, float dt, std::uint32_t count) {
 }
 
 py::tuple state(const PyWorld& w) {
-    refuse_if_busy(*w.owner);
+    idle_owner_of(w);
     return py::make_tuple(w.world->capacity(), w.world->tasks().workers, save(*w.world));
 }
 
@@ -85,6 +85,7 @@ py::array_t<float> rows_for(const World& world, py::handle out, py::ssize_t colu
     if (out.is_none()) return py::array_t<float>(std::vector<py::ssize_t>{bodies, columns});
     if (!py::isinstance<py::array_t<float, py::array::c_style>>(out)) refuse(Error::out_of_range, "out must be a C-contiguous array of float32");
     auto rows = py::reinterpret_borrow<py::array_t<float>>(out);
+    if (reinterpret_cast<std::uintptr_t>(rows.data()) % alignof(float) != 0) refuse(Error::out_of_range, "out must be an aligned array of float32");
     if (rows.ndim() != 2 || rows.shape(0) != bodies || rows.shape(1) != columns || !rows.writeable())
         refuse(Error::out_of_range, "out must be a writable array of shape (" + std::to_string(bodies) + ", " + std::to_string(columns) + ")");
     return rows;
@@ -92,7 +93,7 @@ py::array_t<float> rows_for(const World& world, py::handle out, py::ssize_t colu
 
 template <class F>
 py::array_t<float> gather(PyWorld& w, py::handle out, py::ssize_t columns, F put) {
-    refuse_if_busy(*w.owner);
+    refuse_if_busy(owner_of(w));
     py::array_t<float> rows = rows_for(*w.world, out, columns);
     float* row = rows.mutable_data();
     for (std::uint32_t slot = 0; slot < w.world->capacity().bodies; ++slot, row += columns) {
@@ -106,8 +107,7 @@ py::array_t<float> gather(PyWorld& w, py::handle out, py::ssize_t columns, F put
 }
 
 py::bytes stop_recording(PyWorld& w) {
-    refuse_if_busy(*w.owner);
-    auto* const owner = dynamic_cast<WorldOwner*>(w.owner.get());
+    auto* const owner = dynamic_cast<WorldOwner*>(&idle_owner_of(w));
     if (owner == nullptr || !owner->recording) refuse(Error::not_a_recording);
     const std::span<const std::byte> bytes = owner->recording->finish();
     py::bytes made(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -135,7 +135,7 @@ std::shared_ptr<Owner> make_world(const Capacity& capacity, const WorldDef& give
     if (!is_valid(capacity)) refuse(Error::bad_capacity);
     auto owner = std::make_shared<WorldOwner>(world_bytes(capacity), checked_workers(workers));
     WorldDef def = given;
-    if (owner->pool) def.tasks = owner->pool->tasks();
+    if (owner->threads) def.tasks = owner->threads->tasks();
     Error error = Error::none;
     world = World::create({owner->block, owner->size}, capacity, def, &error);
     if (world == nullptr) {
@@ -184,56 +184,78 @@ Aabb view_of(const World& world) {
 void add_state(WorldClass& w) {
     w.def(py::init([](const py::kwargs& named) { return make(named); }));
     w.def("step", step, py::arg("dt") = 1.0f / 60, py::arg("count") = 1u,
-          "Advances time by dt seconds, `count` times. Other threads run meanwhile. Where there is no room for a contact or an event, the step goes on, and a RuntimeWarning says so.");
-    w.def("hash", [](const PyWorld& world) { return refuse_if_busy(*world.owner), world.world->hash(); },
-          "Hash of all state that affects the future. Worlds with equal hashes have equal futures.");
-    w.def("save", [](const PyWorld& world) { return refuse_if_busy(*world.owner), save(*world.world); }, "A snapshot of the world.");
+          "Advances time by dt seconds, `count` times. Other threads run meanwhile. Where there is no room for a contact or an event, the step goes on, and a "
+          "RuntimeWarning says so.");
     w.def(
-        "restore", [](PyWorld& world, py::handle bytes) {
+        "hash", [](const PyWorld& world) { return idle_owner_of(world), world.world->hash(); },
+        "Hash of all state that affects the future. Worlds with equal hashes have equal futures.");
+    w.def(
+        "save", [](const PyWorld& world) { return idle_owner_of(world), save(*world.world); }, "A snapshot of the world.");
+    w.def(
+        "restore",
+        [](PyWorld& world, py::handle bytes) {
             const Image image(bytes);
             Call call(world);
             world.world->load(image.bytes());
             call.check();
         },
         py::arg("image"), "Takes the world back to a snapshot, of which nothing is used before all of it is found sound.");
-    w.def("copy", [](const PyWorld& world) {
-        const py::tuple s = state(world);
-        return from_state(s[0].cast<Capacity>(), s[1].cast<std::uint32_t>(), s[2]);
-    }, "A world of its own that is now the same.");
-    w.def("validate", [](PyWorld& world) {
-        refuse_if_busy(*world.owner);
-        const char* const broken = world.world->validate();
-        return broken == nullptr ? py::object(py::none()) : py::object(py::str(broken));
-    }, "Checks every internal invariant: None, or a sentence that says what is broken. Slow.");
-    w.def_property_readonly("workers", [](const PyWorld& world) { return world.world->tasks().workers; }, "Threads that step the world.");
-    w.def_property_readonly("error", [](const PyWorld& world) { return world.world->last_error(); }, "The last error.");
-    w.def("poses", [](PyWorld& world, py::handle out) {
-        return gather(world, out, 4, [](const World& in, BodyId body, float* row) {
-            const Transform t = in.transform(body);
-            row[0] = t.p.x, row[1] = t.p.y, row[2] = t.q.c, row[3] = t.q.s;
-        });
-    }, py::arg("out") = py::none(), "x, y, cosine and sine of each body, a row for each slot (zeros where there is no body).");
-    w.def("velocities", [](PyWorld& world, py::handle out) {
-        return gather(world, out, 3, [](const World& in, BodyId body, float* row) {
-            const Vec2 v = in.linear_velocity(body);
-            row[0] = v.x, row[1] = v.y, row[2] = in.angular_velocity(body);
-        });
-    }, py::arg("out") = py::none(), "Velocity x, y and angular velocity of each body, a row for each slot (zeros where there is no body).");
-    w.def("start_recording", [](PyWorld& world) {
-        refuse_if_busy(*world.owner);
-        auto* const owner = dynamic_cast<WorldOwner*>(world.owner.get());
-        if (owner == nullptr) refuse(Error::feature_cut, "only a World by itself records");
-        owner->recording = std::make_unique<samples::WorldRecording>(*world.world);
-    }, "Records from now on every call that changes the world.");
+    w.def(
+        "copy",
+        [](const PyWorld& world) {
+            const py::tuple s = state(world);
+            return from_state(s[0].cast<Capacity>(), s[1].cast<std::uint32_t>(), s[2]);
+        },
+        "A world of its own that is now the same.");
+    w.def(
+        "validate",
+        [](PyWorld& world) {
+            idle_owner_of(world);
+            const char* const broken = world.world->validate();
+            return broken == nullptr ? py::object(py::none()) : py::object(py::str(broken));
+        },
+        "Checks every internal invariant: None, or a sentence that says what is broken. Slow.");
+    w.def_property_readonly(
+        "workers", [](const PyWorld& world) { return owner_of(world), world.world->tasks().workers; }, "Threads that step the world.");
+    w.def_property_readonly(
+        "error", [](const PyWorld& world) { return owner_of(world), world.world->last_error(); }, "The last error.");
+    w.def(
+        "poses",
+        [](PyWorld& world, py::handle out) {
+            return gather(world, out, 4, [](const World& in, BodyId body, float* row) {
+                const Transform t = in.transform(body);
+                row[0] = t.p.x, row[1] = t.p.y, row[2] = t.q.c, row[3] = t.q.s;
+            });
+        },
+        py::arg("out") = py::none(), "x, y, cosine and sine of each body, a row for each slot (zeros where there is no body).");
+    w.def(
+        "velocities",
+        [](PyWorld& world, py::handle out) {
+            return gather(world, out, 3, [](const World& in, BodyId body, float* row) {
+                const Vec2 v = in.linear_velocity(body);
+                row[0] = v.x, row[1] = v.y, row[2] = in.angular_velocity(body);
+            });
+        },
+        py::arg("out") = py::none(), "Velocity x, y and angular velocity of each body, a row for each slot (zeros where there is no body).");
+    w.def(
+        "start_recording",
+        [](PyWorld& world) {
+            auto* const owner = dynamic_cast<WorldOwner*>(&idle_owner_of(world));
+            if (owner == nullptr) refuse(Error::feature_cut, "only a World by itself records");
+            owner->recording = std::make_unique<samples::WorldRecording>(*world.world);
+        },
+        "Records from now on every call that changes the world.");
     w.def("stop_recording", stop_recording, "Ends the recording; its bytes, for `islet replay`.");
     w.def("svg", svg, py::arg("view") = py::none(), py::arg("title") = "", py::arg("dt") = 1.0f / 60, py::arg("joints") = true,
           "A picture: an SVG document. Of the box `view`, or of all shapes, with joints or without.");
     w.def("_repr_svg_", [](PyWorld& world) { return svg(world, py::none(), "", 1.0f / 60, true); });
     w.def("__repr__", [](const PyWorld& world) {
+        owner_of(world);
         return "<islet.World: " + std::to_string(world.world->body_count()) + " bodies, " + std::to_string(world.world->shape_count()) + " shapes, " +
                std::to_string(world.world->joint_count()) + " joints, " + std::to_string(world.world->step_count()) + " steps>";
     });
-    w.def(py::pickle([](const PyWorld& world) { return state(world); }, [](const py::tuple& s) { return from_state(s[0].cast<Capacity>(), s[1].cast<std::uint32_t>(), s[2]); }));
+    w.def(py::pickle([](const PyWorld& world) { return state(world); },
+                     [](const py::tuple& s) { return from_state(s[0].cast<Capacity>(), s[1].cast<std::uint32_t>(), s[2]); }));
     w.def("__copy__", [](const py::object& self) { return self.attr("copy")(); });
     w.def("__deepcopy__", [](const py::object& self, py::handle) { return self.attr("copy")(); });
 }

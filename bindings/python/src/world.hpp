@@ -12,7 +12,7 @@
 #include "records.hpp"
 
 #include "harness/world_recording.hpp"
-#include "workers/thread_pool.hpp"
+#include "threads.hpp"
 
 namespace islet::python {
 
@@ -39,13 +39,14 @@ struct Owner {
 
 /// Of a world by itself.
 struct WorldOwner final : Owner {
-    WorldOwner(std::size_t bytes, std::uint32_t workers) : size(bytes), block(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{world_alignment}))) {
-        if (workers > 1) pool = std::make_unique<samples::ThreadPool>(workers);
+    WorldOwner(std::size_t bytes, std::uint32_t workers)
+        : size(bytes), block(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{world_alignment}))) {
+        if (workers > 1) threads = std::make_unique<Threads>(workers);
     }
     ~WorldOwner() override { ::operator delete (block, std::align_val_t{world_alignment}); }
     std::size_t size;
     std::byte* block;
-    std::unique_ptr<samples::ThreadPool> pool;
+    std::unique_ptr<Threads> threads;
     std::unique_ptr<samples::WorldRecording> recording;
 };
 
@@ -55,15 +56,29 @@ struct PyWorld {
 };
 using WorldClass = py::class_<PyWorld>;
 
+/// World.__new__ alone makes none.
+inline Owner& owner_of(const PyWorld& w) {
+    if (!w.owner) throw py::type_error("World.__init__ was not called");
+    return *w.owner;
+}
+
 /// While a world asks something of Python, the thread on which it does may call the world.
 inline void refuse_if_busy(const Owner& owner) {
     if (owner.busy && owner.asking != std::this_thread::get_id()) refuse(Error::in_step, "another thread uses the world");
 }
 
+/// The owner of a world that is not in a step, nor asking a hook.
+inline Owner& idle_owner_of(const PyWorld& w) {
+    Owner& owner = owner_of(w);
+    refuse_if_busy(owner);
+    if (owner.asking != std::thread::id{}) refuse(Error::in_step);
+    return owner;
+}
+
 /// A call to a world: refused while another thread steps it; its error becomes an exception.
 class Call {
 public:
-    explicit Call(const PyWorld& of) : owner_(*of.owner), world_(of.world) {
+    explicit Call(const PyWorld& of) : owner_(owner_of(of)), world_(of.world) {
         refuse_if_busy(owner_);
         is_answer_ = owner_.asking != std::thread::id{};
         if (is_answer_) outer_ = world_->last_error();
@@ -120,9 +135,13 @@ public:
 
 private:
     struct Busy {
-        explicit Busy(Owner& of) : owner(of) { owner.busy = true; }
-        ~Busy() { owner.busy = false; }
+        explicit Busy(Owner& of) : owner(of) {
+            refuse_if_busy(owner);
+            before = std::exchange(owner.busy, true);  // true in a step that a hook asks for, and that the world refuses
+        }
+        ~Busy() { owner.busy = before; }
         Owner& owner;
+        bool before = false;
     };
     Busy busy_;  // first: it begins before Python is unlocked, and ends when Python is locked again
     py::gil_scoped_release release_;
@@ -204,11 +223,12 @@ void add_records_2(py::module_& m);
 void add_calls_0(WorldClass& w, py::module_& m);
 void add_calls_1(WorldClass& w, py::module_& m);
 void add_calls_2(WorldClass& w, py::module_& m);
-void add_making(WorldClass& w);     // bodies, shapes, joints
-void add_finding(WorldClass& w);    // queries
-void add_state(WorldClass& w);      // steps, snapshots, arrays
-void add_asking(WorldClass& w);     // hooks, the mover
-void add_images(py::module_& m);    // deltas, replays
+void add_making(WorldClass& w);       // bodies, shapes, joints
+void add_finding(WorldClass& w);      // queries
+void add_state(WorldClass& w);        // steps, snapshots, arrays
+void add_asking(WorldClass& w);       // hooks, the mover
+py::custom_type_setup collectable();  // a world and its hooks, which may know the world
+void add_images(py::module_& m);      // deltas, replays
 void add_fleet(py::module_& m);
 void add_scenes(py::module_& m, WorldClass& w);
 

@@ -71,12 +71,8 @@ class VectorEnv:
         if render_mode is not None and render_mode not in self.metadata["render_modes"]:
             raise ValueError(f"render_mode must be None or one of {self.metadata['render_modes']}")
         if max_episode_steps is not None:
-            if max_episode_steps < 1:
-                refuse("out_of_range", "max_episode_steps")
-            self.max_episode_steps = int(max_episode_steps)
-        if num_envs < 1:
-            refuse("out_of_range", "num_envs")
-        self.num_envs = num_envs
+            self.max_episode_steps = whole(max_episode_steps, "max_episode_steps")
+        self.num_envs = num_envs = whole(num_envs, "num_envs")
         self.render_mode = render_mode
         self.action_space = self.single_action_space.batch(num_envs)
         self.observation_space = self.single_observation_space.batch(num_envs)
@@ -203,6 +199,8 @@ class VectorEnv:
         self.begin(which)
 
     def _reset_mask(self, options: Optional[dict]) -> numpy.ndarray:
+        if options is not None and not isinstance(options, dict):
+            raise TypeError(f"options must be a dict or None, not {options!r}")
         mask = (options or {}).get("reset_mask")
         if mask is None:
             return numpy.ones(self.num_envs, bool)
@@ -215,13 +213,24 @@ class VectorEnv:
     def _seeds(self, seed: Union[None, int, Sequence[Optional[int]]]) -> Sequence[Optional[int]]:
         if seed is None:
             return [None] * self.num_envs
-        seeds = [seed + k for k in range(self.num_envs)] if isinstance(seed, (int, numpy.integer)) else list(seed)
-        if len(seeds) != self.num_envs or any(s is not None and (not isinstance(s, (int, numpy.integer)) or s < 0) for s in seeds):
+        seeds = [int(seed) + k for k in range(self.num_envs)] if is_whole(seed) else list(seed) if isinstance(seed, (list, tuple, numpy.ndarray)) else []
+        if len(seeds) != self.num_envs or any(s is not None and (not is_whole(s) or s < 0) for s in seeds):
             refuse("out_of_range", f"seed must be a number of at least 0, or {self.num_envs} of them")
         return seeds
 
     def __repr__(self) -> str:
         return f"<islet.envs.{type(self).__name__}: {self.num_envs} environments>"
+
+
+def is_whole(number: Any) -> bool:
+    return isinstance(number, (int, numpy.integer)) and not isinstance(number, bool)
+
+
+def whole(number: Any, name: str) -> int:
+    """A number of at least 1."""
+    if not is_whole(number) or number < 1:
+        refuse("out_of_range", f"{name} must be a whole number of at least 1, not {number!r}")
+    return int(number)
 
 
 # -- for environments ---------------------------------------------------------------------------------------------------------------------
