@@ -44,6 +44,7 @@ export function temporaryFolder(name) {
 ///   prepare   runs before the page is opened
 export async function visit(address, {options, mayAsk = (url) => url.startsWith(server.address), isKnown = () => false, prepare}, use) {
     const context = await browser.newContext(options);
+    context.setDefaultTimeout(120_000); // ms: a busy machine is slow
     const page = await context.newPage();
     const complaints = [];
     page.on('pageerror', (error) => complaints.push(error.stack));

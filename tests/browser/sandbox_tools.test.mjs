@@ -5,6 +5,7 @@ import {execFileSync} from 'node:child_process';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {describe, test} from 'node:test';
+import {setTimeout as sleep} from 'node:timers/promises';
 import {fileURLToPath} from 'node:url';
 import {axeFindings, phone, server, temporaryFolder, useBrowser, visit} from './browser.mjs';
 
@@ -12,6 +13,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 const desktop = {viewport: {width: 1000, height: 640}};
 const swing = readFileSync(join(root, 'samples/scenes/swing.json'), 'utf8');
 const folder = temporaryFolder('sandbox');
+const patience = 120_000; // ms, with a busy machine
 
 useBrowser(process.env.SANDBOX);
 
@@ -20,7 +22,9 @@ const withPage = (scene, use, {init, ...options} = desktop) => visit(`${server.a
     options,
     mayAsk: (url) => /^(blob:)?http:\/\/127/.test(url),
     prepare: async (page) => {
+        // Time stands still from the start: how long the page takes to load changes nothing in it.
         await page.clock.install({time: 0});
+        await page.clock.pauseAt(60_000);
         // Five or six steps a picture: drawing takes most of the time.
         await page.addInitScript(() => (window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 96)));
         if (init) await page.addInitScript(init);
@@ -30,18 +34,24 @@ const withPage = (scene, use, {init, ...options} = desktop) => visit(`${server.a
     await use(page);
 });
 
-/// From here on time passes in run() alone.
-async function begin(page) {
-    await page.clock.pauseAt(60_000);
-    await until(page, () => page.evaluate(() => Number(document.documentElement.dataset.step) >= 0));
-}
-/// Waits for what the browser does by itself: reading files, packing.
-async function until(page, isSo) {
-    for (let i = 0; i < 500 && !(await isSo()); ++i) await run(page, 0.1);
-    assert.ok(await isSo(), 'it never came to be');
+/// Waits for the first picture. Time in the page passes in run() alone.
+const begin = (page) => until(page, () => page.evaluate(() => Number(document.documentElement.dataset.step) >= 0), () => run(page, 0.1));
+/// Waits for what the browser does by itself: reading files, packing. `meanwhile` runs before each look; time in the page stands still without it.
+async function until(page, isSo, meanwhile = () => {}) {
+    for (const end = Date.now() + patience; ;) {
+        await meanwhile();
+        if (await isSo()) return;
+        assert.ok(Date.now() < end, 'it never came to be');
+        await sleep(10);
+    }
 }
 const run = (page, seconds) => page.clock.runFor(Math.round(1000 * seconds));
 const message = (page) => page.locator('#message').textContent();
+/// After this, a message is a new one.
+async function messageGoes(page) {
+    await run(page, 5.1);
+    assert.equal(await message(page), '');
+}
 const openPanel = async (page) => (await page.locator('#panel').isHidden()) && page.click('#settings');
 async function downloaded(page, id) {
     await openPanel(page);
@@ -212,6 +222,9 @@ describe('keys and touch play', () => {
             assert.ok(box.width >= 44 && box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
             const carX = async () => (await worldOf(page)).bodies[1].position[0];
             const before = await carX();
+            const [panel, footer] = await Promise.all(['#panel', 'footer'].map((part) => page.locator(part).boundingBox()));
+            assert.ok(panel.y + panel.height <= footer.y, JSON.stringify({panel, footer}));
+            assert.ok(await page.locator('#controls').isHidden(), 'no button lies on the settings');
             await page.click('#settings');
             const session = await page.context().newCDPSession(page);
             await session.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: [{x: box.x + 30, y: box.y + 30}]});
@@ -303,7 +316,7 @@ describe('settings and sights', () => {
         await withPage('bullets', async (page) => {
             await openPanel(page);
             await page.check('#see-stops');
-            await until(page, async () => (await overlaid(page)) > 50);
+            await until(page, async () => (await overlaid(page)) > 50, () => run(page, 0.1));
         });
     });
 });
@@ -334,7 +347,6 @@ describe('files', () => {
             await until(page, () => page.evaluate(() => location.hash.startsWith('#scene=')));
             const address = await page.evaluate(() => location.href);
             const other = await page.context().newPage();
-            await other.clock.install({time: 0});
             await other.addInitScript(() => (matchMedia = () => ({matches: true, addEventListener() {}}))); // it waits
             await other.goto(address);
             await begin(other);
@@ -418,6 +430,7 @@ describe('files', () => {
                 ['scene=AAAA', /The address holds no scene/],
                 [`scene=${'A'.repeat(100001)}`, /The scene in the address is too large: 100 kB/],
             ]) {
+                await messageGoes(page);
                 await page.evaluate((to) => (location.hash = to), hash);
                 await until(page, async () => sentence.test(await message(page)));
                 assert.equal(await page.evaluate(() => document.documentElement.dataset.scene), 'hello');
@@ -428,6 +441,17 @@ describe('files', () => {
                 const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
                 return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join('')).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
             });
+            // Who asks for something else while an address is unpacked hears no more of that address.
+            await page.evaluate(async (to) => {
+                const heard = new Promise((done) => addEventListener('hashchange', done, {once: true}));
+                location.hash = `scene=${to}`;
+                await heard;
+                location.hash = 'car';
+            }, bomb);
+            await until(page, () => page.evaluate(() => document.documentElement.dataset.scene === 'car'));
+            await sleep(500);
+            assert.equal(await message(page), '');
+            await run(page, 0.1);
             await page.evaluate((to) => (location.hash = `scene=${to}`), bomb);
             await until(page, async () => /unpacks to more than 16 MB/.test(await message(page)));
             const step = await page.evaluate(() => Number(document.documentElement.dataset.step));

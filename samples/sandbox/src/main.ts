@@ -41,6 +41,7 @@ let paintTime = 0; // ms, a running mean
 // -- scenes -----------------------------------------------------------------------------------------------------------------------------
 
 function load(scene: SceneInfo) {
+    ++asked;
     files.end();
     letGo();
     running?.end();
@@ -94,18 +95,24 @@ function open(text: string): boolean {
 }
 const nameIn = (text: string) => String((JSON.parse(text) as {name?: unknown}).name ?? '') || 'scene';
 
+let asked = 0; // how often an address or a scene was asked for
+
 /// What the address names. If that cannot be, the scene that is there already goes on, and the page says why.
 async function openAddress() {
+    const mine = ++asked;
     try {
         const text = await files.fromAddress();
+        if (mine !== asked) return; // something newer was asked for while this was unpacked
         if (text === undefined) load(sceneOfAddress());
-        else if (!open(text) && running === undefined) load(firstScene());
+        else if (!open(text) && !hasOpened()) load(firstScene());
     } catch (error) {
-        if (running === undefined) load(firstScene());
+        if (mine !== asked) return;
+        if (!hasOpened()) load(firstScene());
         say((error as Error).message);
     }
 }
 
+const hasOpened = () => running !== undefined;
 const firstScene = () => scenes.find(({name}) => name === first_scene)!;
 function sceneOfAddress(): SceneInfo {
     const name = decodeURIComponent(location.hash.slice(1)) || first_scene;
@@ -556,7 +563,7 @@ try {
     beside = new Beside(find('beside'), canvas, {running: () => running, again: () => load(running.scene), choose: loadByName, say});
     gallery = new Gallery(find('gallery'), load);
     setPlaying(playing);
-    await openAddress();
+    while (!hasOpened()) await openAddress();
     requestAnimationFrame((now) => {
         before = now;
         frame(now);
