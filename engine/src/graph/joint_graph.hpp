@@ -17,7 +17,7 @@ inline std::uint32_t other_joined(const Core& core, std::uint32_t joint, std::ui
     return side == 0 ? core.joints[joint].body_b : core.joints[joint].body_a;
 }
 
-/// The bodies whose velocities a joint's row reads: four of a gear, which has those of its two joints, and two of any other joint. null_index: the world, or none.
+/// The bodies whose velocities a joint's rows read: two, or of a gear the four of its two joints. null_index: the world, or none.
 struct BodiesOfJoint {
     std::uint32_t body[4];
 };

@@ -9,8 +9,8 @@
 // A contact along a covered side is made anew: along that uncovered face of S in which D is least deep. If D is clear of that face there is no contact, since
 // the neighbour alone holds D.
 //
-// A line (a segment, a capsule, a segment of a chain) has no sides, but its ends are met like corners. It counts as a box behind that face of it which looks at D;
-// so lines laid end to end, or flush beside a box, are a floor like any other.
+// A line (a segment, a capsule, a segment of a chain) has no sides, but its ends are met like corners. It counts as a box behind the face that looks at D. So
+// lines laid end to end, or flush beside a box, are a floor like any other.
 //
 // (Bullet, Jolt and bepuphysics2 correct the inner edges of triangle meshes in similar ways. Here there is no mesh: the neighbours are the shapes that the body
 // touches.)
