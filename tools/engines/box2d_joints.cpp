@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "box2d_engine.hpp"
+#include "motor_or_friction.hpp"
 
 namespace islet::engines {
 
@@ -38,17 +39,6 @@ Stiffness spring_along(const b2JointDef& def, b2Vec2 point_a, b2Vec2 point_b, b2
     return {mass * omega * omega, 2 * mass * spring.damping_ratio * omega};
 }
 
-/// A motor, or friction as a motor that holds still.
-struct Motor {
-    bool enable;
-    float speed, max_force;
-};
-
-Motor motor_of(const JointMotor& motor, float friction) {
-    if (motor.enable) return {true, motor.speed, motor.max_force};
-    return {friction > 0, 0, friction};
-}
-
 /// The definition of each kind of joint; std::visit picks one.
 struct Maker {
     b2Body *a, *b;
@@ -75,7 +65,7 @@ struct Maker {
         def->enableLimit = from.limit.enable;
         def->lowerAngle = from.limit.lower;
         def->upperAngle = from.limit.upper;
-        const Motor motor = motor_of(from.motor, from.friction);
+        const JointMotor motor = motor_or_friction(from.motor, from.friction);
         def->enableMotor = motor.enable;
         def->motorSpeed = motor.speed;
         def->maxMotorTorque = motor.max_force;
@@ -89,7 +79,7 @@ struct Maker {
         def->enableLimit = from.limit.enable;
         def->lowerTranslation = from.limit.lower;
         def->upperTranslation = from.limit.upper;
-        const Motor motor = motor_of(from.motor, from.friction);
+        const JointMotor motor = motor_or_friction(from.motor, from.friction);
         def->enableMotor = motor.enable;
         def->motorSpeed = motor.speed;
         def->maxMotorForce = motor.max_force;
@@ -126,7 +116,7 @@ struct Maker {
         def->enableLimit = from.limit.enable;
         def->lowerTranslation = from.limit.lower;
         def->upperTranslation = from.limit.upper;
-        const Motor motor = motor_of(from.motor, from.friction);
+        const JointMotor motor = motor_or_friction(from.motor, from.friction);
         def->enableMotor = motor.enable;
         def->motorSpeed = motor.speed;
         def->maxMotorTorque = motor.max_force;
@@ -180,7 +170,7 @@ struct Maker {
 
 template <class Joint>
 void set_rotary(Joint& joint, const JointMotor& motor, float friction) {
-    const Motor set = motor_of(motor, friction);
+    const JointMotor set = motor_or_friction(motor, friction);
     joint.SetMotorSpeed(set.speed);
     joint.SetMaxMotorTorque(set.max_force);
     joint.EnableMotor(set.enable);
@@ -198,7 +188,7 @@ struct Changer {
     }
     void operator()(const PrismaticJointDef& def) const {
         auto& slider = static_cast<b2PrismaticJoint&>(*joint);
-        const Motor motor = motor_of(def.motor, def.friction);
+        const JointMotor motor = motor_or_friction(def.motor, def.friction);
         slider.SetMotorSpeed(motor.speed);
         slider.SetMaxMotorForce(motor.max_force);
         slider.EnableMotor(motor.enable);

@@ -14,6 +14,7 @@ struct EngineInfo {
     std::string (*lacks)(const samples::Scene&);  // why it cannot build the scene: a sentence; empty if it can
     std::unique_ptr<samples::Engine> (*make)();   // set up as its users have it
     std::unique_ptr<samples::Engine> (*make_exact)() = nullptr;  // the same, but shapes are as large as the scene says, and fast bodies are followed if it can
+    bool has_workers = false;                                    // it steps with as many workers as the scene's world has
 };
 
 const std::vector<EngineInfo>& registry();

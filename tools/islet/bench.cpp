@@ -24,8 +24,7 @@ std::vector<Contender> contenders(const SceneInfo& info, const BenchOptions& opt
     const Scene scene = info.make();
     std::vector<Contender> list;
     for (const EngineInfo* engine : options.engines) {
-        const bool is_islet = std::string(engine->name) == "islet";
-        for (const std::uint32_t workers : is_islet ? options.workers : std::vector<std::uint32_t>{1}) {
+        for (const std::uint32_t workers : engine->has_workers ? options.workers : std::vector<std::uint32_t>{1}) {
             Contender contender;
             contender.engine = engine;
             contender.result.engine = engine->name;

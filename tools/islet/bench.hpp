@@ -23,7 +23,7 @@ struct BenchOptions {
     std::optional<int> steps;   // the scene's own if not given
     std::optional<int> most_steps;  // of a scene's own
     int repeat = 3;                         // runs of each engine, at least 1
-    std::vector<std::uint32_t> workers{1};  // Islet runs once with each of these; the other engines have one thread
+    std::vector<std::uint32_t> workers{1};  // engines that have workers run once with each of these; the others have one thread
 };
 
 /// What the stages of Islet's steps took, summed over a run.

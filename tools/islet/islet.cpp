@@ -524,7 +524,7 @@ struct CommandLine {
         BenchOptions& b = bench_command.options;
         bench->add_option("scene", bench_command.scenes, "names of scenes; the group benchmark if none is given");
         CLI::Option* const engine = bench->add_option("--engine", bench_command.engines, "an engine to time, once or more; all there are if not given");
-        bench->add_option("--workers", b.workers, "threads for Islet to step with; several numbers (1,2,4) are timed beside each other")
+        bench->add_option("--workers", b.workers, "threads to step with, for engines that have them; several numbers (1,2,4) are timed beside each other")
             ->delimiter(',')
             ->check(CLI::Range(1u, islet::max_workers))
             ->each([this](const std::string&) { bench_command.has_workers = true; });
