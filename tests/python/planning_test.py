@@ -1,4 +1,4 @@
-"""What plans in Python comes to the bits of what plans in C++, through 49 000 worlds' futures of the arm and 20 000 of the walker. PLANNING names that program."""
+"""What plans in Python comes to the bits of what plans in C++, through 49 000 futures of the arm and 20 000 of the walker. PLANNING names that program."""
 import os
 import subprocess
 import sys

@@ -6,8 +6,8 @@
 
 The method is augmented random search (Mania, Guy, Recht 2018), a simple evolution strategy. A policy is one matrix from observations, each brought to mean
 0 and deviation 1, to actions. A generation tries pairs of policies, the present one plus and minus a random matrix, each in a world of its own of one
-fleet. The policy then moves by what the better half of the pairs gained. The same seed gives the same bits on every machine, so nothing here depends on the order in which a
-library adds, or on its sines and logarithms.
+fleet. The policy then moves by what the better half of the pairs gained. The same seed gives the same bits on every machine, so nothing here depends on the
+order in which a library adds, or on its sines and logarithms.
 """
 import argparse
 import json

@@ -204,8 +204,9 @@ class Film:
     dt: float
     def __init__(self, of: Any, dt: float | None = None, title: str | None = None, view: Box | None = None) -> None:
         """Of a World, a Scene, or an environment of islet.envs: what it looks like now is the first moment. dt (s) is the time between two moments, a scene's
-        own if not given, else 1/60. `view` (m) is the box that is shown: if not given, a scene's own, the one that an environment shows at each moment, or all that is there at the
-        first."""
+        own if not given, else 1/60. `view` (m) is the box that is shown: if not given, a scene's own, the one that an environment shows at each moment, or
+        all that is there at the first.
+        """
     def __len__(self) -> int: ...
     def take(self) -> None:
         """Adds what the world looks like now."""
