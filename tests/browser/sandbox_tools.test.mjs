@@ -222,6 +222,9 @@ describe('keys and touch play', () => {
             assert.ok(box.width >= 44 && box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
             const carX = async () => (await worldOf(page)).bodies[1].position[0];
             const before = await carX();
+            const [panel, footer] = await Promise.all(['#panel', 'footer'].map((part) => page.locator(part).boundingBox()));
+            assert.ok(panel.y + panel.height <= footer.y, JSON.stringify({panel, footer}));
+            assert.ok(await page.locator('#controls').isHidden(), 'no button lies on the settings');
             await page.click('#settings');
             const session = await page.context().newCDPSession(page);
             await session.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: [{x: box.x + 30, y: box.y + 30}]});
@@ -438,6 +441,17 @@ describe('files', () => {
                 const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
                 return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join('')).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
             });
+            // Who asks for something else while an address is unpacked hears no more of that address.
+            await page.evaluate(async (to) => {
+                const heard = new Promise((done) => addEventListener('hashchange', done, {once: true}));
+                location.hash = `scene=${to}`;
+                await heard;
+                location.hash = 'car';
+            }, bomb);
+            await until(page, () => page.evaluate(() => document.documentElement.dataset.scene === 'car'));
+            await sleep(500);
+            assert.equal(await message(page), '');
+            await run(page, 0.1);
             await page.evaluate((to) => (location.hash = `scene=${to}`), bomb);
             await until(page, async () => /unpacks to more than 16 MB/.test(await message(page)));
             const step = await page.evaluate(() => Number(document.documentElement.dataset.step));
