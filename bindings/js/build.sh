@@ -23,27 +23,28 @@ mkdir -p "$dist" "$work"
 touch "$work/began"
 "$here/generate.py" "$work/made"
 
-# What every step runs is compiled for speed, the rest for size: as fast as all for speed, and a quarter smaller.
+# What every step runs is compiled for speed, the rest for size and at the link: as fast as all for speed, and a quarter smaller. Without SIMD all is for size.
 hot='/src/(math|geometry|collide|broadphase|constraint|island|solver|step)/'
 sources=$(find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp' | sort)
 grep -E "$hot" <<<"$sources" | as_one "$work/hot.cpp"
 grep -vE "$hot" <<<"$sources" | as_one "$work/cold.cpp"
 find "$root/bindings/c/src" "$here/src" "$work/made" -name '*.cpp' ! -name 'layouts.cpp' | sort | as_one "$work/c.cpp"
-# make NAME FLAG...
+# make_one NAME HOT FLAG...: HOT holds the flags of what every step runs.
 make_one() {
-    local name=$1 folder=$work/$1
-    shift
+    local name=$1 folder=$work/$1 hot=()
+    read -r -a hot <<<"$2"
+    shift 2
     mkdir -p "$folder"
-    wasm_compile "$@" -O2 -c "$work/hot.cpp" -o "$folder/hot.o"
-    wasm_compile "$@" -Oz -c "$work/cold.cpp" -o "$folder/cold.o"
-    wasm_compile "$@" -Oz -c "$work/c.cpp" -o "$folder/c.o"
+    wasm_compile "$@" "${hot[@]}" -c "$work/hot.cpp" -o "$folder/hot.o"
+    wasm_compile "$@" -Oz -flto -c "$work/cold.cpp" -o "$folder/cold.o"
+    wasm_compile "$@" -Oz -flto -c "$work/c.cpp" -o "$folder/c.o"
     wasm_link "$work/made/exports.txt" -nostartfiles "$folder"/{hot,cold,c}.o -o "$folder/islet.wasm"
 }
 wasm_compile -fsyntax-only "$work/made/layouts.cpp"
 wasm_compile -fsyntax-only "$root/bindings/c/src/layouts.cpp"
-make_one plain &
+make_one plain '-Oz -flto' &
 plain=$!
-make_one simd -msimd128
+make_one simd -O2 -msimd128
 wait "$plain"
 
 cp "$work/plain/islet.wasm" "$dist/islet.wasm"

@@ -8,7 +8,7 @@ export async function readScenes() {
     const wasi = {clock_time_get: () => 0, fd_close: () => 8, fd_seek: () => 8, fd_write: () => 8};
     const islet = new Proxy({}, {get: () => () => 0, has: () => true});
     const module = await WebAssembly.compile(await readFile(file));
-    const imports = {wasi_snapshot_preview1: wasi, islet};
+    const imports = {wasi_snapshot_preview1: wasi, islet, sandbox: islet};
     exports = (await WebAssembly.instantiate(module, imports)).exports;
     exports._initialize();
     const text = (at) => {

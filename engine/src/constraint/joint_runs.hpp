@@ -55,11 +55,16 @@ ISLET_LANE std::uint32_t known_lane(std::uint32_t lane) {
     return W > 1 ? lane : 0;
 }
 
+#ifdef __wasm__
+inline constexpr bool short_loops = true;  // in a page each byte is loaded, and these loops run once a step, not once a sweep
+#else
+inline constexpr bool short_loops = false;
+#endif
 /// Calls body(with_row), where with_row(row, visit) calls visit with a row of the kernel. Of lanes side by side the kernel is picked once, so that the loop in
-/// `body` is compiled for it; of single joints row by row, so that the loop stands there once.
+/// `body` is compiled for it; of single joints, or for the web, row by row, so that the loop stands there once.
 template <std::uint32_t W, class Body>
 void over_rows(JointKernel kernel, Body&& body) {
-    if constexpr (W > 1) {
+    if constexpr (W > 1 && !short_loops) {
         visit_rows<W>(kernel, nullptr, [&](auto* r) { body([](std::byte* row, auto&& visit) { return visit(reinterpret_cast<decltype(r)>(row)); }); });
     } else {
         body([kernel](std::byte* row, auto&& visit) { return visit_rows<W>(kernel, row, visit); });
