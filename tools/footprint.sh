@@ -25,7 +25,7 @@ targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 ris
 # leaves out; it rose by 0.4 kB.)
 declare -A most_flash=(
     [cortex-m3]='219900 94200 53600' [cortex-m4f]='201900 80400 45800' [cortex-m4f-lto]='- 75400 43600' [cortex-m7]='201500 80200 45600'
-    [cortex-m33]='201500 80200 45600' [cortex-m55]='201800 80300 45600' [riscv32]='214200 85500 49300'
+    [cortex-m33]='201500 80200 45600' [cortex-m55]='201800 80300 45600' [riscv32]='214200 85400 49300'
 )
 most_stack=4096          # bytes
 most_instructions=625000       # a step of the pyramid, in the mean
