@@ -219,7 +219,7 @@ Scene make_whirled_doll(int start) {
     const std::shared_ptr<double> gap = watch_gap(scene);
     scene.check = [gap](const Engine& engine) -> std::vector<CheckLine> {
         return {
-            wanted_line("ragdoll whirled around by 50 x its weight: widest gap (m)", *gap, 0.002, 2),
+            wanted_line("ragdoll whirled around by 50 x its weight: widest gap (m)", *gap, 0.002),
             at_most("bodies not finite", double(count_not_finite(engine)), 0),
         };
     };

@@ -77,5 +77,7 @@ TEST(JointEnergy, ARodTurnsTenTimesASecondOnItsHinge) { holds_from_every_start("
 
 TEST(JointTrees, ABridgeOf60PlanksBearsACrateOfATon) { holds_from_every_start("long_bridges"); }  // and another one 100 kg
 
+TEST(JointTrees, ARagdollWhirledByFiftyTimesItsWeightHoldsTogether) { holds_from_every_start("whirled_doll"); }
+
 }  // namespace
 }  // namespace islet::test

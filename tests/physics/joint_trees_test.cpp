@@ -140,6 +140,95 @@ TEST(JointTrees, AFreeChainKeepsItsMomenta) {
     EXPECT_LT(chain.gap(), 1e-3);
 }
 
+// Rods of 1 m in a row from the wall to the right, solved exactly.
+struct Beam {
+    TestWorld world;
+    BodyId wall;
+    std::vector<BodyId> rods;
+    std::vector<JointId> joints;
+
+    static WorldDef exact(WorldDef def) {
+        def.solver.joint_trees = JointTrees::all;
+        return def;
+    }
+
+    Beam(int count, RevoluteJointDef joint, const WorldDef& def = sleepless()) : world({.bodies = 32, .shapes = 32, .contacts = 64, .joints = 32}, exact(def)) {
+        BodyId previous = wall = world->create_body({});
+        for (int i = 0; i < count; ++i) {
+            const auto at = static_cast<float>(i);
+            rods.push_back(world.add(make_box(0.5f, 0.05f), {at + 0.5f, 0}, {.filter = {.group = -1}}));
+            joint.base.body_a = previous;
+            joint.base.body_b = rods.back();
+            joint.base.frame_a.position = Vec2{at, 0} - world->position(previous);
+            joint.base.frame_b.position = {-0.5f, 0};
+            joints.push_back(world->create_joint(joint));
+            previous = rods.back();
+        }
+    }
+    double mass() const { return double(world->mass(rods.front())); }
+    double energy() const { return energy_of(*world, rods); }
+    double gap() const { return widest_gap(*world, joints); }
+};
+
+// Hinge i bears the torque of all rods beyond it: m g (n - i)^2 / 2.
+TEST(JointTrees, ABeamOfHingesWithLimitsStandsOutOfAWall) {
+    for (const int rods : {3, 10}) {
+        Beam beam(rods, {.limit = {.enable = true, .lower = 0, .upper = 0}});
+        for (int step = 0; step < 300; ++step) {
+            beam.world.step();
+            ASSERT_LT(beam.gap(), 1e-5);
+            for (const JointId joint : beam.joints) ASSERT_NEAR(double(beam.world->joint_position(joint)), 0, 1e-4);
+        }
+        for (int i = 0; i < rods; ++i) {
+            const double beyond = rods - i;
+            EXPECT_NEAR(double(beam.world->joint_torque(beam.joints[static_cast<std::size_t>(i)])) / (0.5 * beam.mass() * g * beyond * beyond), 1, 1e-3);
+        }
+        for (const BodyId rod : beam.rods) EXPECT_LT(double(length(beam.world->linear_velocity(rod))), 1e-3);
+    }
+}
+
+// A rod on a hinge with too little friction falls with the angular acceleration (m g / 2 - friction) / (m / 3 + m / 1200); one with enough stays.
+TEST(JointTrees, FrictionAndMotorsGiveTheTorqueTheyHaveAndNoMore) {
+    for (const bool by_motor : {false, true}) {
+        for (const double share : {0.5, 1.01}) {
+            const double mass = 0.1, torque = share * 0.5 * mass * g;
+            RevoluteJointDef joint;
+            if (by_motor) {
+                joint.motor = {.enable = true, .speed = 0, .max_force = static_cast<float>(torque)};
+            } else {
+                joint.friction = static_cast<float>(torque);
+            }
+            Beam beam(1, joint);
+            ASSERT_NEAR(beam.mass(), mass, 1e-6);
+            beam.world.step(6);
+            const double wanted = share < 1 ? -(0.5 * mass * g - torque) / (mass / 3 + mass * 0.1 * 0.1 / 12) * 6 * double(step_time) : 0;
+            EXPECT_NEAR(double(beam.world->angular_velocity(beam.rods[0])), wanted, 0.01 * std::abs(wanted) + 1e-4) << by_motor << ' ' << share;
+            const double told = double(beam.world->motor_force(beam.joints[0])) / torque;
+            EXPECT_NEAR(by_motor && share < 1 ? told : 1, 1, 1e-4);
+        }
+    }
+}
+
+// Limits stop, friction brakes: neither adds energy. Ten chains of other limits and friction swing from level.
+TEST(JointTrees, AChainWithLimitsAndFrictionGainsNoEnergy) {
+    for (int start = 0; start < 10; ++start) {
+        SCOPED_TRACE(start);
+        const auto s = static_cast<float>(start);
+        RevoluteJointDef joint;
+        joint.limit = {.enable = true, .lower = -0.1f - 0.08f * s, .upper = 0.1f + 0.05f * s};
+        joint.friction = start % 2 == 0 ? 0.0f : 0.05f * s;
+        Beam beam(12, joint);
+        beam.world->set_limit(beam.joints[0], {});
+        const double scale = 12 * beam.mass() * g * 6, before = beam.energy();
+        for (int step = 0; step < 600; ++step) {
+            beam.world.step();
+            ASSERT_LT(beam.energy(), before + 0.001 * scale);
+            ASSERT_LT(beam.gap(), 1e-4);
+            for (std::size_t i = 1; i < beam.joints.size(); ++i) ASSERT_LT(double(beam.world->joint_error(beam.joints[i]).angular), 0.005);
+        }
+    }
+}
+
 // A link that flies at the ground is stopped there by continuous collision, and hangs apart from its neighbours for a step: in one start of six, by up to 6 cm.
 // The ball may go on rolling slowly, which nothing hinders: but of the energy of its fall less than a thousandth is left.
 TEST(JointTrees, ABallDroppedOnAStackWithItsChainComesToLieOnTheGround) {

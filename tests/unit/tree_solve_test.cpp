@@ -104,7 +104,7 @@ void expect_dense_solution(float spread, Real tolerance) {
         JointSweep relax;
         relax.h = 1.0f / 240;
         relax.inv_h = 240;
-        solve_trees(tree.bodies.data(), tree.links.data(), static_cast<std::uint32_t>(tree.links.size()), relax);
+        solve_trees(tree.bodies.data(), tree.links.data(), static_cast<std::uint32_t>(tree.links.size()), nullptr, relax);
         Real scale = 1;
         for (const Real x : expected) scale = std::max(scale, std::abs(x));
         for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
@@ -150,13 +150,74 @@ TEST(TreeSolve, FindsForAChainHeldAtBothEndsWhatADenseSolveFinds) {
         JointSweep relax;
         relax.h = 1.0f / 240;
         relax.inv_h = 240;
-        for (int pass = 0; pass < 12; ++pass) solve_trees(tree.bodies.data(), tree.links.data(), size + 1, relax);
+        for (int pass = 0; pass < 12; ++pass) solve_trees(tree.bodies.data(), tree.links.data(), size + 1, nullptr, relax);
         for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
             EXPECT_NEAR(Real(tree.bodies[b].v.x), expected[3 * b], 0.05);
             EXPECT_NEAR(Real(tree.bodies[b].v.y), expected[3 * b + 1], 0.05);
             EXPECT_NEAR(Real(tree.bodies[b].w), expected[3 * b + 2], 0.05);
         }
         EXPECT_EQ(tree.bodies[0].v, (Vec2{0, 0})) << "the static body was pushed";
+        if (testing::Test::HasFailure()) return;
+    }
+}
+
+// Random trees with dry friction, a motor or limits that are reached at all hinges. The solution is known by what holds at each: the points move together, and
+// the angle's impulse and speed lie on the graph of its law (the hinge stays at a speed only with an impulse within the range that it has there).
+TEST(TreeSolve, FindsImpulsesOfFrictionMotorsAndLimitsThatTheirLawsAllow) {
+    Random random(21);
+    for (int trial = 0; trial < 500; ++trial) {
+        SCOPED_TRACE(trial);
+        const std::uint32_t size = 1 + random.below(12);
+        Tree tree = random_tree(random, size, 1);
+        std::vector<Joint> joints(size);
+        for (std::uint32_t k = 0; k < size; ++k) {
+            tree.bodies[k + 1].inv_inertia = random.between(3, 10) * tree.bodies[k + 1].inv_mass;
+            TreeLink& l = tree.links[k];
+            if (l.joint == null_index) continue;
+            l.acts = true;
+            Joint& j = joints[k];
+            if (random.one_in(2)) j.friction = 240 * random.between(0, 0.5f);
+            if (random.one_in(3)) {
+                j.flags |= joint_motor;
+                j.motor_speed = random.between(-3, 3);
+                j.motor_max = 240 * random.between(0, 2);
+            }
+            if (random.one_in(2)) {  // both are reached: the angle is 0
+                j.flags |= joint_limit;
+                if (random.one_in(2)) j.lower = -0.01f;
+                if (random.one_in(2)) j.upper = 0.01f;
+            }
+        }
+        JointSweep relax;
+        relax.h = 1.0f / 240;
+        relax.inv_h = 240;
+        relax.max_turn = 1e6f;
+        solve_trees(tree.bodies.data(), tree.links.data(), size, joints.data(), relax);
+        for (const TreeLink& l : tree.links) {
+            if (l.joint == null_index) continue;
+            const SolverBody &c = tree.bodies[l.child], &p = tree.bodies[l.parent];
+            const Vec2 apart = c.v + cross(c.w, l.rc) - p.v - cross(p.w, l.rp);
+            EXPECT_LT(Real(length(apart)), 1e-3);
+            const Joint& j = joints[l.joint];
+            const Real w = Real(l.sign * (c.w - p.w)), impulse = Real(l.sign * l.lambda.turning), friction = Real(j.friction) / 240;
+            const Real motor = (j.flags & joint_motor) != 0 ? Real(j.motor_max) / 240 : 0, speed = Real(j.motor_speed), close = 1e-3;
+            const bool limited = (j.flags & joint_limit) != 0;
+            Real least = 0, most = 0;
+            const auto step_at = [&](Real at, Real size_of_step) {
+                least += w < at - close ? size_of_step : -size_of_step;
+                most += w > at + close ? -size_of_step : size_of_step;
+            };
+            step_at(0, friction);
+            step_at(speed, motor);
+            if (limited) {
+                EXPECT_GE(w, 240 * Real(j.lower) - close);
+                EXPECT_LE(w, 240 * Real(j.upper) + close);
+                if (w < 240 * Real(j.lower) + close) most = 1e9;
+                if (w > 240 * Real(j.upper) - close) least = -1e9;
+            }
+            EXPECT_GE(impulse, least - close);
+            EXPECT_LE(impulse, most + close);
+        }
         if (testing::Test::HasFailure()) return;
     }
 }
@@ -168,9 +229,9 @@ TEST(TreeSolve, SolvedAgainChangesNothing) {
     relax.h = 1.0f / 240;
     relax.inv_h = 240;
     const auto count = static_cast<std::uint32_t>(tree.links.size());
-    solve_trees(tree.bodies.data(), tree.links.data(), count, relax);
+    solve_trees(tree.bodies.data(), tree.links.data(), count, nullptr, relax);
     const std::vector<SolverBody> once = tree.bodies;
-    solve_trees(tree.bodies.data(), tree.links.data(), count, relax);
+    solve_trees(tree.bodies.data(), tree.links.data(), count, nullptr, relax);
     for (std::size_t b = 0; b < once.size(); ++b) {
         EXPECT_NEAR(tree.bodies[b].v.x, once[b].v.x, 1e-4);
         EXPECT_NEAR(tree.bodies[b].v.y, once[b].v.y, 1e-4);
@@ -185,7 +246,7 @@ TEST(TreeSolve, LeavesThingsFiniteWhoseMassesAreAbsurd) {
         JointSweep relax;
         relax.h = 1.0f / 240;
         relax.inv_h = 240;
-        solve_trees(tree.bodies.data(), tree.links.data(), 6, relax);
+        solve_trees(tree.bodies.data(), tree.links.data(), 6, nullptr, relax);
         EXPECT_EQ(tree.bodies[0].v, (Vec2{0, 0})) << "the static body was pushed";
         EXPECT_EQ(tree.bodies[0].w, 0);
     }
@@ -318,6 +379,27 @@ TEST(JointTrees, AMotorOrFrictionHasItsTreeSwept) {
     row.world->set_motor(row.joints[5], {});
     EXPECT_EQ(row.exact_after_a_step(), 12u);
     row.world->set_joint_friction(row.joints[5], 0.1f);
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+}
+
+TEST(JointTrees, WhereAHeavyForcePullsATreeWithAMotorIsSolvedExactlyUntilItStops) {
+    Row row(12, 1);
+    row.world->set_motor(row.joints[5], {.enable = true, .speed = 1, .max_force = 10});
+    const float mass = row.world->mass(row.bodies[6]);
+    row.world->apply_force_to_center(row.bodies[6], {20 * mass, 0});  // light
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+    for (int step = 0; step < 3; ++step) {
+        row.world->apply_force_to_center(row.bodies[6], {5000 * mass, 0});
+        EXPECT_EQ(row.exact_after_a_step(), 12u) << step;
+    }
+    for (int step = 0; step < 60; ++step) row.world.step();
+    EXPECT_EQ(row.exact_after_a_step(), 0u);
+}
+
+TEST(JointTrees, ASpringHasItsTreeSweptUnderAnyForce) {
+    Row row(12, 1);
+    row.world->set_spring(row.joints[5], {.enable = true, .hertz = 1, .damping_ratio = 1});
+    row.world->apply_force_to_center(row.bodies[6], {5000 * row.world->mass(row.bodies[6]), 0});
     EXPECT_EQ(row.exact_after_a_step(), 0u);
 }
 

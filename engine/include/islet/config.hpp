@@ -25,28 +25,29 @@
 
 /// The features that can be left out, one per line: FEATURE(name, the feature that it needs). This list is the only one: the CMake option, the constants in
 /// src/data/features.hpp and `tools/footprint.sh --options` come from it.
-#define ISLET_FEATURES(FEATURE)                                                                                                    \
-    FEATURE(polygons, engine)    /* boxes and other convex polygons */                                                             \
-    FEATURE(capsules, engine)    /* capsules */                                                                                    \
-    FEATURE(segments, engine)    /* segments */                                                                                    \
-    FEATURE(half_spaces, engine) /* half-spaces */                                                                                 \
-    FEATURE(chains, engine)      /* chains and their segments */                                                                   \
-    FEATURE(restitution, engine) /* bouncing */                                                                                    \
-    FEATURE(surfaces, engine)    /* rolling resistance and surfaces in motion */                                                   \
-    FEATURE(sleep, engine)       /* sleeping islands; without: as after enable_sleep(false) */                                     \
-    FEATURE(continuous, engine)  /* continuous collision; without: as after enable_continuous(false) */                            \
-    FEATURE(bullets, continuous) /* bullets (BodyDef::bullet) */                                                                   \
-    FEATURE(sensors, engine)     /* sensors */                                                                                     \
-    FEATURE(hits, engine)        /* hit events */                                                                                  \
-    FEATURE(hooks, engine)       /* the user's filter, pre-solve and mixing */                                                     \
-    FEATURE(one_way, engine)     /* platforms that are passed from one side (ShapeDef::one_way) */                                 \
-    FEATURE(disabling, engine)   /* disabled bodies (BodyDef::enabled, World::set_enabled) */                                      \
-    FEATURE(queries, engine)     /* ray and shape casts, overlaps, closest points in a world */                                    \
-    FEATURE(mover, queries)      /* step_mover */                                                                                  \
-    FEATURE(recorder, engine)    /* World::start_recording */                                                                      \
-    FEATURE(tuning, engine)      /* of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance */ \
-    FEATURE(profile, engine)     /* World::profile: how long the stages of a step took */                                          \
-    FEATURE(shortcuts, engine)   /* faster paths for fast bodies: the bits stay the same, and nothing is refused without them */
+#define ISLET_FEATURES(FEATURE)                                                                                                        \
+    FEATURE(polygons, engine)     /* boxes and other convex polygons */                                                                \
+    FEATURE(capsules, engine)     /* capsules */                                                                                       \
+    FEATURE(segments, engine)     /* segments */                                                                                       \
+    FEATURE(half_spaces, engine)  /* half-spaces */                                                                                    \
+    FEATURE(chains, engine)       /* chains and their segments */                                                                      \
+    FEATURE(restitution, engine)  /* bouncing */                                                                                       \
+    FEATURE(surfaces, engine)     /* rolling resistance and surfaces in motion */                                                      \
+    FEATURE(sleep, engine)        /* sleeping islands; without: as after enable_sleep(false) */                                        \
+    FEATURE(continuous, engine)   /* continuous collision; without: as after enable_continuous(false) */                               \
+    FEATURE(bullets, continuous)  /* bullets (BodyDef::bullet) */                                                                      \
+    FEATURE(sensors, engine)      /* sensors */                                                                                        \
+    FEATURE(hits, engine)         /* hit events */                                                                                     \
+    FEATURE(hooks, engine)        /* the user's filter, pre-solve and mixing */                                                        \
+    FEATURE(one_way, engine)      /* platforms that are passed from one side (ShapeDef::one_way) */                                    \
+    FEATURE(disabling, engine)    /* disabled bodies (BodyDef::enabled, World::set_enabled) */                                         \
+    FEATURE(queries, engine)      /* ray and shape casts, overlaps, closest points in a world */                                       \
+    FEATURE(mover, queries)       /* step_mover */                                                                                     \
+    FEATURE(recorder, engine)     /* World::start_recording */                                                                         \
+    FEATURE(tuning, engine)       /* of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance */    \
+    FEATURE(exact_angles, engine) /* heavily loaded hinges with limits, motors and friction are solved exactly, too; without: swept */ \
+    FEATURE(profile, engine)      /* World::profile: how long the stages of a step took */                                             \
+    FEATURE(shortcuts, engine)    /* faster paths for fast bodies: the bits stay the same, and nothing is refused without them */
 
 /// The types of joints, one per line: JOINT(type, the name of its definition without JointDef). Each type is also a feature, <type>_joints, and "joints"
 /// names all of them. src/constraint/<type>_joint.hpp describes each type.

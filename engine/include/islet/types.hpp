@@ -140,11 +140,13 @@ enum class Schedule : std::uint8_t {
 };
 
 /// Which hinges (revolute joints) are solved exactly, all of a joint tree together, instead of one by one in sweeps. Hinges that close a loop of moving
-/// bodies are always swept, and so are hinges with a spring, a limit, a motor or friction.
+/// bodies are always swept, and so are hinges with a spring.
 enum class JointTrees : std::uint8_t {
     off,        ///< none
     automatic,  ///< those of trees in which a hinge carries at least SolverDef::joint_tree_load times the mass of one of its bodies, and no hinge must be
-                ///< swept. A tree that static or kinematic bodies hold in several places is swept if one of its hinges can break.
+                ///< swept. A tree that static or kinematic bodies hold in several places is swept if one of its hinges can break. A tree with a limit, a
+                ///< motor or friction is solved exactly only while one of these hinges bears more than 2500 m/s^2 times the mass of its lighter body,
+                ///< and until it bears less than a quarter of that; held in several places, it is swept.
     all,        ///< all that can be
 };
 

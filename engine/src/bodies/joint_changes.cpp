@@ -7,6 +7,7 @@
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
+#include "../island/joint_trees.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {
@@ -114,10 +115,11 @@ void assign_joint_colors(Core& core, std::uint32_t body) {
     });
 }
 
-void break_joints(Core& core) {
+void finish_joints(Core& core) {
     const float inv_h = core.state->last_substep > 0 ? 1.0f / core.state->last_substep : 0;
     core.awake_joints.for_each([&](std::uint32_t i) {
-        const Joint& j = core.joints[i];
+        Joint& j = core.joints[i];
+        note_load(core, j);
         if ((j.generation & 1u) == 0 || (j.break_force == 0 && j.break_torque == 0)) return;
         const Vec2 force = inv_h * j.force_impulse;
         const float torque = inv_h * j.torque_impulse;

@@ -67,11 +67,10 @@ ISLET_PART void hold_between(CoordinateRows<W>& r, std::uint32_t lane, const Joi
     r.high[lane] = n.warm * j.upper_impulse;
     r.load[lane] = n.warm * (j.limit_load - own_drive(j));
 }
-/// The load that the limits bore, after a step.
-template <std::uint32_t W>
-ISLET_PART void keep_load(const CoordinateRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+/// The load that the limits bore, after a step, from their impulse.
+ISLET_PART void keep_load(float impulse, Joint& j, const JointOutput& out) {
     const float before = out.warm * j.limit_load;  // in this step's substeps
-    j.limit_load = before + load_rate * out.dt * (r.low[lane] - r.high[lane] + own_drive(j) - before);
+    j.limit_load = before + load_rate * out.dt * (impulse + own_drive(j) - before);
 }
 
 /// Fills rows that hold zeros. Returns the sum of the impulses, which warm starting applies.
@@ -111,7 +110,7 @@ ISLET_SHARED void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane,
     j.friction_impulse = r.friction[lane];
     j.lower_impulse = r.low[lane];
     j.upper_impulse = r.high[lane];
-    if ((j.flags & joint_limit) != 0) keep_load(r, lane, j, out);
+    if ((j.flags & joint_limit) != 0) keep_load(r.low[lane] - r.high[lane], j, out);
 }
 
 /// The sum of the impulses so far.

@@ -213,6 +213,7 @@ enum JointFlags : std::uint32_t {
     joint_collide = 8u,     // the two bodies' shapes collide with each other
     joint_exact = 16u,      // solved exactly, in a tree of hinges
     joint_anchor = 32u,     // of these, one that holds a tree at a static or kinematic body which another one holds already
+    joint_loaded = 64u,     // a hinge with a limit, a motor or friction that bears so much that its tree is solved exactly
     joint_color_shift = 8,  // 8 bits: colour, or no_color
 };
 

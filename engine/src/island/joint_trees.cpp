@@ -32,7 +32,9 @@ void choose_trees(Core& core, Arena temporary) {
     }
     for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i) {
         Joint& j = core.joints[i];
-        if ((j.flags & joint_exact) != 0 && forest.is_anchor(core, j)) j.flags |= joint_anchor;
+        if ((j.flags & joint_exact) == 0) continue;
+        if (forest.is_anchor(core, j)) j.flags |= joint_anchor;
+        if ((j.flags & joint_loaded) != 0) forest.tree_of(core, j).asked = true;
     }
 
     // A hinge's load is the mass of all bodies that hang on it. It is compared with the lighter of the hinge's two bodies.
@@ -55,7 +57,7 @@ void choose_trees(Core& core, Arena temporary) {
         Joint& j = core.joints[i];
         if ((j.flags & joint_exact) == 0) continue;
         const Forest::Tree& of = forest.tree_of(core, j);
-        if (wanted == JointTrees::all || (of.loaded && !of.swept && !(of.taut && of.breaks))) {
+        if (wanted == JointTrees::all || ((of.acted ? of.asked : of.loaded) && !of.swept && !(of.taut && (of.breaks || of.acted)))) {
             ++s.exact_joints;
         } else {
             j.flags &= ~static_cast<std::uint32_t>(joint_exact | joint_anchor);

@@ -83,6 +83,7 @@ ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
     s.relaxed_joints.h = n.h;
     s.relaxed_joints.inv_h = n.inv_h;
     s.relaxed_joints.omega = n.omega;
+    s.relaxed_joints.max_turn = n.max_turn;
     s.biased_joints = s.relaxed_joints;
     s.biased_joints.biased = true;
     if (is_soft(def)) {

@@ -144,7 +144,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         over(count, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, row(begin + first), end - first, numbers); });
     }
     if (has_tuning && s.numbers.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
-    if (link_count() != 0) solve_trees(s.bodies, s.links + batch.first_link, link_count(), joints);
+    if (link_count() != 0) solve_trees(s.bodies, s.links + batch.first_link, link_count(), s.core.joints, joints);
     hold();
 }
 

@@ -73,7 +73,7 @@ void World::step(float dt) {
     tell_touches(c);
     note(c, Stage::solve);
     finish_bodies(c, plan, bodies, arena, dt);
-    if (c.state->joint_pool.count != 0) break_joints(c);
+    if (c.state->joint_pool.count != 0) finish_joints(c);
     fill_report(c, plan);
     note(c, Stage::finish);
     c.inside = 0;

@@ -10,6 +10,7 @@
 #include "../calls/recorder.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
+#include "../island/joint_trees.hpp"
 #include "../math/float_mode.hpp"
 #include "../step/continuous.hpp"
 #include "../world/shapes.hpp"
@@ -30,6 +31,18 @@ bool check_def(const Core& core, const BodyDef& d) {
 
 enum class Push : std::uint8_t { force, impulse };
 
+// Where a heavy force pulls at a body, its hinges will bear it in the next step.
+void expect_load(Core& core, std::uint32_t i) {
+    const Vec2 force = core.motions[i].force;
+    if (!has_exact_angles || (force.x == 0 && force.y == 0)) return;
+    for_each_joint(core, i, [&](std::uint32_t joint, std::uint32_t) {
+        Joint& j = core.joints[joint];
+        if (!has_acting_angle(j) || (j.flags & joint_loaded) != 0 || !(load_of(core, j, force) > heavy_load)) return;
+        j.flags |= joint_loaded;
+        core.state->trees_stale = 1;
+    });
+}
+
 /// Pushes a body and wakes it; no effect on a body that cannot be pushed. What turns it is `turn`, or, if a point is given, `push` at this point.
 void act_on(Core& core, BodyId id, Vec2 push, float turn, const Vec2* point, Push kind) {
     if (!check_finite(core, push) || !check_finite(core, turn) || (point != nullptr && !check_finite(core, *point))) return;
@@ -39,6 +52,7 @@ void act_on(Core& core, BodyId id, Vec2 push, float turn, const Vec2* point, Pus
     if (point != nullptr) turn = cross(*point - core.poses[i].center, push);
     if (kind == Push::force) {
         pull(core, i, push, turn);
+        expect_load(core, i);
     } else {
         kick(core, i, push, turn);
     }

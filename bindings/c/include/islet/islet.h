@@ -248,13 +248,15 @@ enum {
 };
 
 /// Which hinges (revolute joints) are solved exactly, all of a joint tree together, instead of one by one in sweeps. Hinges that close a loop of moving
-/// bodies are always swept, and so are hinges with a spring, a limit, a motor or friction.
+/// bodies are always swept, and so are hinges with a spring.
 typedef uint8_t IsletJointTrees;
 enum {
     /// none
     ISLET_JOINT_TREES_OFF = 0,
     /// those of trees in which a hinge carries at least IsletSolverDef.joint_tree_load times the mass of one of its bodies, and no hinge must be swept. A
-    /// tree that static or kinematic bodies hold in several places is swept if one of its hinges can break.
+    /// tree that static or kinematic bodies hold in several places is swept if one of its hinges can break. A tree with a limit, a motor or friction is
+    /// solved exactly only while one of these hinges bears more than 2500 m/s^2 times the mass of its lighter body, and until it bears less than a quarter of
+    /// that; held in several places, it is swept.
     ISLET_JOINT_TREES_AUTOMATIC = 1,
     /// all that can be
     ISLET_JOINT_TREES_ALL = 2,
