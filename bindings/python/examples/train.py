@@ -25,6 +25,7 @@ PLANS = {
     "cart_pole": dict(pairs=8, generations=12, noise=0.1, rate=0.05),
     "acrobot": dict(generations=30),
     "bipedal_walker": dict(pairs=64, generations=100, noise=0.2, rate=0.1, steps=400),
+    "lunar_lander": dict(pairs=32, generations=80, noise=0.3, rate=0.2, steps=350),
     "car_racing": dict(pairs=16, generations=12, noise=0.2, rate=0.2, steps=300),
 }
 PLAN = dict(pairs=64, generations=100, noise=0.1, rate=0.1)

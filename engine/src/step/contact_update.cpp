@@ -234,7 +234,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
         return (m.flags & contact_touching) != 0 ? Change::changes : Change::none;
     }
     loads.follow(m);
-    if ((a.flags & b.flags & pose_learns) != 0) loads.learn(m, a.inv_mass + b.inv_mass);
+    if (has_sleep && (a.flags & b.flags & pose_learns) != 0) loads.learn(m, a.inv_mass + b.inv_mass);
     // Shapes that touch already, and have slipped little, do not come together fast.
     // Bodies that bounce off each other, or that shock propagation takes for lighter, do not look ahead for each other: they would gain energy.
     const bool calm = (m.flags & contact_bouncy) == 0 && !has_shock(core.state->solver);
