@@ -1,5 +1,5 @@
 // A world that uses every feature of islet/config.hpp but the ones named on the command line, and its hash after two seconds. It is linked once with the whole
-// engine and once with each engine that leaves one feature out (pairs_test.cpp).
+// engine and once with each engine that leaves one feature out (switched_off_test.cpp).
 //
 //   without NAME...                  with these features switched off from the beginning
 //   without --switch NAME... FILE    sleep and continuous collision are switched off after a second; the world is saved then, too
