@@ -2,7 +2,7 @@
 # Writes the engine as one header and one source.
 #   tools/amalgamate.sh [FOLDER]   islet.hpp, islet.cpp, islet_lcp.cpp, islet.h, islet_lcp.h and islet_c.cpp into FOLDER (build/amalgamation unless given)
 # They need nothing else and no flags but -std=c++20 (or c++17):
-#   g++ -std=c++20 islet.cpp game.cpp
+#   g++ -std=c++20 -O2 islet.cpp game.cpp
 # islet.hpp holds all the public headers. islet.cpp is the engine, islet_lcp.cpp the matrix solvers, for programs that use them. Programs in C include islet.h
 # and link islet_c.cpp too.
 set -euo pipefail

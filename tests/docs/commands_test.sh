@@ -71,7 +71,7 @@ try() {
     ./tools/package.sh*) "$root/tools/package.sh" Islet && [ -s Islet/library.properties ] ;;
     # tests/package/one_file_test.sh compiles what the first writes as the second does.
     ./tools/amalgamate.sh*) eval "$command" && [ -s "${words[1]}/islet.cpp" ] ;;
-    'g++ -std=c++20 islet.cpp '*) grep -q '"$compiler" -std=c++20 islet.cpp hello.cpp' "$root/tests/package/one_file_test.sh" ;;
+    'g++ -std=c++20 -O2 islet.cpp '*) grep -q '"$compiler" -std=c++20 islet.cpp hello.cpp' "$root/tests/package/one_file_test.sh" ;;
     'g++ -std=c++20 -O2 -I engine/include -c engine/src/'*) grep -q 'as_manual' "$root/tests/determinism/by_hand.sh" ;;
     *)
         printf 'no rule for: %s\n' "$command"

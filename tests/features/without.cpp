@@ -105,6 +105,7 @@ void add_joints(World& world, BodyId ground) {
         next.frame_a = {{0, 0}, 0};
         world.create_joint(RevoluteJointDef{.base = next});
     }
+    if (uses_joint("revolute") && uses("exact_angles")) world.create_joint(RevoluteJointDef{.base = pair(), .limit = {true, -1, 1}});
     if (uses_joint("prismatic")) world.create_joint(PrismaticJointDef{.base = pair(), .limit = {true, -1, 1}});
     if (uses_joint("distance")) world.create_joint(DistanceJointDef{.base = pair(), .length = 1.5f, .spring = {true, 2, 0.3f}});
     if (uses_joint("weld")) world.create_joint(WeldJointDef{.base = pair(), .angular_hertz = 3});

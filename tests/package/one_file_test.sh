@@ -48,7 +48,11 @@ for compiler in g++ clang++; do
     diff <("$program") <("./hello-$compiler") || fail "$compiler: the program prints something else"
     cc -std=c11 -c hello.c -o hello_c.o
     "$compiler" -std=c++20 -c islet.cpp -o "$compiler.o"
-    "$compiler" -std=c++20 "$compiler.o" islet_c.cpp hello_c.o -o "hello-c-$compiler"
+    if [ "$compiler" = g++ ]; then # the command of the manual for C: no flags, so C++17
+        cc islet.cpp islet_c.cpp hello.c -o "hello-c-$compiler" -lstdc++ -lm
+    else
+        "$compiler" -std=c++20 "$compiler.o" islet_c.cpp hello_c.o -o "hello-c-$compiler"
+    fi
     diff <("$program") <("./hello-c-$compiler") || fail "$compiler: the program in C prints something else"
     "$compiler" -std=c++20 islet_lcp.cpp lcp.cpp -o "lcp-$compiler"
     "./lcp-$compiler" >/dev/null || fail "$compiler: the matrix solvers find no solution"

@@ -73,7 +73,7 @@ constexpr float body_height = 1.6f, torso_mass = 0.355f * 60, gravity = 10;
 constexpr float substep = 1.0f / 240;
 constexpr float thinnest_pair = (0.020f + 0.025f) * body_height;  // m, the radii of a forearm and an upper arm: farther apart, a gap is seen between their ends
 constexpr float visible = 0.005f;                                 // m, of what lies still
-constexpr float wrong_bend = 10 * pi / 180, still_bend = pi / 180;  // rad beyond a limit: what is seen for a moment, and of what lies still
+constexpr float wrong_bend = 20 * pi / 180, still_bend = pi / 180;  // rad beyond a limit: of a blow, for a moment, and of what lies still
 
 /// The greatest speed of a part: its push, the fall of all of it, and the tip of a rod of its height that tips over, all in line.
 float most_speed(float push, float drop) {

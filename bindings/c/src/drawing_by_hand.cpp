@@ -8,7 +8,7 @@ namespace {
 const IsletDrawStyle* c_style(const DrawStyle& style) { return cast<const IsletDrawStyle>(&style); }
 const DebugDraw& user(void* context) { return *static_cast<const DebugDraw*>(context); }
 
-void draw_polygon(std::span<const Vec2> corners, float radius, const DrawStyle& style, void* context) {
+void draw_polygon(span<const Vec2> corners, float radius, const DrawStyle& style, void* context) {
     using Function = void (*)(const IsletVec2*, std::size_t, float, const IsletDrawStyle*, void*);
     function<Function>(user(context).polygon)(cast<const IsletVec2>(corners.data()), corners.size(), radius, c_style(style), user(context).context);
 }

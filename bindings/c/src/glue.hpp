@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
+#include <type_traits>
 
 #include "islet/fleet.hpp"
 #include "islet/island.hpp"
@@ -90,15 +90,15 @@ To function(From from) {
 }
 
 template <class T, class Pointer>
-std::span<T> span_of(Pointer pointer, std::size_t count) {
+span<T> span_of(Pointer pointer, std::size_t count) {
     return {reinterpret_cast<T*>(pointer), count};
 }
 template <class T>
-std::span<T> span_of(const void* pointer, std::size_t count) {
+span<T> span_of(const void* pointer, std::size_t count) {
     return {static_cast<T*>(pointer), count};
 }
 template <class T>
-std::span<T> span_of(void* pointer, std::size_t count) {
+span<T> span_of(void* pointer, std::size_t count) {
     return {static_cast<T*>(pointer), count};
 }
 
@@ -115,10 +115,11 @@ inline IsletError end(IsletWorld* world) {
 /// Whether a pointer is not null, or what it points to has no elements; if not, the error is recorded.
 bool is_there(const IsletWorld* world, const void* given, std::size_t count = 1);
 
+/// Whether a struct has fields that an earlier version did not have.
+template <class T, class = void>
+inline constexpr bool has_grown = false;
 template <class T>
-concept HasGrown = requires {
-    sizeof(First<T>);
-};
+inline constexpr bool has_grown<T, std::void_t<decltype(sizeof(First<T>))>> = true;
 
 /// Whether a struct had this size in an earlier version, which no size that would cut a field has.
 template <class T>
@@ -128,10 +129,10 @@ bool is_older(std::uint32_t size) {
 }
 
 /// Room for a struct of an older program, with the defaults of the fields that it does not know.
-template <class T>
+template <class T, bool = has_grown<T>>
 struct Room {};
-template <HasGrown T>
-struct Room<T> {
+template <class T>
+struct Room<T, true> {
     T value = {};
 };
 
@@ -142,7 +143,7 @@ const void* take_exact(const IsletWorld* world, const void* given, std::uint32_t
 template <class T>
 const T* take(const IsletWorld* world, const typename Twin<T>::Type* given, [[maybe_unused]] Room<T>& room) {
     using Type = typename Twin<T>::Type;
-    if constexpr (HasGrown<T>) {
+    if constexpr (has_grown<T>) {
         if (given != nullptr && is_older<T>(given->struct_size)) {
             std::memcpy(static_cast<void*>(&room.value), reinterpret_cast<const char*>(given) + start_of<T>, given->struct_size - start_of<T>);
             return &room.value;
@@ -168,7 +169,7 @@ template <class T>
 template <class T>
 bool fits(const IsletWorld* world, const typename Twin<T>::Type* out) {
     using Type = typename Twin<T>::Type;
-    if constexpr (HasGrown<T>) {
+    if constexpr (has_grown<T>) {
         if (out != nullptr && is_older<T>(out->struct_size)) return true;
     }
     return take_exact(world, out, sizeof(Type), start_of<T>) != nullptr;

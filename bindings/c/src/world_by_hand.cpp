@@ -14,7 +14,7 @@ bool copy_exact(const void* given, void* to, std::uint32_t size, std::uint32_t s
 template <class T>
 bool take_if_given(const typename Twin<T>::Type* given, T& to) {
     using Type = typename Twin<T>::Type;
-    if constexpr (HasGrown<T>) {
+    if constexpr (has_grown<T>) {
         if (given != nullptr && is_older<T>(given->struct_size)) {
             std::memcpy(&to, reinterpret_cast<const char*>(given) + start_of<T>, given->struct_size - start_of<T>);
             return true;

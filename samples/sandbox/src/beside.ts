@@ -115,7 +115,7 @@ export class Beside {
             const refuse = (sentence: string) => void (this.figures.textContent = sentence);
             if (running.scene.text !== undefined) return refuse('Box2D runs the scenes of the gallery, not those of files.');
             if (running.hasScript) return refuse('A script moves this scene, which knows Islet alone.');
-            const scene = describe(running.scene);
+            const scene = describe(running);
             const lacks = box2d.lacks(scene);
             if (lacks !== '') return refuse(lacks);
             this.world = box2d.make(scene);

@@ -74,9 +74,11 @@ function text(at: number): string {
     return new TextDecoder().decode(bytes.subarray(at, bytes.indexOf(0, at)));
 }
 
-/// A scene for another engine.
-export function describe(scene: SceneInfo): SceneText {
-    return JSON.parse(text(exports.sandbox_describe(scene.index))) as SceneText;
+/// The scene that runs, for another engine.
+export function describe(running: Running): SceneText {
+    const scene = JSON.parse(text(exports.sandbox_describe(running.scene.index))) as SceneText;
+    running.world.stepCount(); // any call: after it, the package sees the memory anew, which may have grown
+    return scene;
 }
 
 /// A scene that runs. There is one at a time in each place.
