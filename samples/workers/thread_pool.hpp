@@ -19,8 +19,8 @@ namespace islet::samples {
 /// helps the others.
 ///
 /// Whoever is free takes the next task, so the caller finishes alone if the workers do not run. A worker that has taken a task and then loses its core to
-/// another program holds up the caller. Such a worker gets no tasks for the next while, 20 times as long as the caller waited: so a step takes at most about
-/// a twentieth longer than with one worker. (On Linux, where one thread can see whether another one runs.)
+/// another program holds up the caller. Such a worker gets no tasks for the next while, 20 times as long as the caller waited: so such waits
+/// add at most about a twentieth to the steps. (On Linux, where one thread can see whether another one runs.)
 class ThreadPool {
 public:
     using Task = void (*)(void* data, std::uint32_t index);

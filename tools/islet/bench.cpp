@@ -1,5 +1,6 @@
 #include "bench.hpp"
 
+#include "common/clock.hpp"
 #include "workers/thread_pool.hpp"
 
 #include <algorithm>
@@ -38,11 +39,7 @@ std::vector<Contender> contenders(const SceneInfo& info, const BenchOptions& opt
     return list;
 }
 
-constexpr double nanoseconds_per_ms = 1e6;
-
-std::uint64_t nanoseconds(void*) {
-    return static_cast<std::uint64_t>(std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count());
-}
+std::uint64_t nanoseconds(void*) { return nanoseconds_now(); }
 
 void add(std::optional<BenchProfile>& sum, const StepProfile& step) {
     if (!sum) sum.emplace();

@@ -1,7 +1,6 @@
 #include "worker_span.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/clock.hpp"
 #include "harness/engine.hpp"
 
 namespace islet::tools {
@@ -16,11 +16,7 @@ namespace {
 
 using namespace samples;
 
-constexpr double nanoseconds_per_ms = 1e6;
-
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
-std::uint64_t machine_time() { return static_cast<std::uint64_t>(std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count()); }
 
 // When all tasks have returned: each worker that is free takes the next one.
 double job_time(const std::vector<double>& tasks, std::uint32_t workers) {
@@ -91,7 +87,7 @@ double StageTimes::time_with(std::uint32_t workers) const {
     return all;
 }
 
-SpanMeter::SpanMeter(std::uint32_t workers, Now now) : workers_(workers), now_(now ? std::move(now) : Now(machine_time)) {}
+SpanMeter::SpanMeter(std::uint32_t workers, Now now) : workers_(workers), now_(now ? std::move(now) : Now(nanoseconds_now)) {}
 
 TaskSystem SpanMeter::tasks() {
     const auto parallel_for = [](void* meter, std::uint32_t count, void (*task)(void* data, std::uint32_t index), void* data) {
