@@ -124,7 +124,7 @@ extern constexpr unsigned bytes_of_a_world = unsigned(islet::world_bytes({.bodie
 END
     for flag in '' "${flags[@]}"; do
         # shellcheck disable=SC2086  # several flags, or none
-        sizes+=("$($compiler -std=c++20 $flag -I "$root/engine/include" -S "$work/$name.cpp" -o - | grep -A 9 '^bytes_of_a_world:' | grep -m 1 -oE '[0-9]{4,}' || echo '?')")
+        sizes+=("$($compiler -std=c++20 $flag -I "$root/engine/include" -S "$work/$name.cpp" -o - | grep -A 9 '^bytes_of_a_world:' | grep -m 1 -oE '[0-9]{4,}' | head -n 1 || echo '?')")
     done
     result="${sizes[*]}"
     [ "$(printf '%s\n' "${sizes[@]}" | sort -u | wc -l)" -eq 1 ] && [ "${sizes[0]}" != '?' ] || failed=true
