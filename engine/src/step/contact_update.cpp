@@ -41,7 +41,7 @@ inline constexpr float straight_share = 0.02f;                 // friction, as a
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
 
 // How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load. But when an
-// island has come to rest (pose_learns), contacts that bear their load straight, as those of columns and walls do, learn it at once. So a column rises by most
+// island has come to rest (pose_learns), contacts that bear their load straight, as those of columns do, learn it at once. So a column rises by most
 // of what it has sunk by before it falls asleep. (Ten boxes then lie 0.01 m too low instead of 0.03, and thirty 0.07 m instead of 0.29. If contacts with more
 // friction learn too, a brick wall of 20 rows sinks by 0.025 m instead of 0.061, but a pile of 500 boxes slides into another one and sleeps after 13.1 s in the
 // mean instead of 10.7. Loads that are followed quickly in every step pump up the sway of a wall of 30 rows to 0.8 m/s, even if that is done in quiet islands
