@@ -34,7 +34,7 @@ void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, [[maybe_
 
 /// Makes the contacts of pairs that have none.
 struct ContactMaker {
-    static constexpr bool looks_up = true;  // whether there is a contact already
+    [[maybe_unused]] static constexpr bool looks_up = true;  // whether there is a contact already
     Core& core;
     float dt;
     void add(std::uint32_t shape_1, std::uint32_t shape_2) { add_pair(core, shape_1, shape_2, dt); }
@@ -405,7 +405,7 @@ struct SearchRange {
 
 /// Lists the pairs of a range.
 struct PairLister {
-    static constexpr bool looks_up = false;
+    [[maybe_unused]] static constexpr bool looks_up = false;
     const Core& core;
     SearchRange& range;
 
