@@ -209,7 +209,7 @@ void scatter_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) 
 
 // Fills in the contacts of each block, and the materials of those that are special or bouncy.
 template <std::uint32_t W>
-void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, const std::uint32_t* contacts) {
+void name_contacts(Core& core, ContactRows<W>* rows, std::uint32_t count, const std::uint32_t* contacts) {
     for (std::uint32_t block = 0; block < count; ++block) {
         ContactRows<W>& r = rows[block];
         std::uint32_t any = 0;
@@ -220,18 +220,19 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
                 __builtin_prefetch(&core.manifolds[soon].flags);
                 __builtin_prefetch(&core.contacts[soon]);
             }
-            r.contact[i] = c;
+            set_contact(r, i, c, core.manifolds);
             if (c != null_index) any |= core.manifolds[c].flags;
         }
         if ((any & (contact_special | contact_bouncy | contact_hits)) == 0) continue;
         for (std::uint32_t i = 0; i < W; ++i) {
             // A contact's own flags decide, whatever the other contacts of the block have, and whatever its shapes would mix to now.
-            const std::uint32_t c = r.contact[i];
+            const std::uint32_t c = contacts[block * W + i];
             const bool is_live = W == 1 || c != null_index;
             const std::uint32_t own = W == 1 ? any : is_live ? core.manifolds[c].flags : 0;
             const MixedSurface surface = is_live ? surface_of(core, c) : MixedSurface{};
             const bool special = W == 1 || (own & contact_special) != 0;  // a block of one contact is read only if it is special
             r.restitution[i] = (own & contact_bouncy) != 0 ? surface.restitution : 0;
+            if (!has_surfaces) continue;
             r.rolling_resistance[i] = special ? surface.rolling_resistance : 0;
             r.tangent_speed[i] = special ? surface.tangent_speed : 0;
         }
@@ -376,7 +377,13 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
         for (const std::uint32_t slot : r.body_a) trial.add(slot);
         for (const std::uint32_t slot : r.body_b) trial.add(slot);
         begin_trial(trial, s.bodies);
-        decltype(kernel)::solve(s.bodies, &r, 1, numbers);
+        if constexpr (decltype(kernel)::W == 1) {
+            const ContactManifold before = *r.manifold;  // has the impulses
+            decltype(kernel)::solve(s.bodies, &r, 1, numbers);
+            *r.manifold = before;
+        } else {
+            decltype(kernel)::solve(s.bodies, &r, 1, numbers);
+        }
         end_trial(trial, s.bodies, island_of, s.residuals);
     };
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
@@ -549,10 +556,20 @@ void report_residuals(Core& core, const Plan& plan, const float* residuals) {
 
 }  // namespace
 
-SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
+SolverMotion* take_motions(Core& core, Arena& arena) {
+    const std::uint32_t count = core.state->body_pool.high_water + 1;
+    auto* const late = reinterpret_cast<std::byte*>(core.hit_events);
+    // A fleet lends its worlds scratch that lies elsewhere.
+    if (reinterpret_cast<std::byte*>(core.residuals) + align_up(core.capacity.bodies * sizeof(float)) != core.scratch) return arena.take<SolverMotion>(count);
+    const std::size_t bytes = count * sizeof(SolverMotion), room = static_cast<std::size_t>(core.scratch - late);
+    if (bytes > room) arena.take<std::byte>(bytes - room);
+    return reinterpret_cast<SolverMotion*>(late);
+}
+
+SolverBody* solve(Core& core, const Plan& plan, SolverMotion* motions, Arena& arena, float dt) {
     Solve s{core, plan, choose_numbers(*core.state, dt)};
     s.bodies = arena.take<SolverBody>(plan.slot_count);
-    s.motions = arena.take<SolverMotion>(plan.slot_count);
+    s.motions = motions;
     s.bodies[0] = SolverBody{};
     s.motions[0] = SolverMotion{};
     if (has_tuning && measures_residual(core.state->solver)) s.residuals = arena.take<float>(plan.island_count);
@@ -565,6 +582,7 @@ SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     with_lanes(core.lanes, [&](auto lanes) { solve_batches<ContactKernel<lanes>>(s); });
     core.state->last_substep = s.numbers.step.h;
     if (has_shock(core.state->solver)) restore_impulses(core, plan.lightness, arena);
+    core.has_residuals = s.residuals != nullptr;
     if (s.residuals != nullptr) report_residuals(core, plan, s.residuals);
     if (has_hits && s.hits != nullptr) report_hits(core, s.hits);
     return s.bodies;
