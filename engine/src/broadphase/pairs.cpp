@@ -188,7 +188,7 @@ ISLET_SHARED Aabb box_to_meet_in(const Core& core, std::uint32_t shape, float dt
 }
 
 // If few boxes changed: the awake bodies with a shape near one, in `bodies`. No other body is part of a new pair.
-bool find_near_changed(const Core& core, float dt, BitSet bodies) {
+[[maybe_unused]] bool find_near_changed(const Core& core, float dt, BitSet bodies) {
     const std::uint32_t shape_count = core.state->shape_pool.count;
     if (shape_count < ChangedCells::least_shapes || core.state->moved_count > shape_count / ChangedCells::share) return false;
     Aabb area{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
