@@ -3,7 +3,8 @@
 # built for every target and run in QEMU. Its hashes must be the host's.
 #   tools/footprint.sh               a table. Flash is what the engine and the compiler's runtime take: all functions of the engine
 #                                    together, what a large program links (samples/firmware/firmware.cpp), and what a small
-#                                    one links (smallest.cpp). docs/microcontrollers.md says what the two use
+#                                    one links (smallest.cpp). docs/microcontrollers.md says what the two use. A second table: ten boxes and a
+#                                    ball in the small profile (drawer.cpp) on boards with little flash and memory
 #   tools/footprint.sh --json        the same as JSON
 #   tools/footprint.sh --write       the table, and its figures into docs/microcontrollers.md
 #   tools/footprint.sh --check       the table (without the Cortex-M7, and some without all programs), and whether every figure keeps its limit: part of
@@ -31,6 +32,10 @@ most_stack=4096          # bytes
 most_instructions=625000       # a step of the pyramid, in the mean
 most_soft_instructions=8350000 # the same without a floating-point unit
 
+# Boards for which drawer.cpp alone is built, and their limits: flash (bytes), memory of the world (bytes), instructions of a step in the mean.
+boards=(cortex-m0 stm32f103 riscv32imc)
+declare -A most_on_board=([cortex-m0]='68600 13648 2470000' [stm32f103]='62900 13648 1210000' [riscv32imc]='79400 13648 2300000')
+
 mode=table
 for argument in "$@"; do
     case $argument in
@@ -40,7 +45,7 @@ for argument in "$@"; do
     --c) mode=c ;;
     --options) mode=options ;;
     -h | --help)
-        sed -n '2,13s/^# \{0,1\}//p' "$0"
+        sed -n '2,14s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
     *) die "$0: unknown option $argument; there are --json, --check, --write, --c and --options" ;;
@@ -116,7 +121,7 @@ fi
 
 say "the host"
 [ -e "$root/build/release/CMakeCache.txt" ] || configure release -DISLET_BUILD_TESTS=OFF -DISLET_BUILD_TOOLS=OFF -DISLET_WERROR=OFF
-build release --target firmware
+build release --target firmware --target drawer
 wanted=$("$root/build/release/samples/firmware/firmware" | hashes)
 
 failed=false
@@ -136,7 +141,7 @@ if [ "$mode" = check ]; then targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex
 write_figures() {
     local page=$root/docs/microcontrollers.md new
     new=$(mktemp)
-    awk -v targets="$(printf '%s\n' "${rows[@]}")" -v worlds="$worlds" '
+    awk -v boards="$(printf '%s\n' "${board_rows[@]}")" -v targets="$(printf '%s\n' "${rows[@]}")" -v worlds="$worlds" '
         function spaced(n,  text) {
             for (text = ""; length(n) > 3; n = substr(n, 1, length(n) - 3)) text = " " substr(n, length(n) - 2) text
             return n text
@@ -146,6 +151,11 @@ write_figures() {
             for (i = 1; i <= count; ++i) {
                 split(line[i], t, " +")
                 made["| " t[1] " |"] = "| " t[1] " | " spaced(t[3]) " | " spaced(t[4]) " | " spaced(t[5]) " | " spaced(t[6]) " | " spaced(t[7]) " | " spaced(t[8]) " |"
+            }
+            count = split(boards, line, "\n")
+            for (i = 1; i <= count; ++i) {
+                split(line[i], t, " +")
+                made["| `" t[1] "` |"] = "| `" t[1] "` | " spaced(t[2]) " | " spaced(t[3]) " | " spaced(t[4]) " | " spaced(t[5]) " |"
             }
             count = split(worlds, line, "\n")
             for (i = 1; i <= count; ++i) {
@@ -235,6 +245,35 @@ for target in "${targets[@]}"; do
         "$pyramid" "$ragdoll" "$circles")")
 done
 
+# "drawer" on boards with little, against the host's whole engine. The F103's flash holds it if the engine is optimised as a whole.
+board_rows=()
+as_one=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)  # the engine as one file: built in a tenth of the time
+only=(drawer)
+wanted_drawer=$("$root/build/release/samples/firmware/drawer" | hashes)
+for target in "${boards[@]}"; do
+    say "$target"
+    folder=$root/build/firmware/$target
+    case $target in
+    stm32f103) build_firmware "$target" "$target" "${as_one[@]}" -DISLET_LTO=ON ;;
+    *) build_firmware "$target" "$target" "${as_one[@]}" ;;
+    esac
+    status=0
+    log=$(ctest --test-dir "$folder" --no-tests=error --tests-regex drawer --verbose 2>&1) || status=$?
+    printed=$(sed -n 's/^[0-9]*: //p' <<<"$log")
+    [ "$status" -eq 0 ] || complain "$target: drawer fails: $(grep -E 'fault|\*\*\*|No tests' <<<"$log" | head -n 3)"
+    [ "$(hashes <<<"$printed")" = "$wanted_drawer" ] || complain "$target: the hash of drawer is not the host's"
+    read -r -a limits <<<"${most_on_board[$target]}"
+    measured=("$(flash "$folder" drawer)" "$(sed -n 's/^memory //p' <<<"$printed")" "$(sed -n 's/^drawer .* instructions \([0-9]*\) .*/\1/p' <<<"$printed")")
+    whats=('flash' 'memory of the world' 'instructions a step')
+    for i in 0 1 2; do at_most "$target" "${whats[i]}" "${measured[i]}" "${limits[i]}"; done
+    board_rows+=("$(printf '%-14s %9d %8d %9d %9d' "$target" "${measured[0]}" "${measured[1]}" "$(sed -n 's/^stack //p' <<<"$printed")" "${measured[2]}")")
+done
+
+# The smallest program in the small profile; both folders were built above.
+profile=("$(flash "$root/build/firmware/cortex-m4f" small)" "$(flash "$root/build/firmware/cortex-m4f-lto" small)")
+at_most cortex-m4f 'flash of the small profile' "${profile[0]}" 39000
+at_most cortex-m4f-lto 'flash of the small profile' "${profile[1]}" 37400
+
 say "a Cortex-M4F without what can be left out"
 only=()
 build_firmware cortex-m4f-cut cortex-m4f -DISLET_TRIMMED=OFF \
@@ -268,6 +307,9 @@ else
     printf '%-14s %9s %8s %9s %7s %9s %9s %9s\n' 'target' 'function' 'program' 'program' 'bytes' 'pyramid' 'ragdoll' 'balls'
     printf '%s\n' "${rows[@]}"
     printf 'Boxes and balls with all left out that can be (ISLET_WITHOUT), on the Cortex-M4F: %d bytes.\n' "$cut"
+    printf 'Boxes and balls in the small profile, on the Cortex-M4F: %d bytes; optimised at the link %d.\n' "${profile[@]}"
+    printf '\n%-14s %9s %8s %9s %9s\n' 'ten boxes, ball' 'flash' 'memory' 'stack' 'a step'
+    printf '%s\n' "${board_rows[@]}"
     printf '\n%8s %8s %8s %8s %10s %14s\n' 'bodies' 'shapes' 'contacts' 'joints' 'geometries' 'memory, bytes'
     while read -r bodies shapes contacts joints geometries bytes; do
         printf '%8d %8d %8d %8d %10d %14d\n' "$bodies" "$shapes" "$contacts" "$joints" "$geometries" "$bytes"

@@ -2,6 +2,8 @@
 #include "board.hpp"
 #include "memory_image.hpp"
 
+__asm__(".option arch, +zicsr");  // a set of its own since 2019; the compiler's names for processors without floats leave it out
+
 namespace {
 
 // Operations of semihosting, as on Arm ("RISC-V Semihosting", RISC-V International 2023).

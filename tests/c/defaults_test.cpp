@@ -151,6 +151,7 @@ TEST(Defaults, OfCapacity) {
     EXPECT_EQ(c.joints, cpp.joints);
     EXPECT_EQ(c.geometries, cpp.geometries);
     EXPECT_EQ(c.hits, cpp.hits);
+    EXPECT_EQ(c.events, cpp.events);
 }
 
 TEST(Defaults, OfHooks) {

@@ -23,7 +23,7 @@ using namespace islet;
 
 std::set<std::string> listed_features() {
     std::set<std::string> names = {"joints"};
-#define ISLET_NAME(name, needs) names.insert(#name);
+#define ISLET_NAME(name, ...) names.insert(#name);
     ISLET_FEATURES(ISLET_NAME)
 #undef ISLET_NAME
 #define ISLET_NAME(type, definition) names.insert(#type "_joints");

@@ -432,7 +432,7 @@ TEST(RecordingNeeds, NothingForALieInItsHead) {
         detail::ImageHeader h;
         std::byte* image = tape.bytes.data() + sizeof(detail::RecordingHead);
         std::memcpy(&h, image, sizeof h);
-        h.capacity = capacity;
+        h.set_capacity(capacity);
         std::memcpy(image, &h, sizeof h);
         seal({image, static_cast<std::size_t>(h.head.length)});
     };
@@ -472,7 +472,9 @@ TEST(RecordingNeeds, AnImageOfLessCapacityThanItUsesIsCorrupt) {
     for (const bool bodies : {true, false}) {
         Image image = save(*w);
         detail::ImageHeader h = header_of(image.bytes());
-        (bodies ? h.capacity.bodies : h.capacity.contacts) = 0;
+        Capacity capacity = h.capacity();
+        (bodies ? capacity.bodies : capacity.contacts) = 0;
+        h.set_capacity(capacity);
         std::memcpy(image.bytes().data(), &h, sizeof h);
         seal(image.bytes());
         SnapshotInfo info;

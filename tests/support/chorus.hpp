@@ -395,7 +395,7 @@ inline const char* difference(const World& a, const World& b) {
     const Core& x = Core::of(a);
     const Core& y = Core::of(b);
     ImageHeader h = header_of(x), other = header_of(y);
-    other.capacity = h.capacity;
+    other.set_capacity(h.capacity());
     if (std::memcmp(&h, &other, sizeof h) != 0) return "one world holds more than another";
     const void* parts[part_count];
     std::uint32_t n = 0, i = 0;

@@ -141,7 +141,7 @@ Solved run_kernel(const ContactProblem& problem, const detail::SweepNumbers& bia
         auto& blocks = rows.emplace_back((group.size() + W - 1) / W);
         for (std::size_t i = 0; i < blocks.size() * W; ++i) {
             auto& block = blocks[i / W];
-            block.contact[i % W] = i < group.size() ? group[i] : null_index;
+            set_contact(block, i % W, i < group.size() ? group[i] : null_index, out.manifolds.data());
             const Material m = i < group.size() ? problem.materials[group[i]] : Material{};
             block.restitution[i % W] = m.restitution;
             block.rolling_resistance[i % W] = m.rolling_resistance;

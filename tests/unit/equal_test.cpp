@@ -75,8 +75,8 @@ TEST(Equality, CountsEveryField) {
     }
     {
         Capacity v;
-        auto& [a, b, c, d, e, f] = v;
-        expect_all_count(v, a, b, c, d, e, f);
+        auto& [a, b, c, d, e, f, g] = v;
+        expect_all_count(v, a, b, c, d, e, f, g);
     }
     {
         SurfaceMaterial v;

@@ -104,7 +104,7 @@ TEST(Scratch, IsEnoughForFullWorldsOfAnyCapacity) {
 }
 
 #if GTEST_HAS_DEATH_TEST
-// The test above would notice: with a sixth less scratch, stages of full worlds trap.
+// The test above would notice: with a third less scratch, stages of full worlds trap.
 TEST(ScratchDeathTest, IsNotMuchMoreThanFullWorldsTake) {
     GTEST_FLAG_SET(death_test_style, "fast");
     for (const Capacity& c : {Capacity{.bodies = 90, .shapes = 90, .contacts = 4000}, Capacity{.bodies = 40, .shapes = 4000, .contacts = 1}}) {
@@ -113,7 +113,7 @@ TEST(ScratchDeathTest, IsNotMuchMoreThanFullWorldsTake) {
             {
                 FullWorld w(c, random);
                 detail::Core& core = detail::Core::of(*w);
-                core.scratch_end -= detail::scratch_bytes(c) / 6 / 64 * 64;
+                core.scratch_end -= detail::scratch_bytes(c) / 3 / 64 * 64;
                 w.use_scratch();
             },
             "");

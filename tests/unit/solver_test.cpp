@@ -288,16 +288,18 @@ SolverBody land_with_overflow() {
     std::vector<SolverBody> bodies(2);
     bodies[1].v = {0, 2e30f};  // away from the static body: both impulses of before become 0
     bodies[1].inv_mass = bodies[1].inv_inertia = 1;
+    ContactManifold manifold;
     ContactRows<W> rows{};
+    set_contact(rows, 0, 0, &manifold);
     rows.body_b[0] = 1;
-    rows.ny[0] = 1;
-    rows.friction[0] = 1;
+    *normal_y(rows) = 1;
+    *friction_of(rows) = 1;
     rows.extra_passes[0] = 4;
     rows.points[0].rna[0] = -1;
     rows.points[0].rta[0] = 1e15f;
     rows.points[0].normal_mass[0] = 1;
-    rows.points[0].normal_impulse[0] = 1e30f;
-    rows.points[0].tangent_impulse[0] = 1e29f;
+    *normal_impulse_of(rows) = 1e30f;
+    *tangent_impulse_of(rows) = 1e29f;
     ContactKernel<W>::solve(bodies.data(), &rows, 1, rigid_numbers());
     return bodies[1];
 }

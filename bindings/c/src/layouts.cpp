@@ -108,6 +108,8 @@ static_assert(offsetof(IsletCapacity, contacts) == offsetof(Capacity, contacts) 
 static_assert(offsetof(IsletCapacity, joints) == offsetof(Capacity, joints) + start_of<Capacity> && sizeof(IsletCapacity::joints) == sizeof(Capacity::joints));
 static_assert(offsetof(IsletCapacity, geometries) == offsetof(Capacity, geometries) + start_of<Capacity> && sizeof(IsletCapacity::geometries) == sizeof(Capacity::geometries));
 static_assert(offsetof(IsletCapacity, hits) == offsetof(Capacity, hits) + start_of<Capacity> && sizeof(IsletCapacity::hits) == sizeof(Capacity::hits));
+static_assert(offsetof(IsletCapacity, events) == offsetof(Capacity, events) + start_of<Capacity> && sizeof(IsletCapacity::events) == sizeof(Capacity::events));
+static_assert(sizeof(IsletCapacity) > sizeof(First<Capacity>));
 static_assert(sizeof(IsletHooks) == sizeof(Hooks) + start_of<Hooks> && start_of<Hooks> == offsetof(IsletHooks, filter));
 static_assert(offsetof(IsletHooks, filter) == offsetof(Hooks, filter) + start_of<Hooks> && sizeof(IsletHooks::filter) == sizeof(Hooks::filter));
 static_assert(offsetof(IsletHooks, pre_solve) == offsetof(Hooks, pre_solve) + start_of<Hooks> && sizeof(IsletHooks::pre_solve) == sizeof(Hooks::pre_solve));

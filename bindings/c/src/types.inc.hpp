@@ -95,3 +95,14 @@
     X(MoverDef, 8) \
     X(MoverInput, 4) \
     X(ReplayResult, 8)
+
+template <>
+struct islet::c::First<islet::Capacity> {
+    std::uint32_t struct_size;
+    uint32_t bodies;
+    uint32_t shapes;
+    uint32_t contacts;
+    uint32_t joints;
+    uint32_t geometries;
+    uint32_t hits;
+};

@@ -103,7 +103,7 @@ public:
     static constexpr std::size_t bytes(std::uint32_t worlds, const Capacity& capacity, std::uint32_t workers = 1) {
         if (!is_valid(capacity) || worlds == 0 || worlds > max_worlds || workers == 0 || workers > max_workers) return 0;
         const detail::Layout layout = detail::layout_of(capacity);
-        return head_bytes + std::size_t{workers} * (layout.end - layout.scratch) + std::size_t{worlds} * layout.scratch;
+        return head_bytes + std::size_t{workers} * detail::align_up(detail::scratch_bytes(capacity, true)) + std::size_t{worlds} * layout.scratch;
     }
     static constexpr std::uint32_t max_worlds = 1u << 20;
 

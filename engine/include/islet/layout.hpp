@@ -25,14 +25,14 @@ inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u
 /// Whether World::create accepts the capacity.
 constexpr bool is_valid(const Capacity& c) {
     return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= max_capacity && c.shapes <= max_capacity && c.contacts <= max_capacity &&
-           c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity;
+           c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity && c.events <= max_capacity;
 }
 
 ISLET_INTERNAL_BEGIN
 namespace detail {
 
-inline constexpr std::size_t core_bytes = 640;  // room for Core inside World
-inline constexpr std::size_t host_bytes = 704;  // room for World at the start of the block
+inline constexpr std::size_t core_bytes = sizeof(void*) >= 8 ? 640 : 448;  // room for Core inside World
+inline constexpr std::size_t host_bytes = (core_bytes + 63) / 64 * 64;     // room for World at the start of the block
 
 // The widest lanes that an engine for this processor can have decide how constraint rows are padded in scratch. They depend on the processor alone, never on
 // compiler flags, because a program and the engine are compiled apart and must agree.
@@ -61,7 +61,21 @@ inline constexpr std::size_t image_header_bytes = 80;
 inline constexpr std::size_t delta_header_bytes = 48;
 inline constexpr std::size_t solver_body_bytes = 32;
 inline constexpr std::size_t solver_motion_bytes = 32;
-inline constexpr std::size_t row_bytes = 128;  // per contact, in a block of rows
+#if ISLET_SMALL && !defined(ISLET_WITH_surfaces)
+inline constexpr std::size_t surface_bytes = 12;  // of a row, which does without
+#else
+inline constexpr std::size_t surface_bytes = 0;
+#endif
+#if ISLET_SMALL && !defined(ISLET_WITH_hits)
+inline constexpr std::size_t hit_bytes = 0;  // per contact
+#else
+inline constexpr std::size_t hit_bytes = 4;
+#endif
+inline constexpr std::size_t row_bytes = layout_lanes > 1 ? 128 : sizeof(void*) >= 8 ? 104 : 96 - surface_bytes;  // per contact, in a block of rows
+/// An engine and a program whose worlds have another layout do not link.
+template <std::size_t...>
+struct LayoutName {};
+using LaidOut = LayoutName<row_bytes, hit_bytes>;
 inline constexpr std::size_t joint_bytes = 232;
 inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
 #define ISLET_ONE(...) +1
@@ -76,6 +90,9 @@ inline constexpr std::uint32_t sort_digits = layout_lanes > 1 ? 1u << 11 : 0;  /
 inline constexpr std::uint32_t color_count = 32;                               // constraint colours: bits of a body's mask
 inline constexpr std::uint32_t batch_bodies = 704;  // a batch is full from so many bodies on: with their rows they fit a core's own cache
 
+// Where memory is small, no set tells which pairs of shapes have a contact: the shorter list of contacts of their two bodies does.
+inline constexpr bool has_pair_set = layout_lanes > 1 || sizeof(void*) >= 8;
+
 constexpr std::uint32_t next_power_of_two(std::uint32_t n) {
     std::uint32_t p = 1;
     while (p < n && p < 0x80000000u) p *= 2;
@@ -87,6 +104,9 @@ constexpr std::size_t words_for(std::uint32_t bits) { return (std::size_t{bits} 
 constexpr std::uint32_t geometry_capacity(const Capacity& c) { return c.geometries != 0 ? c.geometries : c.shapes; }
 
 constexpr std::uint32_t hit_capacity(const Capacity& c) { return c.hits != 0 ? c.hits : c.contacts / 8 > 8 ? c.contacts / 8 : 8; }
+
+/// Touches that can begin in a step, and that can end, at most. (Contacts too: more than there are cannot begin.)
+constexpr std::uint32_t event_capacity(const Capacity& c) { return c.events != 0 && c.events < c.contacts ? c.events : c.contacts; }
 
 /// Batches that the islands of a world can make, at most.
 constexpr std::uint32_t batch_capacity(const Capacity& c) { return c.bodies / batch_bodies + 2; }
@@ -113,7 +133,7 @@ constexpr std::size_t joint_row_capacity(const Capacity& c) { return c.joints + 
 constexpr std::uint32_t tree_capacity(const Capacity& c) { return c.joints + (c.bodies < c.joints ? c.bodies : c.joints); }
 
 /// An array has one element for each of these.
-enum class Per : std::uint8_t { world, body, shape, geometry, bucket, tree_node, contact, pair, joint, hit };
+enum class Per : std::uint8_t { world, body, shape, geometry, bucket, tree_node, contact, pair, joint, hit, event };
 
 /// Elements that there is room for.
 constexpr std::size_t room_for(Per per, const Capacity& c) {
@@ -125,9 +145,10 @@ constexpr std::size_t room_for(Per per, const Capacity& c) {
         case Per::bucket: return next_power_of_two(geometry_capacity(c));
         case Per::tree_node: return std::size_t{2} * c.shapes;
         case Per::contact: return c.contacts;
-        case Per::pair: return next_power_of_two(2 * c.contacts);
+        case Per::pair: return has_pair_set ? next_power_of_two(2 * c.contacts) : 0;
         case Per::joint: return c.joints;
         case Per::hit: return hit_capacity(c);
+        case Per::event: return event_capacity(c);
     }
     return 0;
 }
@@ -162,13 +183,13 @@ inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bit
     X(awake_contacts,   one_bit,                  contact,   saved,   12) \
     X(awake_joints,     one_bit,                  joint,     saved,   13) \
     X(moved_shapes,     one_bit,                  shape,     saved,   14) \
-    X(begin_events,     sizeof(TouchEvent),       contact,   output,   0) \
-    X(end_events,       sizeof(TouchEvent),       contact,   output,   0) /* those that the next step reports are saved and hashed, after all arrays */ \
+    X(begin_events,     sizeof(TouchEvent),       event,     output,   0) \
+    X(end_events,       sizeof(TouchEvent),       event,     output,   0) /* those that the next step reports are saved and hashed, after all arrays */ \
     X(hit_events,       sizeof(HitEvent),         hit,       output,   0) \
     X(moved_events,     sizeof(BodyId),           body,      output,   0) \
     X(slept_events,     sizeof(BodyId),           body,      output,   0) \
     X(break_events,     sizeof(JointBreakEvent),  joint,     output,   0) \
-    X(residuals,        4,                        body,      output,   0)
+    X(residuals,        4,                        body,      output,   0) /* from the hits to here, what a step writes at its end */
 // clang-format on
 
 /// An array's place in the table.
@@ -211,8 +232,17 @@ constexpr std::size_t align_up(std::size_t n) { return (n + line_bytes - 1) / li
 
 constexpr std::size_t max_of(std::size_t a, std::size_t b) { return a > b ? a : b; }
 
+/// Bytes of the arrays that a step writes at its end alone. Until then they serve the solve.
+constexpr std::size_t late_bytes(const Capacity& c) {
+    std::size_t bytes = 0;
+    for (std::uint32_t i = static_cast<std::uint32_t>(Array::hit_events); i <= static_cast<std::uint32_t>(Array::residuals); ++i)
+        bytes = align_up(bytes + array_rows[i].bytes(room_for(array_rows[i].per, c)));
+    return bytes;
+}
+
 // Bytes that the stages of a step take from scratch, at most (tests/unit/scratch_test.cpp checks that). Other calls take less.
-constexpr std::size_t scratch_bytes(const Capacity& c) {
+// `lent`: of a world whose scratch does not follow its arrays.
+constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     // Pairs: sort keys, and boxes as columns. Collide: which contacts changed, and which bodies wake. Plan: bodies and constraints in the order of batches,
     // kept until the step ends. What the plan leaves free serves planning first (islands, lists of constraints), then the solve (bodies and rows), and then,
     // in place of the rows, weighing what bodies bear, and finishing.
@@ -221,7 +251,8 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * line_bytes;
     const std::size_t plan = bodies * 4 * 4 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
                              joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 10 * line_bytes;
-    const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * (plan_parts(c) + joint_kernel_count) * 4 + 5 * line_bytes;
+    const std::size_t kinds = plan_parts(c) + (c.joints != 0 ? joint_kernel_count : 0);
+    const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * kinds * 4 + 5 * line_bytes;
     const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * line_bytes;
     const std::size_t planning = bodies * 4 * 4 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 6 * line_bytes + max_of(tables, trees);
     const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * line_bytes +
@@ -229,8 +260,10 @@ constexpr std::size_t scratch_bytes(const Capacity& c) {
     const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * line_bytes;
     const std::size_t weighing = bodies * 8 + c.contacts * std::size_t{16} + 2 * line_bytes;
     const std::size_t after = max_of(rows, max_of(weighing, finish));
-    const std::size_t solve = bodies * (solver_body_bytes + solver_motion_bytes + 4) + c.contacts * std::size_t{4} + after + 4 * line_bytes;
-    return max_of(plan + max_of(planning, solve), max_of(pairs, collide));
+    const std::size_t late = lent ? 0 : late_bytes(c), all_motions = align_up(bodies * solver_motion_bytes);
+    const std::size_t motions = all_motions > late ? all_motions - late : 0;  // the first lie where the step's end writes
+    const std::size_t solve = bodies * (solver_body_bytes + 4) + c.contacts * hit_bytes + after + 4 * line_bytes;
+    return max_of(motions + plan + max_of(planning, solve), max_of(pairs, collide));
 }
 
 constexpr Layout layout_of(const Capacity& c) {

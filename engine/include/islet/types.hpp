@@ -48,8 +48,10 @@ struct Capacity {
     std::uint32_t joints = 0;
     std::uint32_t geometries = 0;  ///< Different geometries (equal ones are stored once); 0 means as many as shapes.
     std::uint32_t hits = 0;        ///< Hit events in one step; 0 means an eighth of the contacts, at least 8.
+    std::uint32_t events = 0;      ///< Touches that begin in one step, and as many that end, those of sensors included; 0 means as many as contacts, which are
+                                   ///< always enough. More are dropped and counted (StepReport::dropped_events, Error::events_full).
     ISLET_EQUAL_IF(Capacity, a.bodies == b.bodies && a.shapes == b.shapes && a.contacts == b.contacts && a.joints == b.joints && a.geometries == b.geometries &&
-                                 a.hits == b.hits)
+                                 a.hits == b.hits && a.events == b.events)
 };
 
 /// What went wrong in a call. describe(e) returns a sentence that says what was wrong and how to fix it.
@@ -69,7 +71,7 @@ enum class Error : std::uint8_t {
     block_too_small,    ///< the memory given is smaller than world_bytes(capacity)
     block_misaligned,   ///< the memory given is not aligned to world_alignment
     bad_capacity,       ///< a capacity is zero where at least one is needed, or above max_capacity
-    events_full,        ///< more contacts ended than there is room to report
+    events_full,        ///< more contacts began or ended than there is room to report: raise Capacity::events
     joints_full,        ///< raise Capacity::joints
     same_body,          ///< a joint needs two different bodies
     no_dynamic_body,    ///< a joint needs at least one dynamic body, and so does an island
@@ -346,7 +348,7 @@ struct StepReport {
     /// Pairs that found no room in this step, counted up to Capacity::contacts. Their shapes pass through each other. Each step tries them again, and fails
     /// with contacts_full while there is no room. Raise Capacity::contacts: 3 to 5 for each moving shape of a dense pile, 7 where the pile is squeezed.
     std::uint32_t dropped_contacts = 0;
-    std::uint32_t dropped_events = 0;     ///< end events that found no room since the last step began
+    std::uint32_t dropped_events = 0;     ///< begin and end events that found no room since the last step began
     std::uint32_t dropped_hits = 0;       ///< hits that found no room among the hit events
     std::uint32_t islands = 0;            ///< awake islands
     std::uint32_t colors = 0;             ///< constraint colours in use

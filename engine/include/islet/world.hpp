@@ -24,7 +24,7 @@ ISLET_INTERNAL_BEGIN
 struct Core;
 ISLET_INTERNAL_END
 /// Makes the world of a StaticWorld. The capacity is valid, and the block has the layout's size.
-World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& def);
+World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& def, LaidOut = {});
 // For interfaces of other languages, which refuse arguments themselves, and return the error of each call that changes a world.
 /// Records an error and calls the error hook, as the world does, unless `world` is null. Returns the error.
 Error refuse_call(const World* world, Error error);
@@ -544,7 +544,7 @@ public:
 
 private:
     friend struct detail::Core;
-    friend World& detail::create_static(std::byte* block, const Capacity& capacity, const detail::Layout& layout, const WorldDef& def);
+    friend World& detail::create_static(std::byte* block, const Capacity& capacity, const detail::Layout& layout, const WorldDef& def, detail::LaidOut);
     World() = default;
     ~World() = default;
     detail::Core& core();
@@ -556,9 +556,10 @@ private:
 static_assert(sizeof(World) <= detail::host_bytes);
 
 /// A world with its memory inside: for static storage, the stack or a member. There is no world before create() is called. The numbers are those of Capacity.
-template <std::uint32_t bodies, std::uint32_t shapes, std::uint32_t contacts, std::uint32_t joints = 0, std::uint32_t geometries = 0, std::uint32_t hits = 0>
+template <std::uint32_t bodies, std::uint32_t shapes, std::uint32_t contacts, std::uint32_t joints = 0, std::uint32_t geometries = 0, std::uint32_t hits = 0,
+          std::uint32_t events = 0>
 class StaticWorldOf {
-    static constexpr Capacity capacity = {bodies, shapes, contacts, joints, geometries, hits};
+    static constexpr Capacity capacity = {bodies, shapes, contacts, joints, geometries, hits, events};
     static_assert(is_valid(capacity), "bodies, shapes and contacts must be above 0, and nothing above max_capacity");
 
 public:
@@ -582,7 +583,7 @@ private:
 #if ISLET_CPP20
 /// The same with the numbers by name: StaticWorld<Capacity{.bodies = 64, .shapes = 64, .contacts = 256}>. Needs C++20.
 template <Capacity C>
-class StaticWorld : public StaticWorldOf<C.bodies, C.shapes, C.contacts, C.joints, C.geometries, C.hits> {};
+class StaticWorld : public StaticWorldOf<C.bodies, C.shapes, C.contacts, C.joints, C.geometries, C.hits, C.events> {};
 #endif
 
 }  // namespace islet

@@ -99,7 +99,7 @@ void sleep_island(Core& core, std::uint32_t body, Arena arena) {
         Motion& motion = core.motions[island[i]];
         motion.force = {0, 0};
         motion.torque = 0;
-        core.residuals[island[i]] = 0;
+        if (has_tuning) core.residuals[island[i]] = 0;
         put_to_sleep(core, island[i]);
     }
 }

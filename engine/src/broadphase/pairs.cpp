@@ -24,7 +24,7 @@ bool is_over(const Core& core) { return core.report.dropped_contacts == core.cap
 
 void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, [[maybe_unused]] float dt) {
     if (is_over(core)) return;
-    if (core.pairs.contains(PairSet::key(shape_1, shape_2)) || !may_collide(core, shape_1, shape_2)) return;
+    if (have_contact(core, shape_1, shape_2) || !may_collide(core, shape_1, shape_2)) return;
     const auto is_endless_shape = [&](std::uint32_t shape) { return is_endless(core.geometries[core.shapes[shape].geometry]); };
     if (is_endless_shape(shape_1) && keeps_from_endless(core, shape_1, shape_2, dt)) return;
     if (is_endless_shape(shape_2) && keeps_from_endless(core, shape_2, shape_1, dt)) return;
@@ -204,7 +204,7 @@ ISLET_SHARED Aabb box_to_meet_in(const Core& core, std::uint32_t shape, float dt
 }
 
 // If few boxes changed: the awake bodies with a shape near one, in `bodies`. No other body is part of a new pair.
-bool find_near_changed(const Core& core, float dt, BitSet bodies) {
+[[maybe_unused]] bool find_near_changed(const Core& core, float dt, BitSet bodies) {
     const std::uint32_t shape_count = core.state->shape_pool.count;
     if (shape_count < ChangedCells::least_shapes || core.state->moved_count > shape_count / ChangedCells::share) return false;
     Aabb area{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};

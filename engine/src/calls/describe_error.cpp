@@ -23,7 +23,7 @@ const char* describe(Error e) {
         case Error::block_too_small: return "The memory given is too small: world_bytes(capacity) says how much is needed.";
         case Error::block_misaligned: return "The memory given must be aligned to world_alignment bytes.";
         case Error::bad_capacity: return "A world needs room for at least one body, shape and contact, and for at most max_capacity of each.";
-        case Error::events_full: return "More contacts ended than there is room to report: raise Capacity::contacts or destroy less between steps.";
+        case Error::events_full: return "More contacts began or ended than there is room to report: raise Capacity::events, or destroy less between steps.";
         case Error::joints_full: return "No room for another joint: raise Capacity::joints.";
         case Error::same_body: return "A joint needs two different bodies.";
         case Error::no_dynamic_body: return "A joint needs at least one dynamic body, and so does an island: impulses do not move the others.";

@@ -71,7 +71,7 @@ struct ContactBlock : BodyPair<L> {
 
     ISLET_PART ContactBlock(const SolverBody* bodies, const ContactRows<L::width>& r) {
         this->gather(bodies, r.body_a, r.body_b);
-        n = {L::load(r.nx), L::load(r.ny)};
+        n = {L::load(normal_x(r)), L::load(normal_y(r))};
         rn_ab = L::load(r.rn_ab);
         rt_ab = L::load(r.rt_ab);
         sum_n = sum_t = L::splat(0.0f);
@@ -115,14 +115,14 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
     const std::uint32_t first = r.two_points >> 1;
     F lean = zero;  // N s, of what the points' impulses differ by; none in lanes of one point
     if (biased && r.two_points) {
-        const F one = L::load(r.points[first].normal_impulse), other = L::load(r.points[1 - first].normal_impulse);
+        const F one = L::load(normal_impulse_of(r, first)), other = L::load(normal_impulse_of(r, 1 - first));
         lean = select(L::load(r.points[1].normal_mass) > zero, L::splat(lean_share) * (other - one), zero);
     }
     for_points(r, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) __attribute__((always_inline)) {
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
         const F separation = L::load(p.separation) + moved + rna * turned;
         const F normal_mass = L::load(p.normal_mass);
-        const F old = L::load(p.normal_impulse);
+        const F old = L::load(normal_impulse_of(r, i));
         const F speed = vn + (s.wb * rnb - s.wa * rna);
         F less;  // N s, of impulse
         if (biased) {
@@ -136,7 +136,7 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
         }
         const F lambda = lanes.pick(max(old - less, zero), old);
         const F delta = lanes.pick(lambda - old, zero);
-        L::store(p.normal_impulse, lambda);
+        L::store(normal_impulse_of(r, i), lambda);
         if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
         s.sum_n = s.sum_n + delta;
         vn = vn + mass * delta;
@@ -148,8 +148,8 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
 /// The sum of a block's normal impulses so far.
 template <class L>
 ISLET_PART typename L::F normal_impulses_of(const ContactRows<L::width>& r) {
-    const auto first = L::load(r.points[0].normal_impulse);
-    return r.two_points ? first + L::load(r.points[1].normal_impulse) : first;
+    const auto first = L::load(normal_impulse_of(r, 0));
+    return r.two_points ? first + L::load(normal_impulse_of(r, 1)) : first;
 }
 
 /// The friction rows, with the normal impulses just found.
@@ -157,17 +157,17 @@ template <class L, class Lanes>
 ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, const Lanes& lanes) {
     using F = typename L::F;
     const F mass = s.ma + s.mb;
-    const F mu = L::load(r.friction);
+    const F mu = L::load(friction_of(r));
     F vt = cross(s.vb - s.va, s.n);
     if (r.is_special()) vt = vt - L::load(r.tangent_speed);
-    for_points(r, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t) __attribute__((always_inline)) {
+    for_points(r, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) __attribute__((always_inline)) {
         const F rta = L::load(p.rta), rtb = rta + s.rt_ab;
-        const F old = L::load(p.tangent_impulse);
-        const F bound = mu * L::load(p.normal_impulse);
+        const F old = L::load(tangent_impulse_of(r, i));
+        const F bound = mu * L::load(normal_impulse_of(r, i));
         const F speed = vt - (s.wb * rtb - s.wa * rta);
         const F lambda = lanes.pick(max(min(old - L::load(p.tangent_mass) * speed, bound), L::splat(0.0f) - bound), old);
         const F delta = lanes.pick(lambda - old, L::splat(0.0f));
-        L::store(p.tangent_impulse, lambda);
+        L::store(tangent_impulse_of(r, i), lambda);
         s.sum_t = s.sum_t + delta;
         vt = vt + mass * delta;
         s.spin_by_tangent(rta, rtb, delta);
@@ -179,12 +179,12 @@ template <class L, class Lanes>
 ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, const Lanes& lanes) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
-    const F old = L::load(r.rolling_impulse);
+    const F old = L::load(rolling_impulse_of(r));
     const F resistance = L::load(r.rolling_resistance);
     const F bound = select(resistance > zero, resistance * normal_impulses_of<L>(r), zero);  // 0 * inf would be NaN if a normal impulse has overflowed
     const F lambda = lanes.pick(max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound), old);
     const F delta = lanes.pick(lambda - old, zero);
-    L::store(r.rolling_impulse, lambda);
+    L::store(rolling_impulse_of(r), lambda);
     s.wa = s.wa - s.ia * delta;
     s.wb = s.wb + s.ib * delta;
 }
@@ -288,7 +288,7 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
         typename ContactRows<L::width>::Point& p = r.points[i];
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
         const F approach = L::load(r.approach[i]);
-        const F old = L::load(p.normal_impulse);
+        const F old = L::load(normal_impulse_of(r, i));
         const F speed = vn + (s.wb * rnb - s.wa * rna);
         auto bounces = (approach < threshold) & (L::load(r.peak[i]) > zero) & (e > zero);
         if (k >= 2) bounces = bounces & (second > zero);
@@ -296,7 +296,7 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
             if (!bounces) continue;
         const F lambda = select(bounces, max(old - L::load(p.normal_mass) * (speed + e * approach), zero), old);
         const F delta = select(bounces, lambda - old, zero);  // an overflowed impulse less itself would be NaN
-        L::store(p.normal_impulse, lambda);
+        L::store(normal_impulse_of(r, i), lambda);
         s.sum_n = s.sum_n + delta;
         vn = vn + (s.ma + s.mb) * delta;
         s.spin_by_normal(rna, rnb, delta);
@@ -320,9 +320,9 @@ void ContactKernel<W>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t c
 template <class L>
 ISLET_PART typename L::F size_of(const ContactRows<L::width>& r) {
     using F = typename L::F;
-    F sum = L::load(r.points[0].normal_impulse) + L::load(r.points[0].tangent_impulse);
-    if (r.two_points) sum = sum + L::load(r.points[1].normal_impulse) + L::load(r.points[1].tangent_impulse);
-    if (r.is_special()) sum = sum + L::load(r.rolling_impulse);
+    F sum = L::load(normal_impulse_of(r, 0)) + L::load(tangent_impulse_of(r, 0));
+    if (r.two_points) sum = sum + L::load(normal_impulse_of(r, 1)) + L::load(tangent_impulse_of(r, 1));
+    if (r.is_special()) sum = sum + L::load(rolling_impulse_of(r));
     return L::abs(sum);
 }
 
@@ -331,21 +331,21 @@ void ContactKernel<W>::store(ContactManifold* manifolds, const Rows* rows, std::
     using L = LaneOf<W>;
     for (std::uint32_t block = 0; block < count; ++block) {
         const Rows& r = rows[block];
-        for (std::uint32_t i = 0; i < W; ++i) {
-            if (W > 1 && r.contact[i] == null_index) continue;
-            ContactManifold& m = manifolds[r.contact[i]];
-            m.normal_impulse[0] = r.points[0].normal_impulse[i];
-            m.tangent_impulse[0] = r.points[0].tangent_impulse[i];
+        for (std::uint32_t i = 0; W > 1 && i < W; ++i) {
+            if (contact_of(r, i, manifolds) == null_index) continue;
+            ContactManifold& m = manifolds[contact_of(r, i, manifolds)];
+            m.normal_impulse[0] = normal_impulse_of(r, 0)[i];
+            m.tangent_impulse[0] = tangent_impulse_of(r, 0)[i];
             if (m.count() == 2) {
-                m.normal_impulse[1] = r.points[1].normal_impulse[i];
-                m.tangent_impulse[1] = r.points[1].tangent_impulse[i];
+                m.normal_impulse[1] = normal_impulse_of(r, 1)[i];
+                m.tangent_impulse[1] = tangent_impulse_of(r, 1)[i];
             }
-            if ((m.flags & contact_special) != 0) m.rolling_impulse = r.rolling_impulse[i];
+            if ((m.flags & contact_special) != 0) m.rolling_impulse = rolling_impulse_of(r)[i];
         }
         const std::uint32_t sound = L::bits(size_of<L>(r) < L::splat(unsound_impulse));
         if (sound == (1u << W) - 1) continue;
         for (std::uint32_t i = 0; i < W; ++i)
-            if ((sound >> i & 1u) == 0 && (W == 1 || r.contact[i] != null_index)) manifolds[r.contact[i]].forget_impulses();
+            if ((sound >> i & 1u) == 0 && (W == 1 || contact_of(r, i, manifolds) != null_index)) manifolds[contact_of(r, i, manifolds)].forget_impulses();
     }
 }
 

@@ -40,8 +40,8 @@ struct ContactLanes {
 template <std::uint32_t W>
 ISLET_PART void prefetch_manifolds(const PrepareInput& in, const ContactRows<W>& next) {
     for (std::uint32_t i = 0; i < W; ++i) {
-        if (next.contact[i] == null_index) continue;
-        const ContactManifold& soon = in.manifolds[next.contact[i]];
+        if (contact_of(next, i, in.manifolds) == null_index) continue;
+        const ContactManifold& soon = manifold_of(next, i, in.manifolds);
         __builtin_prefetch(&soon);
         __builtin_prefetch(&soon.rolling_impulse);
     }
@@ -53,8 +53,8 @@ inline constexpr std::uint32_t two_point_flag = 2u << contact_count_shift;  // a
 template <std::uint32_t W>
 ISLET_PART void name_landings(const PrepareInput& in, ContactRows<W>& r) {
     for (std::uint32_t i = 0; i < W; ++i) {
-        if (W > 1 && r.contact[i] == null_index) continue;
-        const ContactManifold& m = in.manifolds[r.contact[i]];
+        if (W > 1 && contact_of(r, i, in.manifolds) == null_index) continue;
+        const ContactManifold& m = manifold_of(r, i, in.manifolds);
         if ((m.flags & contact_ahead) == 0) continue;
         if (!in.numbers.lightens || min(in.poses[m.body_a].inv_mass, in.poses[m.body_b].inv_mass) <= 0) r.extra_passes[i] = landing_passes;
     }
@@ -65,9 +65,10 @@ template <std::uint32_t W>
 ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLanes<W>& lanes) {
     std::uint32_t any = 0;  // flags of the block's contacts
     for (std::uint32_t i = 0; i < W; ++i) {
-        const bool is_live = W == 1 || r.contact[i] != null_index;  // single rows need no padding
-        lanes.contact[i] = is_live ? r.contact[i] : r.contact[0];
-        const ContactManifold& m = in.manifolds[lanes.contact[i]];
+        const bool is_live = W == 1 || contact_of(r, i, in.manifolds) != null_index;  // single rows need no padding
+        const std::uint32_t lane = is_live ? i : 0;
+        lanes.contact[i] = W == 1 ? 0 : contact_of(r, lane, in.manifolds);
+        const ContactManifold& m = manifold_of(r, lane, in.manifolds);
         lanes.body_a[i] = m.body_a;
         lanes.body_b[i] = m.body_b;
         r.body_a[i] = is_live ? in.slot_of[m.body_a] : 0;
@@ -179,7 +180,7 @@ ISLET_PART typename L::F prepare_rolling(ContactRows<L::width>& r, const BodyPai
     const auto rolls = L::load(r.rolling_resistance) > zero;
     const F impulse = select(rolls, L::splat(n.warm) * old, zero);
     L::store(r.rolling_mass, select(k_rolling > zero, L::splat(n.omega) / k_rolling, zero));
-    L::store(r.rolling_impulse, impulse);
+    L::store(rolling_impulse_of(r), impulse);
     return impulse;
 }
 
@@ -209,9 +210,11 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     const F warm = L::splat(in.numbers.warm);
     const LaneVec<F> n = m.normal();
     const F rt_ab = zero - dot(n, m.offset()), rn_ab = zero - cross(m.offset(), n);
-    L::store(r.nx, n.x);
-    L::store(r.ny, n.y);
-    L::store(r.friction, m.friction());
+    if constexpr (L::width > 1) {
+        L::store(r.nx, n.x);
+        L::store(r.ny, n.y);
+        L::store(r.friction, m.friction());
+    }
     L::store(r.rt_ab, rt_ab);
     L::store(r.rn_ab, rn_ab);
 
@@ -229,8 +232,8 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
         const F separation = m.separation(i) + since.along + since.by_turning(rna, rta, rnb, rtb);
         L::store(p.separation, separation);
         const F normal_impulse = has_point * warm * m.normal_impulse(i), tangent_impulse = has_point * warm * m.tangent_impulse(i);
-        L::store(p.normal_impulse, normal_impulse);
-        L::store(p.tangent_impulse, tangent_impulse);
+        L::store(normal_impulse_of(r, i), normal_impulse);
+        L::store(tangent_impulse_of(r, i), tangent_impulse);
         sum.along_n = sum.along_n + normal_impulse;
         sum.along_t = sum.along_t + tangent_impulse;
         sum.turning_a = sum.turning_a + (rna * normal_impulse - rta * tangent_impulse);
@@ -279,7 +282,7 @@ void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t
         ContactLanes<W> lanes;
         if (W > 1 && block + 1 < count) prefetch_manifolds(in, rows[block + 1]);
         name_bodies(in, r, lanes);
-        const LaneManifolds<L> m(in.manifolds, lanes.contact);
+        const LaneManifolds<L> m(&manifold_of(r, 0, in.manifolds) - lanes.contact[0], lanes.contact);
         const MotionSince<L> since(m, in.poses, lanes.body_a, lanes.body_b);
         BodyPair<L> s;
         s.gather(in.bodies, r.body_a, r.body_b);

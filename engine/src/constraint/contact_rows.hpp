@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "../constraint/solver_body.hpp"
 #include "../data/records.hpp"
@@ -38,7 +39,82 @@ struct alignas(W * 4) ContactRows {
     ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy; }
 };
 
-static_assert(sizeof(ContactRows<1>) == row_bytes && sizeof(ContactRows<4>) == 4 * row_bytes && sizeof(ContactRows<8>) == 8 * row_bytes);
+/// What only special contacts need. A build without them has no memory for it.
+template <bool is_there = has_surfaces>
+struct SurfaceOfRow {
+    float rolling_mass[1], rolling_resistance[1], tangent_speed[1];
+};
+template <>
+struct SurfaceOfRow<false> {
+    static inline float rolling_mass[1], rolling_resistance[1], tangent_speed[1];  // never read
+};
+
+/// The row of one contact: what its manifold holds already, the frame, the friction and the impulses, is read and written there. (Lanes gather these once
+/// instead.)
+template <>
+struct ContactRows<1> : SurfaceOfRow<> {
+    struct Point {
+        float rta[1], rna[1], separation[1], normal_mass[1], tangent_mass[1];
+    };
+    ContactManifold* manifold;
+    std::uint32_t body_a[1], body_b[1];
+    float rt_ab[1], rn_ab[1];
+    Point points[2];
+    float restitution[1], approach[2][1], peak[2][1];
+    std::uint8_t two_points;
+    bool special, bouncy;
+    std::uint8_t extra_passes[1];
+
+    ISLET_INLINE bool is_special() const { return has_surfaces && special; }
+    ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy; }
+};
+
+static_assert(sizeof(ContactRows<4>) == 4 * row_bytes || max_lanes == 1);
+static_assert(sizeof(ContactRows<8>) == 8 * row_bytes || max_lanes == 1);
+static_assert(sizeof(ContactRows<1>) <= row_bytes);
+
+// What single rows have in their manifolds, and blocks of lanes in themselves.
+#define ISLET_IN_ROW(function, of_lanes, of_one)                                 \
+    template <class Rows>                                                        \
+    ISLET_INLINE auto* function(Rows& r, [[maybe_unused]] std::uint32_t i = 0) { \
+        if constexpr (is_single<Rows>)                                           \
+            return &r.manifold->of_one;                                          \
+        else                                                                     \
+            return r.of_lanes;                                                   \
+    }
+template <class Rows>
+inline constexpr bool is_single = std::is_same_v<std::remove_const_t<Rows>, ContactRows<1>>;
+ISLET_IN_ROW(normal_x, nx, normal.x)
+ISLET_IN_ROW(normal_y, ny, normal.y)
+ISLET_IN_ROW(friction_of, friction, friction)
+ISLET_IN_ROW(normal_impulse_of, points[i].normal_impulse, normal_impulse[i])
+ISLET_IN_ROW(tangent_impulse_of, points[i].tangent_impulse, tangent_impulse[i])
+ISLET_IN_ROW(rolling_impulse_of, rolling_impulse, rolling_impulse)
+#undef ISLET_IN_ROW
+
+/// The contact of a lane, or null_index in the padding.
+template <std::uint32_t W>
+ISLET_INLINE std::uint32_t contact_of(const ContactRows<W>& r, std::uint32_t i, [[maybe_unused]] const ContactManifold* manifolds) {
+    if constexpr (W == 1)
+        return static_cast<std::uint32_t>(r.manifold - manifolds);
+    else
+        return r.contact[i];
+}
+template <std::uint32_t W>
+ISLET_INLINE void set_contact(ContactRows<W>& r, std::uint32_t i, std::uint32_t contact, [[maybe_unused]] ContactManifold* manifolds) {
+    if constexpr (W == 1)
+        r.manifold = manifolds + contact;
+    else
+        r.contact[i] = contact;
+}
+/// The manifold of a lane, which must not be padding.
+template <std::uint32_t W>
+ISLET_INLINE auto& manifold_of(const ContactRows<W>& r, std::uint32_t i, [[maybe_unused]] const ContactManifold* manifolds) {
+    if constexpr (W == 1)
+        return static_cast<const ContactManifold&>(*r.manifold);
+    else
+        return manifolds[r.contact[i]];
+}
 
 /// How one sweep treats penetration: the velocity bias is max(bias_rate (s + slop), -push_speed), where s < 0 is the separation. For soft contacts,
 /// bias_rate includes mass_scale.

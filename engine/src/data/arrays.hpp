@@ -51,7 +51,7 @@ struct Counts {
 
     template <Per per>
     constexpr std::uint32_t of() const {
-        static_assert(per != Per::bucket && per != Per::pair && per != Per::hit, "nobody counts these");
+        static_assert(per != Per::bucket && per != Per::pair && per != Per::hit && per != Per::event, "nobody counts these");
         if constexpr (per == Per::world) return 1;
         if constexpr (per == Per::body) return bodies;
         if constexpr (per == Per::shape) return shapes;

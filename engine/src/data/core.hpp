@@ -66,10 +66,11 @@ struct Core {
     BodyId* moved_events = nullptr;
     BodyId* slept_events = nullptr;
     JointBreakEvent* break_events = nullptr;
-    float* residuals = nullptr;  // m/s, by body: of its island in the last step, if measured
+    float* residuals = nullptr;  // m/s, by body: of its island in the last step, if has_residuals
     std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0, break_count = 0;
     std::uint32_t sensor_ends_reported = 0, hit_count = 0;
-    std::uint32_t untold = 0;  // contacts that may begin to touch in this step (contact_untold)
+    bool has_residuals = false;  // the last step measured them; otherwise their memory may hold anything
+    std::uint32_t untold = 0;    // contacts that may begin to touch in this step (contact_untold)
 
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;
@@ -116,7 +117,7 @@ static_assert(constraint_color_count == color_count);
 /// None is known from now on.
 inline void forget_residuals(Core& core) {
     core.report.residual = 0;
-    if (has_tuning) std::memset(core.residuals, 0, std::size_t{core.capacity.bodies} * 4);
+    core.has_residuals = false;
 }
 
 /// Against gravity, unit; zero if there is none.

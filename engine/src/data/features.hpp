@@ -27,7 +27,10 @@
 namespace islet::detail {
 
 inline constexpr bool has_engine = true;
-#define ISLET_HAS(name, needs) inline constexpr bool has_##name = has_##needs && ISLET_IS_SET(ISLET_WITHOUT_##name) == 0;
+inline constexpr bool in_profile_small = true;
+inline constexpr bool in_profile_full = ISLET_SMALL == 0;
+#define ISLET_HAS(name, needs, profile) \
+    inline constexpr bool has_##name = has_##needs && (in_profile_##profile || ISLET_IS_SET(ISLET_WITH_##name) != 0) && ISLET_IS_SET(ISLET_WITHOUT_##name) == 0;
 ISLET_FEATURES(ISLET_HAS)
 #undef ISLET_HAS
 
@@ -40,8 +43,10 @@ constexpr bool has_shape(ShapeType type) {
 }
 
 constexpr bool has_joint(JointType type) {
-#define ISLET_HAS_JOINT(name, definition) \
-    if (type == JointType::name) return ISLET_IS_SET(ISLET_WITHOUT_joints) == 0 && ISLET_IS_SET(ISLET_WITHOUT_##name##_joints) == 0;
+#define ISLET_HAS_JOINT(name, definition)                                                                                    \
+    if (type == JointType::name)                                                                                             \
+        return (in_profile_full || ISLET_IS_SET(ISLET_WITH_joints) != 0 || ISLET_IS_SET(ISLET_WITH_##name##_joints) != 0) && \
+               ISLET_IS_SET(ISLET_WITHOUT_joints) == 0 && ISLET_IS_SET(ISLET_WITHOUT_##name##_joints) == 0;
     ISLET_JOINT_TYPES(ISLET_HAS_JOINT)
 #undef ISLET_HAS_JOINT
     return false;

@@ -45,8 +45,8 @@ struct JointPen {
     void circle(Vec2 center, float radius, Vec2 axis) const { pen.circle(center, radius, axis); }
     void bar(Vec2 middle, Vec2 across) const { pen.segment(middle - across, middle + across); }
     void zigzag(Vec2 from, Vec2 to) const;
-    void dashes(Vec2 from, Vec2 to) const;
-    void toothed_ring(Vec2 center, Rot q) const;
+    [[maybe_unused]] void dashes(Vec2 from, Vec2 to) const;
+    [[maybe_unused]] void toothed_ring(Vec2 center, Rot q) const;
     void limits_along(const Joint& j, Vec2 axis) const;
     void limits_around(const Joint& j) const;
 

@@ -116,7 +116,7 @@ Fleet* Fleet::create(span<std::byte> block, const World& prototype, std::uint32_
     fleet.size_ = worlds;
     fleet.tasks_ = tasks;
     fleet.scratch_ = block.data() + head_bytes;
-    fleet.scratch_bytes_ = layout.end - layout.scratch;
+    fleet.scratch_bytes_ = align_up(scratch_bytes(from.capacity, true));
     fleet.worlds_ = fleet.scratch_ + tasks.workers * fleet.scratch_bytes_;
     fleet.stride_ = layout.scratch;
     WorldDef def = host_settings(from);

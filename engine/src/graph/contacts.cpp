@@ -70,9 +70,20 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
 
     attach_contact(core, index, 0, m.body_a);
     attach_contact(core, index, 1, m.body_b);
-    core.pairs.insert(PairSet::key(shape_1, shape_2));
+    if (has_pair_set) core.pairs.insert(PairSet::key(shape_1, shape_2));
     core.awake_contacts.assign(index, core.is_awake(m.body_a) || core.is_awake(m.body_b));
     return true;
+}
+
+bool find_in_lists(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    const Body& body_1 = core.bodies[core.shapes[shape_1].body];
+    const Body& body_2 = core.bodies[core.shapes[shape_2].body];
+    bool found = false;
+    for_each_constraint(core.contacts, (body_1.contact_count < body_2.contact_count ? body_1 : body_2).contact_head, [&](std::uint32_t i, std::uint32_t) {
+        const Contact& c = core.contacts[i];
+        found = found || (c.shape_a == shape_1 && c.shape_b == shape_2) || (c.shape_a == shape_2 && c.shape_b == shape_1);
+    });
+    return found;
 }
 
 void destroy_contact(Core& core, std::uint32_t index) {
@@ -83,7 +94,7 @@ void destroy_contact(Core& core, std::uint32_t index) {
     release_color(core, index);
     detach_contact(core, index, 0, m.body_a);
     detach_contact(core, index, 1, m.body_b);
-    core.pairs.erase(PairSet::key(c.shape_a, c.shape_b));
+    if (has_pair_set) core.pairs.erase(PairSet::key(c.shape_a, c.shape_b));
     core.awake_contacts.clear(index);
     clear_slot(c);
     m = ContactManifold{};
@@ -123,8 +134,15 @@ void drop_told_ends(Core& core) {
     core.sensor_ends_reported = 0;
 }
 
+bool has_room_for_begin(Core& core) {
+    if (core.begin_count + core.sensor_begins.count < event_capacity(core.capacity)) return true;
+    ++core.report.dropped_events;
+    core.fail(Error::events_full);
+    return false;
+}
+
 bool has_room_for_end(Core& core) {
-    if (core.end_count + core.sensor_ends.count < core.capacity.contacts) return true;
+    if (core.end_count + core.sensor_ends.count < event_capacity(core.capacity)) return true;
     // What was told already gives way: whether there is room must not depend on it, for a copy of the world does not have it.
     if (core.end_reported + core.sensor_ends_reported != 0) {
         drop_told_ends(core);

@@ -1,5 +1,5 @@
 // The graph of contacts: each body is a node, and each pair of shapes with overlapping fat boxes is a contact between two nodes. The set of pairs says whether
-// two shapes already have a contact.
+// two shapes already have a contact; where memory is small, the lists of their bodies do.
 #pragma once
 
 #include "../data/core.hpp"
@@ -31,6 +31,12 @@ inline bool is_allowed(const Core& core, std::uint32_t shape_1, std::uint32_t sh
 /// True if the first of two shapes is the one that their contact calls A.
 bool in_contact_order(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 
+/// True if two shapes have a contact.
+bool find_in_lists(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
+inline bool have_contact(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    return has_pair_set ? core.pairs.contains(PairSet::key(shape_1, shape_2)) : find_in_lists(core, shape_1, shape_2);
+}
+
 /// Adds a contact, not yet touching. False if the pool is full.
 bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 
@@ -49,6 +55,8 @@ void read_contact(const Core& core, std::uint32_t contact, ContactInfo& out);
 void record_end_event(Core& core, std::uint32_t contact);
 /// False, with the error recorded and counted, if the array of end events is full.
 bool has_room_for_end(Core& core);
+/// The same for begin events.
+bool has_room_for_begin(Core& core);
 
 /// How two bodies stand to each other. The difference of their centres is exact far from the origin, too.
 struct Stand {

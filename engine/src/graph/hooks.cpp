@@ -20,7 +20,7 @@ bool is_allowed_by_hook(const Core& core, std::uint32_t shape_1, std::uint32_t s
 
 bool stops_by_hook(const Core& core, std::uint32_t shape, std::uint32_t other) {
     const bool is_static = core.bodies[core.shapes[other].body].type() == BodyType::static_body;
-    return is_static ? core.pairs.contains(PairSet::key(shape, other)) : is_allowed_by_hook(core, shape, other);
+    return is_static ? have_contact(core, shape, other) : is_allowed_by_hook(core, shape, other);
 }
 
 float friction_by_hook(const Core& core, const Shape& a, const Shape& b) {

@@ -14,7 +14,7 @@ namespace {
 // against an end of that room, it moves to the middle of the free part, so an array is filled with few moves.
 SensorEvent* room_of(TouchEvent* array, std::uint32_t touches) { return reinterpret_cast<SensorEvent*>(array + touches); }
 
-std::uint32_t free_room(const Core& core, std::uint32_t touches, const SensorEvents& list) { return core.capacity.contacts - touches - list.count; }
+std::uint32_t free_room(const Core& core, std::uint32_t touches, const SensorEvents& list) { return event_capacity(core.capacity) - touches - list.count; }
 
 void move(SensorEvents& list, SensorEvent* to) {
     std::memmove(to, list.events, std::size_t{list.count} * sizeof(SensorEvent));
@@ -59,7 +59,7 @@ bool overlaps_sensor(const Core& core, std::uint32_t contact) {
 
 void begin_overlap(Core& core, std::uint32_t contact) {
     core.manifolds[contact].flags |= contact_overlap;
-    push(core, core.begin_events, core.begin_count, core.sensor_begins, contact);  // there is room, because each contact has at most one
+    if (has_room_for_begin(core)) push(core, core.begin_events, core.begin_count, core.sensor_begins, contact);
 }
 
 void end_overlap(Core& core, std::uint32_t contact) {

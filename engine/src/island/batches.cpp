@@ -155,9 +155,9 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
 // first in their batch, in blocks of one.
 template <class BatchOf>
 void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchOf&& batch_of, Arena temporary) {
-    constexpr std::uint32_t places = (color_count + 1) * joint_kernel_count;                      // per batch
-    std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * places);  // by place, as in plan_contacts
+    constexpr std::uint32_t places = (color_count + 1) * joint_kernel_count;  // per batch
     if (!has_joints || plan.joint_count == 0) return;
+    std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * places);  // by place, as in plan_contacts
     for (std::uint32_t b = 0; b < plan.batch_count; ++b)
         if (plan.batches[b].body_count != 0) std::memset(next + std::size_t{b} * places, 0, places * 4);
     std::uint32_t colors = 0;  // that joints have

@@ -9,7 +9,7 @@ namespace islet::detail {
 
 /// Fills in the contacts of each block, and the materials of those that are special or bouncy.
 template <std::uint32_t W>
-void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, const std::uint32_t* contacts) {
+void name_contacts(Core& core, ContactRows<W>* rows, std::uint32_t count, const std::uint32_t* contacts) {
     for (std::uint32_t block = 0; block < count; ++block) {
         ContactRows<W>& r = rows[block];
         std::uint32_t any = 0;
@@ -20,18 +20,19 @@ void name_contacts(const Core& core, ContactRows<W>* rows, std::uint32_t count, 
                 __builtin_prefetch(&core.manifolds[soon].flags);
                 __builtin_prefetch(&core.contacts[soon]);
             }
-            r.contact[i] = c;
+            set_contact(r, i, c, core.manifolds);
             if (c != null_index) any |= core.manifolds[c].flags;
         }
         if ((any & (contact_special | contact_bouncy | contact_hits)) == 0) continue;
         for (std::uint32_t i = 0; i < W; ++i) {
             // A contact's own flags decide, whatever the other contacts of the block have, and whatever its shapes would mix to now.
-            const std::uint32_t c = r.contact[i];
+            const std::uint32_t c = contacts[block * W + i];
             const bool is_live = W == 1 || c != null_index;
             const std::uint32_t own = W == 1 ? any : is_live ? core.manifolds[c].flags : 0;
             const MixedSurface surface = is_live ? surface_of(core, c) : MixedSurface{};
             const bool special = W == 1 || (own & contact_special) != 0;  // a block of one contact is read only if it is special
             r.restitution[i] = (own & contact_bouncy) != 0 ? surface.restitution : 0;
+            if (!has_surfaces) continue;
             r.rolling_resistance[i] = special ? surface.rolling_resistance : 0;
             r.tangent_speed[i] = special ? surface.tangent_speed : 0;
         }

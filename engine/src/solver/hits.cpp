@@ -19,12 +19,13 @@ void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uin
     for (std::uint32_t block = 0; block < count; ++block) {
         const ContactRows<W>& r = rows[block];
         for (std::uint32_t i = 0; i < W; ++i) {
-            if (r.contact[i] == null_index) continue;
-            const ContactManifold& m = manifolds[r.contact[i]];
+            const std::uint32_t contact = contact_of(r, i, manifolds);
+            if (contact == null_index) continue;
+            const ContactManifold& m = manifolds[contact];
             if ((m.flags & contact_hits) == 0) continue;
             const float first = r.peak[0][i] > 0 ? max(-r.approach[0][i], 0.0f) : 0.0f;
             const float second = m.count() == 2 && r.peak[1][i] > 0 ? max(-r.approach[1][i], 0.0f) : 0.0f;
-            hits[r.contact[i]] = Hit::of_points(first, second);
+            hits[contact] = Hit::of_points(first, second);
         }
     }
 }

@@ -20,14 +20,14 @@ ISLET_SHARED void push_body(SolverBody& body, Vec2 impulse, float turning) {
 // Finds the two normal impulses x of a contact exactly. Their residuals are w_i = sum over j of K_ij (x_j - old_j) + speed_i + softness_i x_i, with the bias in
 // speed_i.
 void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumbers& n) {
-    const Vec2 normal = {r.nx[0], r.ny[0]};
+    const Vec2 normal = r.manifold->normal;
     const float vn = dot(normal, b.v - a.v), moved = dot(normal, b.dp - a.dp) + b.dq * r.rn_ab[0];
     float rna[2], rnb[2], old[2], speed[2], k[2], m[2];  // m: K_ii + softness_i
     for (std::uint32_t i = 0; i < 2; ++i) {
         const ContactRows<1>::Point& p = r.points[i];
         rna[i] = p.rna[0];
         rnb[i] = rna[i] + r.rn_ab[0];
-        old[i] = p.normal_impulse[0];
+        old[i] = r.manifold->normal_impulse[i];
         const float s = p.separation[0] + moved + rna[i] * (b.dq - a.dq);
         speed[i] = vn + b.w * rnb[i] - a.w * rna[i];
         m[i] = k[i] = a.inv_mass + b.inv_mass + a.inv_inertia * rna[i] * rna[i] + b.inv_inertia * rnb[i] * rnb[i];
@@ -59,7 +59,7 @@ void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumb
     }
     const float d0 = x[0] - old[0], d1 = x[1] - old[1];
     for (std::uint32_t i = 0; i < 2; ++i) {
-        r.points[i].normal_impulse[0] = x[i];
+        r.manifold->normal_impulse[i] = x[i];
         if (r.is_bouncy()) r.peak[i][0] = max(r.peak[i][0], x[i]);
     }
     const Vec2 push = (d0 + d1) * normal;

@@ -159,7 +159,13 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
         for (const std::uint32_t slot : r.body_a) trial.add(slot);
         for (const std::uint32_t slot : r.body_b) trial.add(slot);
         begin_trial(trial, s.bodies);
-        decltype(kernel)::solve(s.bodies, &r, 1, numbers);
+        if constexpr (decltype(kernel)::W == 1) {
+            const ContactManifold before = *r.manifold;  // has the impulses
+            decltype(kernel)::solve(s.bodies, &r, 1, numbers);
+            *r.manifold = before;
+        } else {
+            decltype(kernel)::solve(s.bodies, &r, 1, numbers);
+        }
         end_trial(trial, s.bodies, island_of, s.residuals);
     };
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
@@ -323,10 +329,20 @@ void report_residuals(Core& core, const Plan& plan, const float* residuals) {
 
 }  // namespace
 
-SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
+SolverMotion* take_motions(Core& core, Arena& arena) {
+    const std::uint32_t count = core.state->body_pool.high_water + 1;
+    auto* const late = reinterpret_cast<std::byte*>(core.hit_events);
+    // A fleet lends its worlds scratch that lies elsewhere.
+    if (reinterpret_cast<std::byte*>(core.residuals) + align_up(core.capacity.bodies * sizeof(float)) != core.scratch) return arena.take<SolverMotion>(count);
+    const std::size_t bytes = count * sizeof(SolverMotion), room = static_cast<std::size_t>(core.scratch - late);
+    if (bytes > room) arena.take<std::byte>(bytes - room);
+    return reinterpret_cast<SolverMotion*>(late);
+}
+
+SolverBody* solve(Core& core, const Plan& plan, SolverMotion* motions, Arena& arena, float dt) {
     Solve s{core, plan, choose_numbers(*core.state, dt)};
     s.bodies = arena.take<SolverBody>(plan.slot_count);
-    s.motions = arena.take<SolverMotion>(plan.slot_count);
+    s.motions = motions;
     s.bodies[0] = SolverBody{};
     s.motions[0] = SolverMotion{};
     if (has_tuning && measures_residual(core.state->solver)) s.residuals = arena.take<float>(plan.island_count);
@@ -339,6 +355,7 @@ SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     with_lanes(core.lanes, [&](auto lanes) { solve_batches<ContactKernel<lanes>>(s); });
     core.state->last_substep = s.numbers.step.h;
     if (has_shock(core.state->solver)) restore_impulses(core, plan.lightness, arena);
+    core.has_residuals = s.residuals != nullptr;
     if (s.residuals != nullptr) report_residuals(core, plan, s.residuals);
     if (has_hits && s.hits != nullptr) report_hits(core, s.hits);
     return s.bodies;

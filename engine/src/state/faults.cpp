@@ -401,6 +401,7 @@ const char* fault_in_pairs(const Core& c, Arena scratch) {
 
 // Checks the arrays that images do not hold, because they follow from the others.
 const char* fault_in_pair_set(const Core& c) {
+    if (!has_pair_set) return nullptr;
     const PoolState& pool = c.state->contact_pool;
     std::uint32_t keys = 0;
     for (std::uint32_t i = 0; i <= c.pairs.mask; ++i) keys += c.pairs.keys[i] != 0 ? 1 : 0;

@@ -4,6 +4,8 @@
 // follows from the contacts, and the buckets from the geometries.
 #pragma once
 
+#include <cstring>
+
 #include "../data/arrays.hpp"
 #include "islet/format.hpp"
 
@@ -23,10 +25,16 @@ struct ImageHead {
 
 struct ImageHeader {
     ImageHead head{image_magic};
-    Capacity capacity;  // of the world that was saved
+    std::uint32_t room[6] = {};  // the capacity of the world that was saved: bodies, shapes, contacts, joints, geometries, hits
     Counts used;
     std::uint32_t ended = 0;           // touches that ended since the last step, not yet reported
     std::uint32_t ended_overlaps = 0;  // of sensors
+
+    Capacity capacity() const { return {room[0], room[1], room[2], room[3], room[4], room[5]}; }
+    void set_capacity(const Capacity& c) {
+        const std::uint32_t all[] = {c.bodies, c.shapes, c.contacts, c.joints, c.geometries, c.hits};
+        std::memcpy(room, all, sizeof room);
+    }
 };
 
 static_assert(sizeof(ImageHeader) == image_header_bytes && sizeof(ImageHeader) % 8 == 0);

@@ -26,11 +26,11 @@ using namespace detail;
 
 namespace {
 
-// True if the capacity has room for all that the image uses. There is room for as many ended touches as for contacts.
+// True if the capacity has room for all that the image uses. Touches that ended need room, too.
 bool fits(const Capacity& c, const ImageHeader& h) {
     const Counts& n = h.used;
     return n.bodies <= c.bodies && n.shapes <= c.shapes && n.contacts <= c.contacts && n.joints <= c.joints && n.geometries <= geometry_capacity(c) &&
-           n.tree_nodes <= std::uint64_t{2} * c.shapes && h.ended + h.ended_overlaps <= c.contacts;
+           n.tree_nodes <= std::uint64_t{2} * c.shapes && h.ended + h.ended_overlaps <= event_capacity(c);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ namespace detail {
 
 ImageHeader header_of(const Core& core) {
     ImageHeader h;
-    h.capacity = core.capacity;
+    h.set_capacity(core.capacity);
     h.used = counts_of(*core.state);
     h.ended = core.end_count - core.end_reported;
     h.ended_overlaps = core.sensor_ends.count - core.sensor_ends_reported;
@@ -66,7 +66,7 @@ Error read_header(span<const std::byte> image, ImageHeader& h) {
     const Counts& n = h.used;
     for (const std::uint32_t count : {n.bodies, n.shapes, n.contacts, n.joints, n.geometries, n.tree_nodes / 2, h.ended, h.ended_overlaps})
         if (count > max_capacity) return Error::corrupt_image;
-    return h.head.length == image_length(h) && fits(h.capacity, h) ? Error::none : Error::corrupt_image;
+    return h.head.length == image_length(h) && fits(h.capacity(), h) ? Error::none : Error::corrupt_image;
 }
 
 std::uint64_t image_checksum(span<const std::byte> bytes) { return checksum_of(bytes.data() + sizeof(ImageHead), bytes.size() - sizeof(ImageHead)); }
@@ -139,6 +139,7 @@ void clear_rest(const BitSet& set, std::uint32_t used) {
 }
 
 void rebuild_pairs(Core& core, const ImageHeader& h) {
+    if (!has_pair_set) return;
     std::memset(core.pairs.keys, 0, (std::size_t{core.pairs.mask} + 1) * 8);
     for (std::uint32_t i = 0; i < h.used.contacts; ++i) {
         const Contact& c = core.contacts[i];
@@ -163,7 +164,7 @@ const SensorEvent* waiting(const Core& c, const SensorEvent* events) { return ev
 
 // Room for so many ended overlaps: the last of the end events.
 SensorEvents sensor_ends_of(const Core& core, std::uint32_t count) {
-    return {reinterpret_cast<SensorEvent*>(core.end_events + (core.capacity.contacts - count)), count};
+    return {reinterpret_cast<SensorEvent*>(core.end_events + (event_capacity(core.capacity) - count)), count};
 }
 
 // What a step tells is told once: a world that takes over a state has taken no step. (Ended touches that wait to be told belong to the state.)
@@ -234,7 +235,7 @@ Error read_snapshot(span<const std::byte> image, SnapshotInfo& out) {
     if (error != Error::none) return error;
     const auto at_least_one = [](std::uint32_t n) { return n > 0 ? n : 1u; };
     out.bytes = h.head.length;
-    out.capacity = h.capacity;
+    out.capacity = h.capacity();
     const std::uint32_t ends = h.ended + h.ended_overlaps;
     const Counts& n = h.used;
     const std::uint32_t shapes = at_least_one(n.shapes > (n.tree_nodes + 1) / 2 ? n.shapes : (n.tree_nodes + 1) / 2);

@@ -265,6 +265,7 @@ float separation_now(const Core& core, const ContactManifold& m) {
 void tell_touch(Core& core, std::uint32_t index) {
     const Contact& c = core.contacts[index];
     core.manifolds[index].flags &= ~static_cast<std::uint32_t>(contact_untold);
+    if (!has_room_for_begin(core)) return;
     push_touch(core, core.begin_events, core.begin_count, core.sensor_begins, {core.shape_id(c.shape_a), core.shape_id(c.shape_b)});
 }
 

@@ -66,10 +66,11 @@ void World::step(float dt) {
     note(c, Stage::collide);
 
     Arena arena = c.arena();
+    SolverMotion* motions = take_motions(c, arena);
     if (c.state->joint_pool.count != 0) choose_trees(c, arena);
     const Plan plan = make_plan(c, arena);
     note(c, Stage::islands);
-    SolverBody* bodies = detail::solve(c, plan, arena, dt);
+    SolverBody* bodies = detail::solve(c, plan, motions, arena, dt);
     tell_touches(c);
     note(c, Stage::solve);
     finish_bodies(c, plan, bodies, arena, dt);

@@ -107,7 +107,7 @@ BodyId World::create_body(const BodyDef& def) {
     }
     c.awake_bodies.assign(i, moves && def.awake && def.enabled);
     c.motions[i].slack = 3.0e38f;
-    c.residuals[i] = 0;
+    if (has_tuning) c.residuals[i] = 0;
     update_mass(c, i);
     return c.body_id(i);
 }

@@ -97,7 +97,9 @@ World* World::create(span<std::byte> block, const Capacity& capacity, const Worl
 
 namespace detail {
 
-World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& wanted) {
+static_assert(sizeof(World) <= host_bytes);
+
+World& create_static(std::byte* block, const Capacity& capacity, const Layout& layout, const WorldDef& wanted, LaidOut) {
     static constexpr WorldDef fallback;
     const Error problem = check_def(wanted);
     if (problem != Error::none && wanted.error_hook != nullptr) wanted.error_hook(problem, wanted.error_context);
@@ -164,7 +166,7 @@ void World::set_gravity(Vec2 gravity) {
 
 SolverDef World::solver() const { return unpack(core().state->solver); }
 
-float World::residual(BodyId id) const { ISLET_READ(c.residuals[i]); }
+float World::residual(BodyId id) const { ISLET_READ(has_tuning && c.has_residuals ? c.residuals[i] : 0.0f); }
 
 TaskSystem World::tasks() const { return core().tasks; }
 

@@ -29,7 +29,7 @@ TEST(ReplayFile, TakesNoMoreMemoryThanTheFileCouldFill) {
     std::byte* image = tape.span().data() + sizeof(detail::RecordingHead);
     detail::ImageHeader h;
     std::memcpy(&h, image, sizeof h);
-    h.capacity = {.bodies = max_capacity, .shapes = max_capacity, .contacts = max_capacity, .joints = max_capacity};
+    h.set_capacity({.bodies = max_capacity, .shapes = max_capacity, .contacts = max_capacity, .joints = max_capacity});
     std::memcpy(image, &h, sizeof h);
     seal({image, static_cast<std::size_t>(h.head.length)});
     const std::string path = testing::TempDir() + "islet_replay_test.rec";

@@ -182,7 +182,7 @@ enum {
     ISLET_ERROR_BLOCK_MISALIGNED = 13,
     /// a capacity is zero where at least one is needed, or above max_capacity
     ISLET_ERROR_BAD_CAPACITY = 14,
-    /// more contacts ended than there is room to report
+    /// more contacts began or ended than there is room to report: raise IsletCapacity.events
     ISLET_ERROR_EVENTS_FULL = 15,
     /// raise IsletCapacity.joints
     ISLET_ERROR_JOINTS_FULL = 16,
@@ -592,6 +592,9 @@ typedef struct IsletCapacity {
     uint32_t geometries;
     /// Hit events in one step; 0 means an eighth of the contacts, at least 8.
     uint32_t hits;
+    /// Touches that begin in one step, and as many that end, those of sensors included; 0 means as many as contacts, which are always enough. More are
+    /// dropped and counted (IsletStepReport.dropped_events, ISLET_ERROR_EVENTS_FULL).
+    uint32_t events;
 } IsletCapacity;
 
 /// Functions of yours that a step calls, to let you decide something. Each may be null and gets `context`. Hooks are not part of the state: hashes and
@@ -864,7 +867,7 @@ typedef struct IsletStepReport {
     /// fails with contacts_full while there is no room. Raise IsletCapacity.contacts: 3 to 5 for each moving shape of a dense pile, 7 where the pile is
     /// squeezed.
     uint32_t dropped_contacts;
-    /// end events that found no room since the last step began
+    /// begin and end events that found no room since the last step began
     uint32_t dropped_events;
     /// hits that found no room among the hit events
     uint32_t dropped_hits;

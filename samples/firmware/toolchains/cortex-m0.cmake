@@ -1,0 +1,10 @@
+# Cortex-M0 and M0+: no floating-point unit, and no access to words that are not aligned. QEMU's micro:bit has 16 kB of memory, so only drawer.cpp fits.
+set(ISLET_CPU_FLAGS "-mcpu=cortex-m0 -mfloat-abi=soft")
+set(ISLET_MACHINE microbit)
+set(ISLET_FLASH_ORIGIN 0x00000000)
+set(ISLET_RAM_ORIGIN 0x20000000)
+set(ISLET_SMALL_BOARD ON)
+set(ISLET_FLASH_BYTES 0x40000)
+set(ISLET_RAM_BYTES 0x4000)
+set(ISLET_STACK_BYTES 2560)
+include(${CMAKE_CURRENT_LIST_DIR}/arm-none-eabi.cmake)

@@ -1,0 +1,10 @@
+# STM32F103C8: a Cortex-M3 with 64 kB of flash and 20 kB of memory. QEMU has no such board, so one with more of both runs what is linked within these limits.
+set(ISLET_CPU_FLAGS "-mcpu=cortex-m3 -mfloat-abi=soft")
+set(ISLET_MACHINE netduino2)
+set(ISLET_FLASH_ORIGIN 0x08000000)
+set(ISLET_RAM_ORIGIN 0x20000000)
+set(ISLET_SMALL_BOARD ON)
+set(ISLET_FLASH_BYTES 0x10000)
+set(ISLET_RAM_BYTES 0x5000)
+set(ISLET_STACK_BYTES 4096)
+include(${CMAKE_CURRENT_LIST_DIR}/arm-none-eabi.cmake)
