@@ -76,10 +76,19 @@ finish_installing() {
 }
 
 results=()  # one line per build, printed at the end
-failures=() # the tests that failed, printed after that
-failed=false
+failures=() # the parts and tests that failed, printed after that
 tools=ON    # whether run_tests builds the adapters of other engines and the comparison
 targets=()  # what it builds; everything if empty
+
+# tell PART STATUS GOOD BAD: one of the two, by the part's status, as its line in the end.
+tell() {
+    if [ "$2" -eq 0 ]; then
+        results+=("$1: $3")
+    else
+        results+=("$1: $4")
+        failures+=("$1")
+    fi
+}
 
 # What each part took. (`times` in a subshell would tell the subshell's own.)
 laps=()
@@ -141,7 +150,7 @@ run_tests() {
     ctest --test-dir "$root/build/$preset" --parallel "$(jobs)" --output-on-failure --no-tests=error "$@" | tee "$log" || status=$?
     results+=("$preset: $(grep -E 'tests passed|No tests' "$log" || echo 'no result')$(sed -n 's/^Total Test time (real) = */, /p' "$log")")
     if [ "$status" -ne 0 ]; then
-        failed=true
+        failures+=("$preset: tests")
         mapfile -t -O "${#failures[@]}" failures < <(sed -n "/^The following tests FAILED/,/^Errors while/s/^[[:space:]]*[0-9]* - /$preset: /p" "$log")
     fi
     lap "$preset: tests"
@@ -179,7 +188,7 @@ finish_fuzzers() {
             results+=("fuzz $target: $(sed -n 's/^Done \([0-9]*\) runs in \([0-9]*\) second.*/\1 runs in \2 s/p' "$log"), $(
                 sed -n 's/^#[0-9]*\tDONE .* ft: \([0-9]*\) .*/\1 features covered/p' "$log"), nothing found")
         else
-            failed=true
+            failures+=("fuzz $target")
             grep -v -E '^(#[0-9]+|\s*NEW_FUNC)' "$log" | tail -n 40 || true # killed at once, it has said nothing
             finding=$(sed -n 's/.*Test unit written to //p' "$log")
             # For `base64 --decode`, where build/ is not kept: the fuzzer itself prints short ones only.
@@ -196,8 +205,9 @@ measure_coverage() {
     say "coverage of engine/"
     gcovr --root "$root" --filter "$root/engine/" --object-directory "$root/build/coverage" --fail-under-line "$least_coverage" \
         --sort-percentage --print-summary "$root/build/coverage/engine" | tee "$root/build/coverage/coverage.txt" || status=$?
-    [ "$status" -eq 0 ] || failed=true
-    results+=("coverage of engine/: $(grep '^lines:' "$root/build/coverage/coverage.txt"), at least $least_coverage % wanted")
+    local lines
+    lines="$(grep '^lines:' "$root/build/coverage/coverage.txt"), at least $least_coverage % wanted"
+    tell "coverage of engine/" "$status" "$lines" "$lines"
 }
 
 check_scripts() {
@@ -205,8 +215,7 @@ check_scripts() {
     local scripts=() status=0
     mapfile -t scripts < <(find "$root"/{tools,tests,docs,bindings,samples,.ci} -name node_modules -prune -o \( -name '*.sh' -o -path '*/.ci/run' \) -print)
     (cd "$root" && shellcheck --external-sources "${scripts[@]}") || status=$?
-    [ "$status" -eq 0 ] || failed=true
-    results+=("scripts: $([ "$status" -eq 0 ] && echo clean || echo 'shellcheck complains') (${#scripts[@]} files)")
+    tell scripts "$status" "clean (${#scripts[@]} files)" 'shellcheck complains'
 }
 
 # The firmware in every emulated microcontroller: the host's hashes, and its size and stack within their limits.
@@ -214,8 +223,7 @@ check_firmware() {
     local status=0
     say "the firmware"
     "$root/tools/footprint.sh" --check || status=$?
-    [ "$status" -eq 0 ] || failed=true
-    results+=("firmware: $([ "$status" -eq 0 ] && echo "the host's hashes, within its limits" || echo 'see above')")
+    tell firmware "$status" "the host's hashes, within its limits" 'see above'
 }
 
 # The sketches for boards, on three emulated processors.
@@ -223,8 +231,7 @@ check_boards() {
     local status=0
     say "the sketches for boards"
     "$root/tools/boards.sh" --check || status=$?
-    [ "$status" -eq 0 ] || failed=true
-    results+=("boards: $([ "$status" -eq 0 ] && echo "the sketches keep the host's bits" || echo 'see above')")
+    tell boards "$status" "the sketches keep the host's bits" 'see above'
 }
 
 # The description of the public headers, from which bindings are made.
@@ -232,8 +239,7 @@ check_description() {
     local status=0
     say "the description of the public headers"
     "$root/tools/api/describe.py" --check || status=$?
-    [ "$status" -eq 0 ] || failed=true
-    results+=("description: $([ "$status" -eq 0 ] && echo 'is what the headers say' || echo 'run tools/api/describe.py')")
+    tell description "$status" 'is what the headers say' 'run tools/api/describe.py'
 }
 
 # The golden hashes on other processors, emulated, and by this one's compilers with all its instructions.
@@ -241,7 +247,7 @@ check_targets() {
     local status=0 table=$root/build/targets.txt
     say "the same bits on other processors"
     "$root/tests/determinism/targets.sh" "$root/build/targets" | tee "$table" || status=$?
-    [ "$status" -eq 0 ] || failed=true
+    [ "$status" -eq 0 ] || failures+=("other processors")
     while IFS= read -r line; do results+=("hashes on $line"); done < <(tail -n +2 "$table")
 }
 
@@ -250,12 +256,10 @@ check_by_hand() {
     local status=0 log=$root/build/by_hand.txt
     say "the engine by hand"
     "$root/tests/determinism/by_hand.sh" "$root/build/by_hand" | tee "$log" || status=$?
-    [ "$status" -eq 0 ] || failed=true
-    results+=("by hand: $([ "$status" -eq 0 ] && echo "$(wc -l <"$log") builds keep the bits or are refused" || echo 'see above')")
+    tell "by hand" "$status" "$(wc -l <"$log") builds keep the bits or are refused" 'see above'
     status=0
     "$root/tests/package/msvc_mode.sh" "$root" || status=$?
-    [ "$status" -eq 0 ] || failed=true
-    results+=("Clang's Microsoft mode: $([ "$status" -eq 0 ] && echo 'reads every file' || echo 'see above')")
+    tell "Clang's Microsoft mode" "$status" 'reads every file' 'see above'
 }
 
 # The first command of README.md, in a fresh copy of the tree.
@@ -263,8 +267,7 @@ check_first_command() {
     local status=0 log=$root/build/first_command.txt
     say "the first command of the manual"
     "$root/tests/docs/first_command_test.sh" "$root" "$root/build/fresh" | tee "$log" || status=$?
-    [ "$status" -eq 0 ] || failed=true
-    results+=("first command: $([ "$status" -eq 0 ] && echo 'a fresh tree builds and draws a scene' || echo 'see above')")
+    tell "first command" "$status" 'a fresh tree builds and draws a scene' 'see above'
 }
 
 # What drives the browser and what builds the sandbox and the manual's site, in the versions that package-lock.json names; fetched once.
@@ -324,7 +327,7 @@ printf '\n'
 printf '%s\n' "${laps[@]}"
 printf '\n'
 printf '%s\n' "${results[@]}"
-if $failed; then
+if [ ${#failures[@]} -gt 0 ]; then
     printf 'FAILED\n'
     printf '%s\n' "${failures[@]:0:40}"
     exit 1
