@@ -719,7 +719,7 @@ def glue_types(api, first):
     out += ["", "#define ISLET_C_GROWS(X) \\"]
     out.append(" \\\n".join(f"    X({name}, {8 if api.has_wide_fields(name) else 4})" for name in grows))
     changed = [s for s in grows if first.get(s) and first[s] != [f["name"] for f in api.structs[s]["fields"]]]
-    out.append("")
+    out += ["", "namespace islet::c {", "/// The first version of a struct that has grown since.", "template <class T>", "struct First;", "}  // namespace islet::c", ""]
     for name in changed:
         fields = [f["name"] for f in api.structs[name]["fields"]]
         if fields[: len(first[name])] != first[name]:

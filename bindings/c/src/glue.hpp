@@ -13,12 +13,6 @@
 #include "islet/islet.hpp"
 #include "islet/mover.hpp"
 
-namespace islet::c {
-/// The first version of a struct that has grown since (types.inc.hpp).
-template <class T>
-struct First;
-}  // namespace islet::c
-
 #include "types.inc.hpp"
 
 namespace islet::c {

@@ -96,6 +96,12 @@
     X(MoverInput, 4) \
     X(ReplayResult, 8)
 
+namespace islet::c {
+/// The first version of a struct that has grown since.
+template <class T>
+struct First;
+}  // namespace islet::c
+
 template <>
 struct islet::c::First<islet::Capacity> {
     std::uint32_t struct_size;
