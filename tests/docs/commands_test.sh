@@ -57,7 +57,7 @@ try() {
     ./bindings/js/bench/run.sh | './tests/browser/measure.sh '*) [ -x "${words[0]}" ] ;;  # they take minutes
     './tools/run.sh'*) has_options tools/run.sh && islet run "${words[1]-hello}" ;;  # first_command_test.sh runs it in a fresh tree
     ./tools/test.sh* | ./tools/footprint.sh* | ./tools/boards.sh*) has_options "${words[@]}" ;;
-    'cmake --preset release'*) grep -q '"name": "release"' "$root/CMakePresets.json" ;;
+    'cmake --preset '*) grep -q "\"name\": \"${words[2]}\"" "$root/CMakePresets.json" ;;
     # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.
     'cmake -S samples/firmware'*) [ -e "$(sed -n 's/.*toolchain "$PWD\/\([^"]*\)".*/\1/p' <<<"$command")" ] ;;
     'cmake --build build/m4'*) ;;
@@ -67,7 +67,7 @@ try() {
     # Building the package takes minutes; tests/python/envs_test.py learns with the same program.
     './bindings/python/run.sh '*) has_options bindings/python/run.sh && [ -x "${words[1]}" ] && python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "${words[1]}" ;;
     # tests/package/install_test.sh does that.
-    'cmake --install build/release'* | 'cpack --config build/release'*) grep -q '"$cmake" --install' "$root/tests/package/install_test.sh" ;;
+    'cmake --build --preset install' | 'cmake --install build/install'* | 'cpack --config build/install'*) grep -q '"$cmake" --install' "$root/tests/package/install_test.sh" ;;
     ./tools/package.sh*) "$root/tools/package.sh" Islet && [ -s Islet/library.properties ] ;;
     # tests/package/one_file_test.sh compiles what the first writes as the second does.
     ./tools/amalgamate.sh*) eval "$command" && [ -s "${words[1]}/islet.cpp" ] ;;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # install_test.sh CMAKE COMPILER ISLET TREE WORK: Islet installed into empty folders, and used from there as a stranger does: by find_package, by pkg-config and
 # by hand, with flags of the user's own too. All programs print what those of the TREE (a build's folder) print.
-#   static   `cmake --install` of the TREE, then moved elsewhere
+#   static   the manual's preset, where there is a compiler alone: built, installed, then moved elsewhere
 #   shared   the .tar.gz that cpack makes of a build with BUILD_SHARED_LIBS; its .deb holds the same. The libraries show the public names alone
 set -euo pipefail
 
@@ -68,12 +68,20 @@ use() {
 
 version=$(sed -n 's/^#define ISLET_VERSION_STRING "\(.*\)".*/\1/p' "$islet/engine/include/islet/version.hpp")
 
-"$cmake" --install "$tree" --prefix "$work/first" >install.log
+# What is optimised does not matter here.
+quick=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
+absent=()
+for package in GTest fmt CLI11 nlohmann_json SDL2 box2d; do absent+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"); done
+(
+    cd "$islet" # where the presets are
+    "$cmake" --preset install -B "$work/install-build" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_RELEASE=-O0 "${quick[@]}" "${absent[@]}"
+    "$cmake" --build "$work/install-build" --target islet islet_c islet_lcp islet_prefabs
+    "$cmake" --install "$work/install-build" --prefix "$work/first"
+) >install.log 2>&1 || { cat install.log && fail 'the preset that installs'; }
 mv first static
 use static "$work/static"
 
-# What is optimised does not matter here.
-"$cmake" -S "$islet" -B shared-build -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
+"$cmake" -S "$islet" -B shared-build -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 "${quick[@]}" \
     -DBUILD_SHARED_LIBS=ON -DISLET_BUILD_SAMPLES=OFF -DISLET_BUILD_TOOLS=OFF -DISLET_BUILD_TESTS=OFF -DISLET_WERROR=OFF >shared.log
 "$cmake" --build shared-build >>shared.log 2>&1
 generators=TGZ
