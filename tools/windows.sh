@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds Islet for Windows with MinGW-w64 and runs the tests of single parts, of bad input and of determinism there, for which Wine stands.
+# Builds Islet for Windows with MinGW-w64 and runs the tests of single parts, of bad input, of determinism and of the C interface there, for which Wine
+# stands. Ends with a line for each program. (tools/test.sh --all compares the golden hashes there.)
 #   tools/windows.sh
 # Installs the compiler, Wine and GoogleTest's source with apt if they are missing.
 set -euo pipefail
@@ -35,14 +36,28 @@ if [ ! -e "$work/googletest/lib/libgtest.a" ]; then
 fi
 
 say "Islet for Windows"
-suites=(unit robustness determinism)
-cmake -S "$root" -B "$work/islet" "${for_windows[@]}" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS=OFF -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON
-cmake --build "$work/islet" --parallel "$(jobs)" --target islet_{unit,robustness,determinism}_tests
+tests=(islet_{unit,robustness,determinism,c}_tests) # of GoogleTest
+programs=(islet_c_{calls,refusals,lcp})
+cmake -S "$root" -B "$work/islet" "${for_windows[@]}" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS=OFF -DISLET_BUILD_TESTS=ON -DISLET_WERROR=ON -DISLET_PRECOMPILE=ON
+cmake --build "$work/islet" --parallel "$(jobs)" --target "${tests[@]}" "${programs[@]}"
 
 say "testing under Wine"
 export WINEPREFIX=$work/wine WINEDEBUG=-all
+results=()
 failed=false
-for suite in "${suites[@]}"; do
-    (cd "$work/islet/tests" && wine "./islet_${suite}_tests.exe" --gtest_brief=1 2>/dev/null) || failed=true
-done
-if $failed; then exit 1; fi
+# under_wine PROGRAM ARGUMENT...
+under_wine() {
+    local log=$work/$1.log program
+    program=$(find "$work/islet/tests" -name "$1.exe")
+    if (cd "$work/islet/tests" && wine "$program" "${@:2}") >"$log" 2>&1; then
+        results+=("$1: passed")
+    else
+        tail -n 40 "$log"
+        results+=("$1: FAILED")
+        failed=true
+    fi
+}
+for program in "${tests[@]}"; do under_wine "$program" --gtest_brief=1; done
+for program in "${programs[@]}"; do under_wine "$program"; done
+printf '%s\n' "${results[@]}"
+! $failed

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "golden.hpp"
-#if !defined(__wasi__)
+#if !defined(__wasm__)
 #include "workers/thread_pool.hpp"
 #endif
 
@@ -17,7 +17,7 @@ using namespace islet;
 
 namespace {
 
-#if defined(__wasi__)
+#if defined(__wasm__)
 // No threads there.
 struct Pool {
     explicit Pool(std::uint32_t) {}
