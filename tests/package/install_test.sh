@@ -91,7 +91,8 @@ same user-build/hello hello_world "small: find_package"
 refused "$work/small" '0.2;COMPONENTS;c' 'Islet was installed without its component c'
 if command -v pkg-config >/dev/null; then
     read -r -a flags < <(PKG_CONFIG_PATH=$work/small/lib/pkgconfig pkg-config --cflags --libs islet)
-    if "$compiler" -std=c++20 "$programs/hello_world.cpp" "${flags[@]}" -o hello-small; then same ./hello-small hello_world "small: pkg-config"; else fail "small: pkg-config"; fi
+    "$compiler" -std=c++20 "$programs/hello_world.cpp" "${flags[@]}" -o hello-small || fail "small: pkg-config"
+    same ./hello-small hello_world "small: pkg-config"
     for definition in ISLET_SMALL=1 ISLET_WITH_sleep ISLET_WITH_continuous; do
         [[ " ${flags[*]} " == *" -D$definition "* ]] || fail "small: pkg-config does not say -D$definition: ${flags[*]}"
     done
