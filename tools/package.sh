@@ -5,7 +5,7 @@
 #   library.json                              PlatformIO
 #   idf_component.yml, CMakeLists.txt         ESP-IDF
 #   zephyr/                                   Zephyr: module.yml, Kconfig, CMakeLists.txt
-#   src/                                      islet.hpp, islet.cpp, and islet_options.h, which says what the engine is compiled without
+#   src/                                      islet.hpp, islet.cpp, and islet_options.h, which both include: what the engine is compiled without
 #   examples/                                 the sketches of samples/boards
 # The templates are in tools/package. In them @VERSION@ and the like stand for what the tree says.
 set -euo pipefail
@@ -40,8 +40,14 @@ config=$root/engine/include/islet/config.hpp
 version=$(sed -n 's/^#define ISLET_VERSION_STRING "\(.*\)".*/\1/p' "$root/engine/include/islet/version.hpp")
 features=$(sed -nE 's/^ +FEATURE\(([a-z_]+).*/\1/p; s/^ +JOINT\(([a-z_]+).*/\1_joints/p' "$config")
 features+=$'\njoints'
+# What the small profile leaves out, and can have all the same.
+extras=$(sed -nE 's/^ +FEATURE\(([a-z_]+), [a-z_]+, full\).*/\1/p; s/^ +JOINT\(([a-z_]+).*/\1_joints/p' "$config")
+extras+=$'\njoints'
 
 options=
+for feature in $extras; do
+    options+=$'config ISLET_WITH_'"${feature^^}"$'\n\tbool "Put back: '"${feature//_/ }"$'"\n\tdepends on ISLET_SMALL\n\n'
+done
 for feature in $features; do
     options+=$'config ISLET_WITHOUT_'"${feature^^}"$'\n\tbool "Leave out: '"${feature//_/ }"$'"\n\n'
 done
@@ -54,6 +60,7 @@ fill() {
     text=${text//@SENTENCE@/A 2D rigid-body physics engine in one fixed block of memory.}
     text=${text//@URL@/$url}
     text=${text//@FEATURES@/${features//$'\n'/ }}
+    text=${text//@EXTRAS@/${extras//$'\n'/ }}
     text=${text//@OPTIONS@$'\n'/$options}
     printf '%s\n' "$text" >"$new/$1"
 }
@@ -71,12 +78,17 @@ mapfile -t headers < <(find "$root/engine/include/islet" -name '*.hpp' ! -name l
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$root/tools/amalgamate.sh" "$work" >/dev/null
-cp "$work/islet.hpp" "$new/src/"
+sed '0,/^#pragma once$/s//&\n\n#include "islet_options.h"/' "$work/islet.hpp" >"$new/src/islet.hpp"
 {
     printf '// How the engine is compiled on boards. Its parts take flash. To leave one out that you do not use, take away the "//" before its line, or compile with\n'
     printf '// -DISLET_WITHOUT_<name>. Calls that need it then fail with Error::feature_cut.\n#pragma once\n\n'
     printf '#if !defined(ISLET_THREADS)\n#define ISLET_THREADS 0  // 1: a world may be stepped on several cores, by a task system of yours\n#endif\n\n'
-    for feature in $features; do printf '// #define ISLET_WITHOUT_%s\n' "$feature"; done
+    for feature in $features; do printf '// #define ISLET_WITHOUT_%s 1\n' "$feature"; done
+    printf '\n// The small profile, for boards with 64 kB of flash and 16 to 20 kB of memory: boxes and other polygons, balls, bouncing and queries. It leaves out all\n'
+    printf '// else, and a world takes less memory. Instead of this line, -DISLET_SMALL=1 does the same if the library and your program are both compiled with it.\n'
+    printf '// #define ISLET_SMALL 1\n\n'
+    printf '// To put a feature back into the small profile, take away the "//" before its line:\n'
+    for feature in $extras; do printf '// #define ISLET_WITH_%s 1\n' "$feature"; done
 } >"$new/src/islet_options.h"
 {
     sed -n '/^\/\//p; /^\/\//!q' "$work/islet.cpp"

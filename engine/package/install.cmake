@@ -24,6 +24,13 @@ function(islet_install component name pc description)
     if(pc STREQUAL islet AND ISLET_WITH_C)  # C programs ask for islet too
         set(PC_BEFORE "-lislet_c ")
     endif()
+    # What programs must be compiled with too: the small profile.
+    set(PC_DEFINITIONS "")
+    get_target_property(definitions ${target} INTERFACE_COMPILE_DEFINITIONS)
+    if(definitions)
+        list(TRANSFORM definitions PREPEND " -D" OUTPUT_VARIABLE PC_DEFINITIONS)
+        list(JOIN PC_DEFINITIONS "" PC_DEFINITIONS)
+    endif()
     # The prefix is found from where the file is, so that the whole may be moved.
     file(RELATIVE_PATH PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
     string(REGEX REPLACE "/$" "" PC_PREFIX ${PC_PREFIX})

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # boards_test.sh ISLET CMAKE BALLS MARBLE_MAZE ROBOT_ARM: the library that tools/package.sh makes has what each format asks for (library_manifests.py); its
-# CMake files name what is there; it is made alike twice, and over nothing else; the sketches do on the host what their first lines say.
+# CMake files name what is there; it is made alike twice, and over nothing else; the sketches do on the host what their first lines say;
+# and the balls are the same in the small profile.
 set -euo pipefail
 
 islet=$1 cmake=$2 balls=$3 maze=$4 arm=$5
@@ -50,6 +51,9 @@ foreach(function zephyr_include_directories zephyr_library_sources)
 endforeach()
 function(zephyr_library_named)
 endfunction()
+function(zephyr_compile_definitions name)
+    message("definition of all ${name}")
+endfunction()
 function(zephyr_library_compile_definitions name)
     message("definition ${name}")
 endfunction()
@@ -57,9 +61,14 @@ set(CONFIG_ISLET TRUE)
 set(CONFIG_ISLET_WITHOUT_GEAR_JOINTS TRUE)
 include(${LIBRARY}/CMakeLists.txt)
 include(${LIBRARY}/zephyr/CMakeLists.txt)
+set(CONFIG_ISLET_WITHOUT_GEAR_JOINTS FALSE)
+set(CONFIG_ISLET_SMALL TRUE)
+set(CONFIG_ISLET_WITH_REVOLUTE_JOINTS TRUE)
+include(${LIBRARY}/zephyr/CMakeLists.txt)
 END
 said=$("$cmake" -D LIBRARY="$library" -P "$scratch/check.cmake" 2>&1) || fail "a CMake file: $said"
-[ "$said" = $'idf src/islet.cpp\nzephyr ../src\nzephyr ../src/islet.cpp\ndefinition ISLET_WITHOUT_gear_joints' ] || fail "the CMake files compile something else: $said"
+[ "$said" = $'idf src/islet.cpp\nzephyr ../src\nzephyr ../src/islet.cpp\ndefinition ISLET_WITHOUT_gear_joints\nzephyr ../src\nzephyr ../src/islet.cpp\n'\
+$'definition of all ISLET_SMALL=1\ndefinition of all ISLET_WITH_revolute_joints' ] || fail "the CMake files compile something else: $said"
 
 # The sketches. run NAME PROGRAM FRAMES: each frame is 32 lines of at most 128 characters, and a second run prints the same.
 run() {
@@ -83,6 +92,37 @@ below=$(picture Balls 140 | inner_dots 17 31) above=$(picture Balls 140 | inner_
 [ "$below" -gt $((4 * above)) ] || fail "the balls are not below: $below characters there, $above above"
 below=$(picture Balls 290 | inner_dots 17 31) above=$(picture Balls 290 | inner_dots 2 16)
 [ "$above" -gt $((4 * below)) ] || fail "the balls are not above: $above characters there, $below below"
+
+# Each line of islet_options.h does what it says when its "//" is taken away.
+cat >"$scratch/check.cpp" <<'END'
+#include "islet.cpp"
+#define CHECK(name, ...) static_assert(islet::detail::has_##name == WANTED);
+#define CHECK_JOINT(name, ...) static_assert(islet::detail::has_joint(islet::JointType::name) == WANTED);
+ISLET_FEATURES(CHECK)
+ISLET_JOINT_TYPES(CHECK_JOINT)
+END
+# options NAME PATTERN: a copy of the library with these lines switched on.
+options() {
+    cp -r "$library" "$scratch/$1"
+    sed -i -E "s/^\/\/ (#define ISLET_$2)/\1/" "$scratch/$1/src/islet_options.h"
+}
+options without 'WITHOUT_'
+g++ -std=gnu++17 -fsyntax-only -DWANTED=false -I "$scratch/without/src" "$scratch/check.cpp" || fail "ISLET_WITHOUT_ in islet_options.h leaves something in"
+options with '(SMALL|WITH_)'
+g++ -std=gnu++17 -fsyntax-only -DWANTED=true -I "$scratch/with/src" "$scratch/check.cpp" || fail "ISLET_WITH_ in islet_options.h puts something not back"
+
+# In the small profile, with what they need beside it, the balls are the same.
+options small '(SMALL|WITH_chains|WITH_continuous) '
+[ "$(grep -c '^#define ISLET_' "$scratch/small/src/islet_options.h")" -eq 4 ] || fail "islet_options.h: the small profile cannot be switched on"
+if g++ -std=gnu++17 -O1 -c "$scratch/small/src/islet.cpp" -o "$scratch/small/islet.o" &&
+    g++ -std=gnu++17 -O1 -DSKETCH_FILE="\"$scratch/small/examples/Balls/Balls.ino\"" -DSKETCH_NAME='"Balls"' -DSKETCH_FRAMES=300 -DSKETCH_SHOWN=10 \
+        -I "$islet/samples/boards/stub" -I "$scratch/small/src" "$islet"/samples/boards/stub/stub.cpp "$islet"/samples/firmware/{console,board_host}.cpp \
+        "$scratch/small/islet.o" -o "$scratch/small/balls"; then
+    "$scratch/small/balls" | diff "$scratch/Balls.txt" - >"$scratch/small.diff" ||
+        fail "the balls are others in the small profile: $(tail -n 3 "$scratch/small.diff")"
+else
+    fail "Balls does not compile or link in the small profile"
+fi
 
 run MarbleMaze "$maze" 40
 grep -q '^in the hole after frames: ' "$scratch/MarbleMaze.txt" || fail "the marble finds no hole"

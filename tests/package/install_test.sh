@@ -2,6 +2,7 @@
 # install_test.sh CMAKE COMPILER ISLET TREE WORK: Islet installed into empty folders, and used from there as a stranger does: by find_package, by pkg-config and
 # by hand, with flags of the user's own too. All programs print what those of the TREE (a build's folder) print.
 #   static   the manual's preset, where there is a compiler alone: built, installed, then moved elsewhere
+#   small    the engine alone in the small profile, with what hello_world needs put back: programs get the definitions without which they do not link with it
 #   shared   the .tar.gz that cpack makes of a build with BUILD_SHARED_LIBS; its .deb holds the same. The libraries show the public names alone
 set -euo pipefail
 
@@ -80,6 +81,25 @@ for package in GTest fmt CLI11 nlohmann_json SDL2 box2d; do absent+=("-DCMAKE_DI
 ) >install.log 2>&1 || { cat install.log && fail 'the preset that installs'; }
 mv first static
 use static "$work/static"
+
+"$cmake" -S "$islet/engine" -B small-build -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS='-O0 -DISLET_MAX_LANES=1' \
+    "${quick[@]}" -DISLET_PROFILE=small -DISLET_WITH='sleep;continuous' >small.log
+"$cmake" --build small-build >>small.log 2>&1
+"$cmake" --install small-build --prefix "$work/small" >>small.log
+if ! by_cmake "$work/small" '0.2;COMPONENTS;engine;lcp' || ! "$cmake" --build user-build >>user.log 2>&1; then cat user.log && fail "small: find_package"; fi
+same user-build/hello hello_world "small: find_package"
+refused "$work/small" '0.2;COMPONENTS;c' 'Islet was installed without its component c'
+if command -v pkg-config >/dev/null; then
+    read -r -a flags < <(PKG_CONFIG_PATH=$work/small/lib/pkgconfig pkg-config --cflags --libs islet)
+    "$compiler" -std=c++20 "$programs/hello_world.cpp" "${flags[@]}" -o hello-small || fail "small: pkg-config"
+    same ./hello-small hello_world "small: pkg-config"
+    for definition in ISLET_SMALL=1 ISLET_WITH_sleep ISLET_WITH_continuous; do
+        [[ " ${flags[*]} " == *" -D$definition "* ]] || fail "small: pkg-config does not say -D$definition: ${flags[*]}"
+    done
+    if "$compiler" -std=c++20 -I "$work/small/include" "$programs/hello_world.cpp" -L "$work/small/lib" -lislet -o hello-full 2>/dev/null; then
+        fail "small: a program of the full profile links"
+    fi
+fi
 
 "$cmake" -S "$islet" -B shared-build -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS=-O0 "${quick[@]}" \
     -DBUILD_SHARED_LIBS=ON -DISLET_BUILD_SAMPLES=OFF -DISLET_BUILD_TOOLS=OFF -DISLET_BUILD_TESTS=OFF -DISLET_WERROR=OFF >shared.log

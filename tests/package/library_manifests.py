@@ -27,7 +27,8 @@ def exists(*path):
 version = re.search(r'ISLET_VERSION_STRING "(.*)"', text_of(islet, "engine/include/islet/version.hpp")).group(1)
 config = text_of(islet, "engine/include/islet/config.hpp")
 features = re.findall(r"^    FEATURE\((\w+)", config, re.M) + [name + "_joints" for name in re.findall(r"^    JOINT\((\w+)", config, re.M)] + ["joints"]
-want(len(features) > 25, "config.hpp lists its features in another way now")
+extras = re.findall(r"^    FEATURE\((\w+), \w+, full\)", config, re.M) + features[len(re.findall(r"^    FEATURE", config, re.M)):]
+want(len(features) > 25 and len(features) > len(extras) > 20, "config.hpp lists its features in another way now")
 sketches = sorted(os.listdir(os.path.join(islet, "samples/boards")))
 sketches = [name for name in sketches if exists("examples", name)]
 want(len(sketches) == 3 and len(os.listdir(os.path.join(library, "examples"))) == 3, "there are not three examples")
@@ -92,13 +93,17 @@ want(module.get("name") == "islet", "module.yml has no name")
 want(exists(module.get("cmake", "?"), "CMakeLists.txt") and exists(module.get("kconfig", "?")), "module.yml names what is not there")
 kconfig = text_of(library, "zephyr/Kconfig")
 options = re.findall(r"^config (\w+)\n\tbool \"[^\"]+\"$", kconfig, re.M)
-want(options == ["ISLET"] + ["ISLET_WITHOUT_" + name.upper() for name in features], "Kconfig has other options than config.hpp")
+wanted = ["ISLET", "ISLET_SMALL"] + ["ISLET_WITH_" + name.upper() for name in extras] + ["ISLET_WITHOUT_" + name.upper() for name in features]
+want(options == wanted, "Kconfig has other options than config.hpp")
 want(len(re.findall(r"^config ", kconfig, re.M)) == len(options), "Kconfig has options without a prompt")
 want(len(re.findall(r"^if ", kconfig, re.M)) == len(re.findall(r"^endif", kconfig, re.M)) == 1, "Kconfig: if and endif")
-want("foreach(feature " + " ".join(features) + ")" in text_of(library, "zephyr/CMakeLists.txt"), "Zephyr's CMakeLists.txt has other features than config.hpp")
+for names in (features, extras):
+    want("foreach(feature " + " ".join(names) + ")" in text_of(library, "zephyr/CMakeLists.txt"), "Zephyr's CMakeLists.txt has other features than config.hpp")
 
 # What the engine is compiled without.
-want(re.findall(r"^// #define ISLET_WITHOUT_(\w+)$", text_of(library, "src/islet_options.h"), re.M) == features, "islet_options.h has other features than config.hpp")
+want(re.findall(r"^// #define ISLET_WITHOUT_(\w+) 1$", text_of(library, "src/islet_options.h"), re.M) == features, "islet_options.h has other features than config.hpp")
+want(re.findall(r"^// #define ISLET_WITH_(\w+) 1$", text_of(library, "src/islet_options.h"), re.M) == extras, "islet_options.h puts other features back")
+want(0 < header.find('#include "islet_options.h"') < header.find("#if !defined(ISLET_SMALL)"), "islet.hpp does not begin with its options")
 source = text_of(library, "src/islet.cpp")
 want(0 < source.find('#include "islet_options.h"') < source.find("namespace islet"), "islet.cpp does not begin with its options")
 want(set(re.findall(r'^#include "(.*)"', source, re.M)) == {"islet_options.h", "islet.hpp"}, "islet.cpp includes what is not there")

@@ -28,14 +28,18 @@ class IsletConan(ConanFile):
 
     def export_sources(self):
         tree = os.path.join(self.recipe_folder, TREE)
-        for pattern in ("CMakeLists.txt", "LICENSE", "engine/*", "samples/*"):
-            copy(self, pattern, src=tree, dst=self.export_sources_folder)
+        for file in ("CMakeLists.txt", "LICENSE"):
+            copy(self, file, src=tree, dst=self.export_sources_folder)
+        for folder in ("engine", "bindings/c", "samples"):
+            # The sandbox is not built here; its folder holds the packages of Node.js, where they were installed.
+            copy(self, "*", src=os.path.join(tree, folder), dst=os.path.join(self.export_sources_folder, folder), excludes=("sandbox*", "*__pycache__*"))
 
     def layout(self):
         cmake_layout(self)
 
     def validate(self):
-        check_min_cppstd(self, 20)
+        # CMake compiles Islet, and programs that link its targets, as C++20, also where the profile says 17, as Conan's default for GCC does.
+        check_min_cppstd(self, 17)
 
     def generate(self):
         toolchain = CMakeToolchain(self)
@@ -46,18 +50,28 @@ class IsletConan(ConanFile):
         toolchain.cache_variables["ISLET_INSTALL"] = True
         toolchain.generate()
 
+    def libraries(self):
+        """What is installed: for each component of find_package, its library and the components that it needs."""
+        libraries = {"engine": ("islet", []), "c": ("islet_c", ["engine"]), "lcp": ("islet_lcp", [])}
+        if self.options.prefabs:
+            libraries["prefabs"] = ("islet_prefabs", ["engine"])
+        return libraries
+
     def build(self):
         cmake = CMake(self)
         cmake.configure()
-        cmake.build()
+        for library, _ in self.libraries().values():  # not the samples' programs
+            cmake.build(target=library)
 
     def package(self):
         copy(self, "LICENSE", src=self.source_folder, dst=os.path.join(self.package_folder, "licenses"))
         CMake(self).install()
 
     def package_info(self):
-        # Islet's own IsletConfig.cmake is used, not one that Conan makes.
+        # Islet's own IsletConfig.cmake is used, not one that Conan makes. (Of a package with components, Conan reads the folders of the components alone.)
         self.cpp_info.set_property("cmake_find_mode", "none")
-        self.cpp_info.builddirs.append(os.path.join("lib", "cmake", "Islet"))
-        self.cpp_info.set_property("pkg_config_name", "islet")
-        self.cpp_info.libs = (["islet_prefabs"] if self.options.prefabs else []) + ["islet_lcp", "islet"]
+        self.cpp_info.components["engine"].builddirs = [os.path.join("lib", "cmake", "Islet")]
+        for component, (library, needed) in self.libraries().items():
+            self.cpp_info.components[component].libs = [library]
+            self.cpp_info.components[component].requires = needed
+            self.cpp_info.components[component].set_property("pkg_config_name", library.replace("_", "-"))
