@@ -61,6 +61,7 @@ try() {
     # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.
     'cmake -S samples/firmware'*) [ -e "$(sed -n 's/.*toolchain "$PWD\/\([^"]*\)".*/\1/p' <<<"$command")" ] ;;
     'cmake --build build/m4'*) ;;
+    'emcmake cmake -S engine'*) grep -q 'em++' "$root/tests/determinism/targets.sh" ;; # where there is Emscripten
     # The build of the wheel takes minutes; tests/python tries what it holds, and tests/python/manual_test.py the page's examples.
     'sudo apt-get install '*pybind11*) grep -q 'find_package(pybind11' "$root/bindings/python/CMakeLists.txt" ;;
     'python3 -m venv'*'pip install ./bindings/python') [ -e bindings/python/pyproject.toml ] ;;
@@ -68,6 +69,7 @@ try() {
     './bindings/python/run.sh '*) has_options bindings/python/run.sh && [ -x "${words[1]}" ] && python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "${words[1]}" ;;
     # tests/package/install_test.sh does that.
     'cmake --build --preset install' | 'cmake --install build/install'* | 'cpack --config build/install'*) grep -q '"$cmake" --install' "$root/tests/package/install_test.sh" ;;
+    ./tools/windows.sh) [ -x tools/windows.sh ] ;; # takes minutes
     ./tools/package.sh*) "$root/tools/package.sh" Islet && [ -s Islet/library.properties ] ;;
     # tests/package/one_file_test.sh compiles what the first writes as the second does.
     ./tools/amalgamate.sh*) eval "$command" && [ -s "${words[1]}/islet.cpp" ] ;;
