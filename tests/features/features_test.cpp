@@ -15,6 +15,7 @@
 #include <islet/islet.hpp>
 #include <islet/mover.hpp>
 
+#include "../../engine/src/data/features.hpp"
 #include "support/engine_sources.hpp"
 
 namespace {
@@ -31,6 +32,15 @@ std::set<std::string> listed_features() {
 #undef ISLET_NAME
     return names;
 }
+
+// How a feature is named: -DISLET_WITHOUT_x, or a line of a header.
+#define ISLET_WITHOUT_named_as_one 1
+#define ISLET_WITHOUT_named_as_nothing
+#define ISLET_WITHOUT_not_meant 0
+static_assert(ISLET_IS_SET(ISLET_WITHOUT_named_as_one) == 1);
+static_assert(ISLET_IS_SET(ISLET_WITHOUT_named_as_nothing) == 1);
+static_assert(ISLET_IS_SET(ISLET_WITHOUT_not_meant) == 0);
+static_assert(ISLET_IS_SET(ISLET_WITHOUT_not_named) == 0);
 
 struct Attempt {
     World& world;

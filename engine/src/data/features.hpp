@@ -16,9 +16,10 @@
 #define ISLET_IS_LINKED(function) true
 #endif
 
-// 1 if a macro is defined as 1 (-DNAME), 0 if it is defined as anything else or not at all. (A name that is 1 makes ISLET_BEFORE_1, which is two arguments,
-// and pushes the 1 to second place.)
+// 1 if a macro is defined as 1 (-DNAME) or as nothing (#define NAME), 0 if it is defined as anything else or not at all. (A name that is 1 makes
+// ISLET_BEFORE_1, which is two arguments, and pushes the 1 to second place.)
 #define ISLET_BEFORE_1 0,
+#define ISLET_BEFORE_ 0,
 #define ISLET_SECOND(first, second, ...) second
 #define ISLET_SECOND_OF(before) ISLET_SECOND(before 1, 0, 0)
 #define ISLET_PASTED(value) ISLET_SECOND_OF(ISLET_BEFORE_##value)
