@@ -98,7 +98,10 @@ public:
         if (told == nullptr) refuse(place_, fmt::format("\"{}\" is missing", name));
         return *told;
     }
-    std::string at(const std::string& name) const { return (place_.empty() ? "" : place_ + ".") + (name.empty() ? "\"\"" : name); }
+    std::string at(const std::string& name) const {
+        const bool is_plain = !name.empty() && name.find_first_of(" .:[]\"") == std::string::npos;
+        return (place_.empty() ? "" : place_ + ".") + (is_plain ? name : fmt::format("\"{}\"", name));
+    }
     void end() const {
         for (const auto& [name, value] : object_.items()) {
             if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;

@@ -109,7 +109,7 @@ TEST(WorldQueries, RaysFindWhatASearchThroughAllShapesFindsIn100000RandomCases) 
     });
     std::printf("rays: %d asked, %d hits, %d too close to call\n", tally.asked, tally.hits, tally.doubtful);
     EXPECT_GE(tally.asked, cases(100000));
-    EXPECT_GT(tally.hits, cases(60000) / (slow_build ? 3 : 1));  // of few worlds, most may be poor
+    EXPECT_GT(tally.hits, cases(60000) / (test::slow_build ? 3 : 1));  // of few worlds, most may be poor
     EXPECT_LT(tally.doubtful, tally.hits / 500);
 }
 
@@ -135,7 +135,7 @@ TEST(WorldQueries, MovingShapesFindWhatASearchThroughAllShapesFindsIn100000Rando
     });
     std::printf("moving shapes: %d asked, %d hits, %d too close to call\n", tally.asked, tally.hits, tally.doubtful);
     EXPECT_GE(tally.asked, cases(99000));
-    EXPECT_GT(tally.hits, cases(60000) / (slow_build ? 3 : 1));  // of few worlds, most may be poor
+    EXPECT_GT(tally.hits, cases(60000) / (test::slow_build ? 3 : 1));  // of few worlds, most may be poor
     EXPECT_LT(tally.doubtful, tally.hits / 500);
 }
 

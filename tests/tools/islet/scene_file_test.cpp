@@ -113,6 +113,7 @@ TEST(SceneFiles, AreRefusedWithThePlaceThatIsWrong) {
         {R"({"steps": 3, "dt": 0.01, "steps": 4})", "steps: there are two such fields in one object"},
         {R"({"bodies": [{"angle": 1}, {"angle": 1, "position": [0, 0], "angle": 2}]})", "angle: there are two such fields in one object"},
         {R"({"step": 3})", "step: there is no such field; near names: steps"},
+        {R"({": zzzzzzzzzz": 3})", "\": zzzzzzzzzz\": there is no such field"},
         {R"({"steps": 3.5})", "steps: must be a whole number, not a number like 3.5"},
         {R"({"steps": -1})", "steps: must be from 0 to 100000000"},
         {R"({"steps": 99999999999999999999})", "steps: must be a whole number, not a number like 1e+20"},
