@@ -86,6 +86,7 @@ void Player::try_create() {
     c.shapes = in.below(16);
     c.contacts = in.below(16);
     c.joints = in.below(8);
+    c.events = in.below(4);
     const std::span<std::byte> block = in.below(4) == 0 ? std::span(f.spare).subspan(in.below(32), in.byte() * 16) : std::span(f.spare);
     WorldDef def = world_def();
     if (in.flag()) def.tasks = backwards_tasks(in.byte());

@@ -44,6 +44,7 @@ Setup setup_of(std::uint64_t seed, int family) {
     if (random.one_in(8)) s.capacity.shapes = bodies;
     if (random.one_in(8)) s.capacity.geometries = 3 + random.below(bodies);
     if (random.one_in(8)) s.capacity.hits = 1 + random.below(4);
+    if (random.one_in(8)) s.capacity.events = 1 + random.below(6);
     const fuzz::Family& kind = fuzz::families[s.family];
     s.def.gravity = random.one_in(8) ? Vec2{random.between(-1, 1) * kind.gravity, random.between(-1, 1) * kind.gravity} : Vec2{0, -kind.gravity};
     if (random.one_in(8)) s.def.gravity = {0, 0};

@@ -103,7 +103,7 @@ void simplify_setup(Setup& setup, const Deeds& deeds, const std::string& what) {
 
 std::string text_of(const Capacity& c) {
     return "{.bodies = " + std::to_string(c.bodies) + ", .shapes = " + std::to_string(c.shapes) + ", .contacts = " + std::to_string(c.contacts) +
-           ", .joints = " + std::to_string(c.joints) + ", .geometries = " + std::to_string(c.geometries) + ", .hits = " + std::to_string(c.hits) + "}";
+           ", .joints = " + std::to_string(c.joints) + ", .geometries = " + std::to_string(c.geometries) + ", .hits = " + std::to_string(c.hits) + ", .events = " + std::to_string(c.events) + "}";
 }
 
 std::string text_of(const WorldDef& d) {
