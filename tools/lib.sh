@@ -97,6 +97,7 @@ need_emulators() {
     need g++-riscv64-linux-gnu command_exists riscv64-linux-gnu-g++
     need g++-s390x-linux-gnu command_exists s390x-linux-gnu-g++
     need qemu-user command_exists qemu-aarch64
+    need emscripten command_exists em++
     need_windows_tools
     need_wasm_tools
 }

@@ -6,7 +6,7 @@
 #                              in a fresh tree; pages played in a browser, the package for Python, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk, SDL, Xvfb, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr,
-# ShellCheck, ccache, Node.js, npm, Chromium, pybind11, numpy, Dask, cross compilers, QEMU and Wine; npm fetches what drives the browser).
+# ShellCheck, ccache, Node.js, npm, Chromium, pybind11, numpy, Dask, cross compilers, Emscripten, QEMU and Wine; npm fetches what drives the browser).
 set -euo pipefail
 # shellcheck source=tools/lib.sh
 . "$(dirname "$0")/lib.sh"

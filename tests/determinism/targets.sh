@@ -94,6 +94,7 @@ wasm=(clang++-16 --target=wasm32-wasi -O2 -cxx-isystem "$llvm/include/wasm32-was
 wasm_link=(-std=c++20 "-L$llvm/lib/wasm32-wasi" "$root/tests/determinism/wasm_throw.cpp" "-Wl,-z,stack-size=1048576")
 check wasm wasm32 1 node --no-warnings "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -- "${wasm_link[@]}"
 check wasm-simd wasm32 1,4 node --no-warnings "$root/tests/determinism/wasi.mjs" -- "${wasm[@]}" -msimd128 -- "${wasm_link[@]}"
+export NODE_PATH=/usr/share/nodejs # Debian's Emscripten has a part there, where only Debian's Node.js looks by itself
 emscripten_link=(-sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1048576 -fexceptions)
 check emscripten wasm32 1,4 node --no-experimental-fetch -- em++ -O2 -fexceptions -msimd128 -- "${emscripten_link[@]}"
 # Unoptimised, with the instructions of this very machine at hand. (Optimised by both compilers: by_hand.sh.)
