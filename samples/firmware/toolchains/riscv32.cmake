@@ -8,8 +8,11 @@ file(GLOB headers /usr/include/newlib/c++/*)
 if(NOT headers)
     message(FATAL_ERROR "The C++ headers are missing: install libstdc++-arm-none-eabi-newlib")
 endif()
+if(NOT architecture)  # riscv32imc.cmake sets its own
+    set(architecture "-march=rv32imafc -mabi=ilp32f")
+endif()
 set(CMAKE_CXX_FLAGS_INIT
-    "-march=rv32imafc -mabi=ilp32f -ffreestanding -isystem ${headers} -isystem ${headers}/arm-none-eabi"
+    "${architecture} -ffreestanding -isystem ${headers} -isystem ${headers}/arm-none-eabi"
     " -isystem /usr/lib/picolibc/riscv64-unknown-elf/include")
 string(REPLACE ";" "" CMAKE_CXX_FLAGS_INIT "${CMAKE_CXX_FLAGS_INIT}")
 set(CMAKE_CROSSCOMPILING_EMULATOR
