@@ -112,7 +112,7 @@ build_tests() {
     say "$preset: building"
     case $preset in
     # The optimised build compiles file by file, and runs each test by itself.
-    asan-ubsan) options+=(-DISLET_PRECOMPILE=ON -DCMAKE_UNITY_BUILD=ON -DISLET_TEST_SHARDS=8) ;;
+    asan-ubsan) options+=(-DISLET_PRECOMPILE=ON -DCMAKE_UNITY_BUILD=ON -DISLET_TEST_SHARDS=8 -DISLET_BUILD_PYTHON=ON) ;;
     tsan) options=(-DCMAKE_UNITY_BUILD=ON -DISLET_WERROR=OFF) ;;           # the optimised build by the same compiler gives the warnings, file by file
     release)
         local extras
@@ -259,6 +259,9 @@ check_by_hand() {
     "$root/tests/determinism/by_hand.sh" "$root/build/by_hand" | tee "$log" || status=$?
     tell "by hand" "$status" "$(wc -l <"$log") builds keep the bits or are refused" 'see above'
     status=0
+    "$root/tests/package/file_by_file.py" "$root" "$root/build/asan-ubsan" || status=$?
+    tell "Clang, file by file" "$status" 'reads every file' 'see above'
+    status=0
     "$root/tests/package/msvc_mode.sh" "$root" || status=$?
     tell "Clang's Microsoft mode" "$status" 'reads every file' 'see above'
 }
@@ -295,7 +298,7 @@ if $all || ! $coverage; then
     if $all; then
         # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
         targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,features,c,samples,tools_islet,tools_lab}_tests)
-        targets+=(islet_runner islet-lab islet_hashes islet_fuzz_{api,c} islet_lockstep islet_lcp_search islet_scene_mutants islet_c_{calls,lcp,refusals} islet_fleet_workers)
+        targets+=(islet_runner islet-lab islet_hashes islet_fuzz_{api,c} islet_lockstep islet_lcp_search islet_scene_mutants islet_c_{calls,lcp,refusals} islet_fleet_workers islet_python_made)
         start_building asan-ubsan
     fi
     run_tests release --parallel "$(($(jobs) + 1))" # tests of pages wait most of the time
