@@ -50,6 +50,13 @@ TEST(PairsOfAll, LeftOutAndNotUsedAreOneHash) {
     EXPECT_EQ(run("islet_without_all", names), run("islet_with_all", names));
 }
 
+// Without shortcuts, a crowd of which few move is sorted whole.
+TEST(PairsOfAll, ACrowdSortedInPartHasTheHashOfOneSortedWhole) {
+    const std::string whole = run("islet_with_all", "--crowd");
+    EXPECT_NE(whole.find("No error."), std::string::npos) << whole;
+    EXPECT_EQ(run("islet_without_shortcuts", "--crowd"), whole);
+}
+
 // What the small profile leaves out. The engine of these tests puts back hinges, sliders and rods.
 std::vector<std::string> cut_from_small() {
     constexpr bool small = false, full = true;

@@ -113,9 +113,9 @@ float way_length(const Core& core, std::uint32_t body, float dt) {
 }
 
 // A box grown by a way, of which at most `most` m count along each axis.
-Aabb grow(const Aabb& box, const Way& way, float most) {
-    const Vec2 bound = {most, most}, part = max(min(way.move, bound), -bound);
-    return expand(both(box, {box.lower + part, box.upper + part}), way.turn);
+ISLET_LANE Aabb grow(const Aabb& box, const Way& way, float most) {
+    const Vec2 bound = {most, most};
+    return swept(box, max(min(way.move, bound), -bound), way.turn);
 }
 
 /// A shape in motion.
@@ -125,6 +125,18 @@ struct MovingShape {
     std::uint32_t body;
     std::uint32_t shape;
     bool leaves;  // the way may lead out of the box
+};
+
+/// The filters of some shapes, summed up.
+struct FilterSum {
+    std::uint32_t categories = 0, masks = 0;  // that any has
+
+    void add(const Filter& filter) {
+        categories |= filter.category;
+        masks |= filter.mask;
+    }
+    // True if a filter may agree with another of those summed up.
+    bool may_agree(const Filter& filter) const { return filter.group > 0 || ((filter.mask & categories) != 0 && (filter.category & masks) != 0); }
 };
 
 /// Which parts of an area hold boxes that changed: 64 times 64 cells, a bit each.
@@ -165,7 +177,7 @@ Aabb box_along_way(const Core& core, const MovingShape& m) { return m.leaves ? g
 
 // Whether two shapes with the boxes `a` and `b` may come together; `fall` (m) is the way that gravity adds to one while the other is held.
 bool may_meet_on(const Aabb& a, const Way& way_a, const Aabb& b, const Way& way_b, float fall) {
-    return meet(a, grow(b, {way_b.move - way_a.move, way_a.turn + way_b.turn + fall}, 3.0e38f));
+    return meet_at_once(a, swept(b, way_b.move - way_a.move, way_a.turn + way_b.turn + fall));
 }
 
 /// The shapes in motion, and those among them whose boxes changed.
@@ -174,21 +186,21 @@ struct Moving {
     Columns all;
     Columns moved;
     const MovingShape* shapes;
-    const KeyedItem* order;  // by place in `all`: which shape in motion
+    const KeyedItem* order;             // by place in `all`: which shape in motion
+    const MovingShape* end_of_singles;  // shapes in motion that are in no column, in reversed order: their filters agree with none in motion
+    std::uint32_t single_count;
     bool along_x;
     float dt, fall;
 
-    Aabb box(std::uint32_t i) const {  // of one that moved
-        const Vec2 lower = {moved.lower[i], moved.lower2[i]}, upper = {moved.upper[i], moved.upper2[i]};
-        return along_x ? Aabb{lower, upper} : Aabb{{lower.y, lower.x}, {upper.y, upper.x}};
-    }
+    const MovingShape& in_place(std::uint32_t place) const { return shapes[number_of(order[place])]; }
+    const MovingShape& single(std::uint32_t i) const { return *(end_of_singles - 1 - i); }
 
     // For bodies that move together, an overlap of the boxes of their ways means little.
     bool may_meet(std::uint32_t place_1, std::uint32_t place_2) const {
-        const MovingShape& a = shapes[number_of(order[place_1])];
-        const MovingShape& b = shapes[number_of(order[place_2])];
+        const MovingShape& a = in_place(place_1);
+        const MovingShape& b = in_place(place_2);
         if (a.body == b.body) return false;
-        if ((!a.leaves && !b.leaves) || meet(a.box, b.box)) return true;
+        if ((!a.leaves && !b.leaves) || meet_at_once(a.box, b.box)) return true;
         const Way way_a = way(a), way_b = way(b);
         if (!may_meet_on(a.box, way_a, b.box, way_b, fall)) return false;
         return way_a.turn + way_b.turn < fast_way || detail::may_meet(core, a.shape, b.shape, dt);
@@ -219,13 +231,23 @@ ISLET_SHARED Aabb box_to_meet_in(const Core& core, std::uint32_t shape, float dt
     return true;
 }
 
+FilterSum filters_in_motion(const Core& core) {
+    FilterSum filters;
+    core.awake_bodies.for_each([&](std::uint32_t body) {
+        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) filters.add(core.shapes[s].filter);
+    });
+    return filters;
+}
+
 inline constexpr std::uint32_t box_grain = 512;  // boxes that are worth a task
 
 Moving sorted_columns(Core& core, Arena& arena, float dt) {
     const std::uint32_t room = core.state->shape_pool.count;
     MovingShape* shapes = arena.take<MovingShape>(room);
-    std::uint32_t n = 0;
+    std::uint32_t n = 0, single_count = 0;
     Aabb bounds{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
+    // Of all shapes in motion, whichever are sorted: so the order of pairs is the same.
+    const FilterSum filters = filters_in_motion(core);
     BitSet bodies = core.awake_bodies;
     if constexpr (has_shortcuts) {
         const BitSet near_changed{arena.take<std::uint64_t>(bodies.word_count), bodies.word_count};
@@ -235,7 +257,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
         const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
         const Way way = leaves ? way_of(core, body, dt) : Way{};
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            shapes[n++] = {core.boxes[s], way, body, s, leaves};
+            shapes[filters.may_agree(core.shapes[s].filter) ? n++ : room - ++single_count] = {core.boxes[s], way, body, s, leaves};
             if (core.moved_shapes.test(s)) bounds = both(bounds, core.boxes[s]);
         }
     });
@@ -253,7 +275,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     });
     const KeyedItem* sorted = sort_by_key(keys, spare, n, counts);
 
-    Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, along_x, dt, fall_in(core, dt)};
+    Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, shapes + room, single_count, along_x, dt, fall_in(core, dt)};
     for_ranges(core, n, box_grain, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t i = first; i < end; ++i) {
             const MovingShape& moving_shape = shapes[number_of(sorted[i])];
@@ -363,19 +385,18 @@ bool stays_alone(const Core& core, std::uint32_t body, float dt) {
     return (pose.flags & pose_alone) != 0 && reach <= pose.max_extent + surroundings(pose);
 }
 
-// The pairs of changed boxes [begin, end) with shapes at rest.
+// The pairs of changed boxes [begin, end) with shapes at rest; the singles count on from the others.
 template <class Out>
-void query_tree(Out& out, const Moving& m, const Tree& tree, std::uint32_t begin, std::uint32_t end) {
+void query_tree(Out& out, const Moving& m, std::uint32_t begin, std::uint32_t end) {
     const Core& core = out.sink.core;
     for (std::uint32_t i = begin; i < end && !out.is_over(); ++i) {
-        const std::uint32_t shape = m.moved.shape[i];
-        const MovingShape& moving_shape = m.shapes[number_of(m.order[m.moved.place[i]])];
-        const Aabb box = m.box(i);
-        if (is_clear(core.poses[moving_shape.body], box)) continue;
-        tree_query(tree, box, [&](std::uint32_t other) {
-            if (!moving_shape.leaves || meet(moving_shape.box, core.boxes[other]) ||
-                may_meet_on(core.boxes[other], {}, moving_shape.box, moving_shape.way, m.fall))
-                out.push(shape, other);
+        const bool is_single = i >= m.moved.count;
+        const MovingShape& shape = is_single ? m.single(i - m.moved.count) : m.in_place(m.moved.place[i]);
+        const Aabb box = box_along_way(core, shape);
+        if ((is_single && !core.moved_shapes.test(shape.shape)) || is_clear(core.poses[shape.body], box)) continue;
+        tree_query({&core.state->tree, core.tree}, box, [&](std::uint32_t other) {
+            if (!shape.leaves || meet(shape.box, core.boxes[other]) || may_meet_on(core.boxes[other], {}, shape.box, shape.way, m.fall))
+                out.push(shape.shape, other);
         });
     }
 }
@@ -383,13 +404,16 @@ void query_tree(Out& out, const Moving& m, const Tree& tree, std::uint32_t begin
 /// The search for pairs with shapes in motion has three parts; each is a loop over items.
 inline constexpr std::uint32_t search_parts = 3;
 
-std::uint32_t items_of(const Moving& m, std::uint32_t part) { return part == 1 ? m.all.count : m.moved.count; }
+std::uint32_t items_of(const Moving& m, std::uint32_t part) {
+    if (part == 1) return m.all.count;
+    return part == 0 ? m.moved.count : m.moved.count + m.single_count;
+}
 
 template <class Out>
 void search(Out& out, const Scan& how, const Moving& m, std::uint32_t part, std::uint32_t begin, std::uint32_t end) {
     if (part == 0) scan_changed(out, how, m, begin, end);
     if (part == 1) scan_others(out, how, m, begin, end);
-    if (part == 2) query_tree(out, m, {&m.core.state->tree, m.core.tree}, begin, end);
+    if (part == 2) query_tree(out, m, begin, end);
 }
 
 /// A range of a part of the search, which a worker makes: the pairs that have no contact yet, in order.
@@ -469,16 +493,15 @@ void find_moved_pairs(Core& core, float dt) {
     PairBuffer<ContactMaker> out({core, dt});
     if (!has_workers(core) || moving.all.count < least_searched || !search_by_workers(core, moving, out.sink, arena)) {
         const Scan how{core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count) : nullptr};
-        scan_changed(out, how, moving, 0, moving.moved.count);
-        scan_others(out, how, moving, 0, moving.all.count);
-        query_tree(out, moving, tree, 0, moving.moved.count);
+        for (std::uint32_t part = 0; part < search_parts; ++part) search(out, how, moving, part, 0, items_of(moving, part));
     }
 
     // Shapes at rest whose boxes changed were just created or teleported, or fell asleep as they moved. Each pair is tried once, so a dropped one counts once.
     core.moved_shapes.for_each([&](std::uint32_t shape) {
         if (core.is_awake(core.shapes[shape].body) || is_over(core)) return;
-        for (std::uint32_t i = 0; i < moving.all.count; ++i) {
-            const std::uint32_t other = moving.all.shape[i];
+        // Shapes in motion whose boxes changed have found it in the tree.
+        for (std::uint32_t i = moving.moved.count == moving.all.count ? moving.all.count : 0; i < moving.all.count + moving.single_count; ++i) {
+            const std::uint32_t other = i < moving.all.count ? moving.all.shape[i] : moving.single(i - moving.all.count).shape;
             if (meet(core.boxes[other], core.boxes[shape]) && !core.moved_shapes.test(other)) out.push(shape, other);
         }
         tree_query(tree, core.boxes[shape], [&](std::uint32_t other) {

@@ -314,12 +314,12 @@ ISLET_LANE void solve_point(JointBodies<L>& s, LaneVec<typename L::F> ra, LaneVe
 /// Forgets all impulses of a joint if what it applies is beyond unsound_impulse, or if any single impulse is not finite. (Single impulses may cancel out in
 /// what it applies; the sum of all is not finite if one of them is not.)
 inline void forget_unsound(Joint& j) {
+    // Field by field: wide loads would wait for the narrow stores just made, and so would a long chain of sums for each other.
+    const float applied = abs(j.force_impulse.x) + abs(j.force_impulse.y) + abs(j.torque_impulse);
+    const float others =
+        (j.impulse.x + j.impulse.y) + (j.angular_impulse + j.spring_impulse) + ((j.motor_impulse + j.friction_impulse) + (j.lower_impulse + j.upper_impulse));
+    if (applied < unsound_impulse && is_finite(others)) return;
     constexpr std::size_t first = offsetof(Joint, impulse), bytes = offsetof(Joint, torque_impulse) + 4 - first;
-    float impulses[bytes / 4];
-    std::memcpy(impulses, reinterpret_cast<const std::byte*>(&j) + first, bytes);
-    float size = 0;
-    for (const float impulse : impulses) size += impulse;
-    if (abs(j.force_impulse.x) + abs(j.force_impulse.y) + abs(j.torque_impulse) < unsound_impulse && is_finite(size)) return;
     std::memset(reinterpret_cast<std::byte*>(&j) + first, 0, bytes);
     if ((j.flags & joint_limit) != 0) j.limit_load = 0;
 }
