@@ -22,8 +22,17 @@
 // The vectoriser of GCC 12 still fuses alternating sums and differences, so the processor's fused instructions are ruled out.
 #pragma GCC target("no-fma,no-fma4,no-avx512f")
 #endif
+#elif defined(_MSC_VER)
+#if defined(_M_FP_FAST)
+#error "Islet cannot keep its bits under /fp:fast: add /fp:precise for the files in engine/src"
+#endif
+#pragma float_control(precise, on)
+#pragma fp_contract(off)
 #endif
 
+#if defined(_M_IX86_FP) && _M_IX86_FP < 2
+#error "Islet cannot keep its bits in registers that hold more digits than a float (x87): add /arch:SSE2 for the files in engine/src"
+#endif
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 2
 #error "Islet cannot keep its bits in registers that hold more digits than a float (x87): add -msse2 -mfpmath=sse for the files in engine/src"
 #endif

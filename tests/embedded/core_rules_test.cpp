@@ -41,8 +41,8 @@ TEST(CoreRules, CommentsAndLiteralsAreNotCode) {
 
 TEST(CoreRules, OnlyHeadersThatNeedNoRuntimeAreIncluded) {
     // Freestanding ones, <span>, the memory functions, and the compiler's own.
-    const std::set<std::string> allowed = {"bit",         "cstddef", "cstdint",     "cstring", "initializer_list", "span",
-                                           "type_traits", "utility", "immintrin.h", "cpuid.h", "arm_neon.h",       "wasm_simd128.h"};
+    const std::set<std::string> allowed = {"bit",     "cstddef",     "cstdint", "cstring",    "initializer_list", "span",    "type_traits",
+                                           "utility", "immintrin.h", "cpuid.h", "arm_neon.h", "wasm_simd128.h",   "intrin.h"};
     const std::regex include(R"(^\s*#\s*include\s*<([^>]+)>)");
     std::string bad;
     for (const Source& source : engine_sources()) {
@@ -78,7 +78,7 @@ TEST(CoreRules, NoDoublePrecision) {
 TEST(CoreRules, TheMatrixSolversAndTheEngineDoNotKnowEachOther) {
     const auto exports = [](const std::string& name) { return name == "include/islet/island.hpp" || name.rfind("src/export/island_", 0) == 0; };
     const std::regex own(
-        R"re(^\s*#\s*include\s*["<](?!\.\./lcp/|\.\./exact\.hpp|islet/lcp\.hpp|islet/islet_lcp\.h|islet/span\.hpp|islet/version\.hpp|islet/visibility\.hpp)[a-z0-9_.]+[/.])re");
+        R"re(^\s*#\s*include\s*["<](?!\.\./lcp/|\.\./exact\.hpp|islet/lcp\.hpp|islet/islet_lcp\.h|islet/compiler\.hpp|islet/span\.hpp|islet/version\.hpp|islet/visibility\.hpp)[a-z0-9_.]+[/.])re");
     const std::regex theirs(R"re(^\s*#\s*include\s*["<](\.\./lcp/|islet/lcp\.hpp|islet/island\.hpp|\.\./export/island_))re");
     const std::regex solvers(R"re(^\s*#\s*include\s*["<]\.\./lcp/)re");
     EXPECT_EQ(lines_with(own, belongs_to_lcp), "");
@@ -102,6 +102,15 @@ TEST(CoreRules, EveryFileBeginsWithWhatTheBitsNeed) {
         if (match.empty() || match[1] != "../exact.hpp") bad += source.name + ": " + line + '\n';
     }
     EXPECT_EQ(bad, "");
+}
+
+// A compiler other than GCC and Clang has to learn one header. (The others ask first who compiles, or for vectors, which only these two have.)
+TEST(CoreRules, WhatOnlySomeCompilersUnderstandIsInOneHeader) {
+    const std::set<std::string> asking = {"include/islet/compiler.hpp", "include/islet/visibility.hpp", "src/data/features.hpp",
+                                          "src/math/avx2.hpp",          "src/math/checksum.hpp",        "src/math/lanes.hpp"};
+    const std::regex own(R"(__attribute__|\[\[gnu::|__builtin_(?!bit_cast|launder|huge_val|nanf|shufflevector)|__(BYTE_ORDER|FLT|DBL)_)");
+    EXPECT_EQ(lines_with(own, [&](const std::string& name) { return asking.count(name) == 0 && name != "src/exact.hpp"; }), "");
+    EXPECT_NE(lines_with(own, [&](const std::string& name) { return name == "include/islet/compiler.hpp"; }), "");
 }
 
 // What the formatter does not break, such as comments.

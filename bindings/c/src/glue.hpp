@@ -102,9 +102,7 @@ IsletError refuse(const IsletWorld* world, int error);
 /// Around a call that returns a code: its own error, none if it had none. The world's last error is then what it would be without these two. Of no world
 /// begin() is false, and end() is null_pointer.
 inline bool begin(IsletWorld* world) { return detail::begin_call(cast<World>(world)); }
-inline IsletError end(IsletWorld* world) {
-    return static_cast<IsletError>(detail::end_call(cast<World>(world), static_cast<Error>(ISLET_ERROR_NULL_POINTER)));
-}
+inline IsletError end(IsletWorld* world) { return static_cast<IsletError>(detail::end_call(cast<World>(world), static_cast<Error>(ISLET_ERROR_NULL_POINTER))); }
 
 /// Whether a pointer is not null, or what it points to has no elements; if not, the error is recorded.
 bool is_there(const IsletWorld* world, const void* given, std::size_t count = 1);
@@ -155,7 +153,7 @@ const T* take_default() {
 
 /// A definition that may be left out. One function for all that take it.
 template <class T>
-[[gnu::noinline]] const T* take_or_default(const IsletWorld* world, const typename Twin<T>::Type* given, Room<T>& room) {
+ISLET_NEVER_INLINE const T* take_or_default(const IsletWorld* world, const typename Twin<T>::Type* given, Room<T>& room) {
     return given == nullptr ? take_default<T>() : take<T>(world, given, room);
 }
 

@@ -11,10 +11,12 @@
 
 /// The most SIMD lanes that the constraint kernels are compiled for: 1, 4 or 8. The default is the width of the vectors that every processor of the target
 /// has, or 1 if there are none. On x86-64 the default is 8, used only if the processor has AVX2; but 4 in Clang's Microsoft mode, whose headers
-/// have no AVX2 for single functions. The number does not change results.
+/// have no AVX2 for single functions. It is 1 for Microsoft's compiler, which has no vectors that it can add and compare. The number does not change results.
 #if !defined(ISLET_MAX_LANES)
 #if defined(__x86_64__) && !defined(_MSC_VER)
 #define ISLET_MAX_LANES 8
+#elif defined(_MSC_VER) && !defined(__clang__)
+#define ISLET_MAX_LANES 1
 #elif defined(__x86_64__) || defined(_M_X64) || defined(__i386__) || defined(_M_IX86) || (defined(__aarch64__) && defined(__ARM_NEON)) || \
     defined(__wasm_simd128__)
 // (On 32-bit x86 the engine is compiled for SSE2 whatever the user's flags are. The vectors of 32-bit ARM flush small numbers to zero.)

@@ -6,10 +6,11 @@
 
 #include <cstdint>
 
+#include "islet/compiler.hpp"
 #include "islet/version.hpp"
 #include "islet/visibility.hpp"
 
-#define ISLET_INLINE [[gnu::always_inline]] constexpr inline
+#define ISLET_INLINE ISLET_ALWAYS_INLINE constexpr inline
 
 ISLET_API_BEGIN
 namespace islet {
@@ -75,7 +76,7 @@ ISLET_INLINE float min(float a, float b) { return a < b ? a : b; }
 /// The larger of two numbers of one unit; b if either is NaN.
 ISLET_INLINE float max(float a, float b) { return a > b ? a : b; }
 /// |a|, in its unit.
-ISLET_INLINE float abs(float a) { return __builtin_fabsf(a); }
+ISLET_INLINE float abs(float a) { return detail::magnitude_of(a); }
 /// The number of the range lo to hi nearest to a, in their one unit; NaN stays NaN.
 ISLET_INLINE float clamp(float a, float lo, float hi) { return a < lo ? lo : (a > hi ? hi : a); }
 /// The smaller of each coordinate.
@@ -137,9 +138,9 @@ float atan2(float y, float x);
 /// q scaled back to unit length; the identity if q is degenerate.
 Rot normalize(Rot q);
 /// Between two rotations by the fraction t, the short way: q at t = 0, r at t = 1, with nearly steady speed. For turns of less than half a circle.
-[[gnu::always_inline]] inline Rot lerp(Rot q, Rot r, float t) { return normalize(Rot{q.c + t * (r.c - q.c), q.s + t * (r.s - q.s)}); }
+ISLET_ALWAYS_INLINE inline Rot lerp(Rot q, Rot r, float t) { return normalize(Rot{q.c + t * (r.c - q.c), q.s + t * (r.s - q.s)}); }
 /// Between two poses by the fraction t, for drawing between two steps.
-[[gnu::always_inline]] inline Transform lerp(const Transform& a, const Transform& b, float t) { return {lerp(a.p, b.p, t), lerp(a.q, b.q, t)}; }
+ISLET_ALWAYS_INLINE inline Transform lerp(const Transform& a, const Transform& b, float t) { return {lerp(a.p, b.p, t), lerp(a.q, b.q, t)}; }
 /// q turned further by an angle d (radians) and normalised: the integration of an angular velocity over a step. Within 1e-7 rad for |d| <= 0.5 and
 /// 1e-3 rad for |d| <= pi/2; larger turns are cut to pi/2, and a NaN turns nothing.
 Rot integrate(Rot q, float delta_radians);

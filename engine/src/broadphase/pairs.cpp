@@ -154,7 +154,7 @@ struct ChangedCells {
 
     // Calls visit(row, bits) for the cells of a box. Rounding never changes the order of two places, so boxes that overlap have a cell in common.
     template <class Visit>
-    [[gnu::always_inline]] void for_cells(const Aabb& box, Visit&& visit) const {
+    ISLET_ALWAYS_INLINE void for_cells(const Aabb& box, Visit&& visit) const {
         const std::uint32_t left = cell(box.lower.x, origin.x, scale.x), right = cell(box.upper.x, origin.x, scale.x);
         const std::uint64_t bits = (~std::uint64_t{0} >> (63 - (right - left))) << left;
         const std::uint32_t top = cell(box.upper.y, origin.y, scale.y);
@@ -301,8 +301,8 @@ struct Scan {
 
 // Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order.
 template <class Visit>
-[[gnu::always_inline]] inline void scan([[maybe_unused]] const Scan& how, const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i,
-                                        Visit&& visit) {
+ISLET_ALWAYS_INLINE inline void scan([[maybe_unused]] const Scan& how, const Columns& c, std::uint32_t first, const Columns& from, std::uint32_t i,
+                                     Visit&& visit) {
 #if ISLET_MAX_LANES >= 4
     const std::uint32_t count =
         ISLET_MAX_LANES == 8 && how.lanes == 8 ? scan_columns_8(c, first, from, i, how.found) : scan_columns<Lane4>(c, first, from, i, how.found);

@@ -8,7 +8,7 @@ namespace islet::detail {
 namespace {
 
 template <class T, class Id>
-[[gnu::always_inline]] inline std::uint32_t find_live(const Core& core, PoolState State::*pool, T* Core::*slots, Id id) {
+ISLET_ALWAYS_INLINE inline std::uint32_t find_live(const Core& core, PoolState State::*pool, T* Core::*slots, Id id) {
     if (!check(core, id.index1 != 0, Error::null_id)) return null_index;
     const std::uint32_t i = id.index1 - 1;
     const bool live = pool_live(core.state->*pool, core.*slots, i) && (core.*slots)[i].generation == id.generation;

@@ -65,7 +65,7 @@ private:
 };
 
 template <class... Args>
-[[gnu::noinline]] void write_arguments(CallWriter& writer, const void* const* arguments) {
+ISLET_NEVER_INLINE void write_arguments(CallWriter& writer, const void* const* arguments) {
     const auto write = [&writer](auto copy) { writer(copy); };
     (write(*static_cast<const Args*>(*arguments++)), ...);
 }
@@ -79,7 +79,7 @@ void CallWriter::word(std::uint32_t w) {
         head->full = 1;
         return;
     }
-    __builtin_memcpy(bytes_of(head) + head->used, &w, 4);
+    ISLET_MEMCPY(bytes_of(head) + head->used, &w, 4);
     head->used += 4;
 }
 
@@ -93,7 +93,7 @@ CallWriter::~CallWriter() {
     }
     for (std::uint64_t at = begin_; at < head->used; at += 4) {
         std::uint32_t w = 0;
-        __builtin_memcpy(&w, bytes_of(head) + at, 4);
+        ISLET_MEMCPY(&w, bytes_of(head) + at, 4);
         head->sum = mixed(head->sum, w);
     }
 }
@@ -118,7 +118,7 @@ void write_image(Core& core, span<const std::byte> image) {
     if (core.recording->used % 8 != 0) writer.word(0);
     for (std::size_t at = 0; at < image.size(); at += 4) {
         std::uint32_t w = 0;
-        __builtin_memcpy(&w, image.data() + at, image.size() - at < 4 ? image.size() - at : 4);
+        ISLET_MEMCPY(&w, image.data() + at, image.size() - at < 4 ? image.size() - at : 4);
         writer.word(w);
     }
 }

@@ -40,7 +40,7 @@ ISLET_CALLS(ISLET_SIGNATURE)
 
 /// Records a call, if the world is being recorded. Each public function that changes a world begins with this.
 template <Call call, class... Args>
-[[gnu::always_inline]] inline void note_call(Core& core, const Args&... args) {
+ISLET_ALWAYS_INLINE inline void note_call(Core& core, const Args&... args) {
     static_assert(__is_same(typename SignatureOf<call>::Type, Signature<Args...>));
     if constexpr (has_recorder) {
         if (core.recording == nullptr) [[likely]]
@@ -58,7 +58,7 @@ struct Found {
 
 /// Begins a call with an id: records it, and finds the object.
 template <Call call, class Id, class... Args>
-[[gnu::always_inline]] inline Found begin_call(Core& core, const Id& id, const Args&... args) {
+ISLET_ALWAYS_INLINE inline Found begin_call(Core& core, const Id& id, const Args&... args) {
     note_call<call>(core, id, args...);
     return {core, find_slot(core, id)};
 }

@@ -17,8 +17,8 @@ namespace islet::detail {
 namespace {
 
 // One instruction each, unlike a comparison that must keep the sign of -0.
-float magnitude(float a) { return __builtin_fabsf(a); }
-float sign_of(float a) { return __builtin_copysignf(1.0f, a); }
+float magnitude(float a) { return magnitude_of(a); }
+float sign_of(float a) { return with_sign_of(1.0f, a); }
 
 struct Box {
     Vec2 center;

@@ -118,7 +118,7 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
         const F one = L::load(normal_impulse_of(r, first)), other = L::load(normal_impulse_of(r, 1 - first));
         lean = select(L::load(r.points[1].normal_mass) > zero, L::splat(lean_share) * (other - one), zero);
     }
-    for_points(r, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) __attribute__((always_inline)) {
+    for_points(r, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
         const F separation = L::load(p.separation) + moved + rna * turned;
         const F normal_mass = L::load(p.normal_mass);
@@ -160,7 +160,7 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
     const F mu = L::load(friction_of(r));
     F vt = cross(s.vb - s.va, s.n);
     if (r.is_special()) vt = vt - L::load(r.tangent_speed);
-    for_points(r, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) __attribute__((always_inline)) {
+    for_points(r, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
         const F rta = L::load(p.rta), rtb = rta + s.rt_ab;
         const F old = L::load(tangent_impulse_of(r, i));
         const F bound = mu * L::load(normal_impulse_of(r, i));

@@ -42,8 +42,8 @@ ISLET_PART void prefetch_manifolds(const PrepareInput& in, const ContactRows<W>&
     for (std::uint32_t i = 0; i < W; ++i) {
         if (contact_of(next, i, in.manifolds) == null_index) continue;
         const ContactManifold& soon = manifold_of(next, i, in.manifolds);
-        __builtin_prefetch(&soon);
-        __builtin_prefetch(&soon.rolling_impulse);
+        ISLET_PREFETCH(&soon);
+        ISLET_PREFETCH(&soon.rolling_impulse);
     }
 }
 

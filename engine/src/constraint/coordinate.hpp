@@ -80,8 +80,8 @@ float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, c
     r.parts |= parts;
     // A lane without a part that its neighbours have must come out as if there were none.
     r.spring_rate[lane] = -1;
-    r.lower[lane] = -__builtin_inff();
-    r.upper[lane] = __builtin_inff();
+    r.lower[lane] = -__builtin_huge_valf();
+    r.upper[lane] = __builtin_huge_valf();
     if ((parts & part_spring) != 0) {
         const Softness soft = make_spring(j.spring_hertz, j.spring_damping_ratio, n.h);
         r.spring_rate[lane] = soft.rate;

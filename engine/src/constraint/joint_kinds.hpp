@@ -16,7 +16,7 @@ namespace islet::detail {
 
 /// Calls visit(JointKind<type>{}). A type that is left out of the build is not even compiled.
 template <class Visit>
-[[gnu::always_inline]] inline auto with_kind(JointType type, Visit&& visit) {
+ISLET_ALWAYS_INLINE inline auto with_kind(JointType type, Visit&& visit) {
     switch (type) {
 #define ISLET_CASE(name, definition)                                                                         \
     case JointType::name:                                                                                    \
@@ -25,7 +25,7 @@ template <class Visit>
         ISLET_JOINT_TYPES(ISLET_CASE)
 #undef ISLET_CASE
     }
-    __builtin_unreachable();
+    ISLET_UNREACHABLE();
 }
 
 /// A set of types, as bits.

@@ -306,7 +306,7 @@ ISLET_LANE void solve_point(JointBodies<L>& s, LaneVec<typename L::F> ra, LaneVe
     s.push(delta, cross(ra, delta), cross(rb, delta));
 }
 
-[[gnu::always_inline]] inline Vec2 turned(float angle, float x, float y) {
+ISLET_ALWAYS_INLINE inline Vec2 turned(float angle, float x, float y) {
     const LaneVec<float> v = turn<Lane1>(angle, LaneVec<float>{x, y});
     return {v.x, v.y};
 }

@@ -22,7 +22,7 @@ ISLET_LANE auto visit_rows(JointKernel kernel, std::byte* rows, Visit&& visit) {
         ISLET_JOINT_KERNELS(ISLET_CASE)
 #undef ISLET_CASE
     }
-    __builtin_unreachable();
+    ISLET_UNREACHABLE();
 }
 
 template <std::uint32_t W>

@@ -24,7 +24,7 @@ struct SolverBody {
     };
     float inv_inertia = 0;
 
-    [[gnu::always_inline]] constexpr SolverBody() : dp{0, 0}, dq(0) {}
+    ISLET_ALWAYS_INLINE constexpr SolverBody() : dp{0, 0}, dq(0) {}
 };
 
 /// What the integration over a substep needs besides.

@@ -21,7 +21,7 @@ struct Row {
 
 /// Calls visit(array, row) for each array in the order of the block: the pointer or set in `core`, which may be const, and its Row.
 template <class AnyCore, class Visit>
-[[gnu::always_inline]] inline void for_each_array(AnyCore& core, Visit&& visit) {
+ISLET_ALWAYS_INLINE inline void for_each_array(AnyCore& core, Visit&& visit) {
 #define ISLET_VISIT(name, ...) visit(core.name, Row<Array::name>{});
     ISLET_ARRAYS(ISLET_VISIT)
 #undef ISLET_VISIT
@@ -29,7 +29,7 @@ template <class AnyCore, class Visit>
 
 /// The same for those that the hash depends on, in its order.
 template <class AnyCore, class Visit>
-[[gnu::always_inline]] inline void for_each_hashed(AnyCore& core, Visit&& visit) {
+ISLET_ALWAYS_INLINE inline void for_each_hashed(AnyCore& core, Visit&& visit) {
     for_each_array(core, [&](auto&, auto turn) {  // there are more turns than needed, by those that are not hashed
         for_each_array(core, [&](auto& array, auto row) {
             if constexpr (row.hash == turn.place + 1) visit(array, row);

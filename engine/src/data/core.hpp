@@ -131,8 +131,8 @@ inline Vec2 up_of(const Core& core) {
 
 namespace islet {
 
-[[gnu::always_inline]] inline detail::Core& World::core() { return *reinterpret_cast<detail::Core*>(core_); }
-[[gnu::always_inline]] inline const detail::Core& World::core() const { return *reinterpret_cast<const detail::Core*>(core_); }
+ISLET_ALWAYS_INLINE inline detail::Core& World::core() { return *reinterpret_cast<detail::Core*>(core_); }
+ISLET_ALWAYS_INLINE inline const detail::Core& World::core() const { return *reinterpret_cast<const detail::Core*>(core_); }
 
 namespace detail {
 inline Core& Core::of(World& world) { return world.core(); }

@@ -66,14 +66,14 @@ inline constexpr bool has_all_joints = !(false ISLET_JOINT_TYPES(ISLET_OR_JOINT_
 /// The type itself; one that is left out cannot be met. (Type by type: of a table the compiler would learn nothing.)
 constexpr ShapeType known(ShapeType type) {
 #define ISLET_KNOWN(name, Type, feature, ...) \
-    if (!has_##feature && type == ShapeType::name) __builtin_unreachable();
+    if (!has_##feature && type == ShapeType::name) ISLET_UNREACHABLE();
     ISLET_SHAPE_TYPES(ISLET_KNOWN)
 #undef ISLET_KNOWN
     return type;
 }
 constexpr JointType known(JointType type) {
 #define ISLET_KNOWN(name, definition) \
-    if (!has_joint(JointType::name) && type == JointType::name) __builtin_unreachable();
+    if (!has_joint(JointType::name) && type == JointType::name) ISLET_UNREACHABLE();
     ISLET_JOINT_TYPES(ISLET_KNOWN)
 #undef ISLET_KNOWN
     return type;

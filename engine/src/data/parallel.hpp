@@ -33,7 +33,7 @@ inline std::uint32_t range_count(std::uint32_t count, std::uint32_t grain) { ret
 /// Calls work(first, end) for ranges that together cover 0 <= i < count: all in one on this thread if there are no workers or no more than `grain`
 /// items, else `grain` items each, by the task system. A range begins at a multiple of the grain. A grain should be worth a few microseconds.
 template <class Work>
-[[gnu::always_inline]] inline void for_ranges(const Core& core, std::uint32_t count, std::uint32_t grain, Work&& work) {
+ISLET_ALWAYS_INLINE inline void for_ranges(const Core& core, std::uint32_t count, std::uint32_t grain, Work&& work) {
 #if ISLET_THREADS
     if (count > grain && has_workers(core)) {
         struct Task {

@@ -11,7 +11,7 @@
 namespace islet::detail {
 
 void add_contact_rows(IslandRows& to, std::uint32_t contact) {
-    constexpr float infinity = __builtin_inff();
+    constexpr float infinity = __builtin_huge_valf();
     const ContactManifold& m = to.core.manifolds[contact];
     const Pose& a = to.core.poses[m.body_a];
     const Pose& b = to.core.poses[m.body_b];

@@ -9,7 +9,7 @@ namespace islet::detail {
 
 namespace {
 
-constexpr float infinity = __builtin_inff();
+constexpr float infinity = __builtin_huge_valf();
 
 /// A joint whose rows are being made: what JointKind::add_rows of every type writes them with.
 struct JointRows {

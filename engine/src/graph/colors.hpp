@@ -20,9 +20,9 @@ inline std::uint32_t take_color(Core& core, std::uint32_t body_a, std::uint32_t 
     std::uint32_t color = no_color;
     if (dynamic_a && dynamic_b) {
         const std::uint32_t free = ~used & ((1u << dynamic_color_limit) - 1u);
-        if (free != 0) color = static_cast<std::uint32_t>(__builtin_ctz(free));
+        if (free != 0) color = trailing_zeros(free);
     } else if (~used != 0) {
-        color = 31u - static_cast<std::uint32_t>(__builtin_clz(~used));
+        color = 31u - leading_zeros(~used);
     }
     if (color == no_color) return color;
     if (dynamic_a) core.bodies[body_a].colors |= 1u << color;

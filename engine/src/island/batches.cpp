@@ -53,7 +53,7 @@ struct ContactList {
     std::uint32_t parts() const { return has_threads ? parts_with_threads : 1; }
 
     template <class Visit>
-    [[gnu::always_inline]] void for_each(Visit&& visit) const {
+    ISLET_ALWAYS_INLINE void for_each(Visit&& visit) const {
         for (std::uint32_t p = 0; p < parts(); ++p)
             for (std::uint32_t k = first[p]; k < end[p]; ++k) visit(contacts[k]);
     }
@@ -124,7 +124,7 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
             for (; next_color <= color; ++next_color) batch.first_block[next_color] = block;
         };
         for (std::uint32_t left = batch.body_count != 0 ? colors : 0; left != 0; left &= left - 1) {
-            const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
+            const auto c = trailing_zeros(left);
             begin_up_to(c);
             const std::uint32_t end = lay_out_parts(std::size_t{b} * places + c, block * lanes);
             if (end == block * lanes) continue;

@@ -12,13 +12,13 @@ namespace {
 constexpr float most_lightness = 1.0e4f;
 constexpr float least_level = 0.5f;  // the least part of a contact's normal against gravity with which one body lies on the other
 
-[[gnu::noinline]] void sort_by_height(PlannedConstraint* contacts, std::uint32_t count) {
+ISLET_NEVER_INLINE void sort_by_height(PlannedConstraint* contacts, std::uint32_t count) {
     sort_by_gaps(contacts, count,
                  [](const PlannedConstraint& a, const PlannedConstraint& b) { return a.height != b.height ? a.height < b.height : a.index < b.index; });
 }
 
 // From the lowest along `up`.
-[[gnu::noinline]] void sort_along(const Core& core, Vec2 up, PlannedConstraint* contacts, std::uint32_t count) {
+ISLET_NEVER_INLINE void sort_along(const Core& core, Vec2 up, PlannedConstraint* contacts, std::uint32_t count) {
     for (std::uint32_t k = 0; k < count; ++k) {
         const ContactManifold& m = core.manifolds[contacts[k].index];
         contacts[k].height = sort_key(dot(up, core.poses[m.body_a].center + m.anchors[0]));
@@ -72,8 +72,8 @@ const Load* weigh_loads(const Core& core, Vec2 up, const PlannedConstraint* cont
 
 // Turns the impulses of contacts, sorted by height, into those of the lighter bodies, or back. They differ as the load does that the contact passes on, and as
 // its lighter body does at least. (With less, a contact that turns to the side would throw up what is light.)
-[[gnu::noinline]] void turn_impulses(const Core& core, const PlannedConstraint* contacts, std::uint32_t count, const float* lightness, Impulses from,
-                                     Arena temporary) {
+ISLET_NEVER_INLINE void turn_impulses(const Core& core, const PlannedConstraint* contacts, std::uint32_t count, const float* lightness, Impulses from,
+                                      Arena temporary) {
     const Vec2 up = up_of(core);
     const Load* const loads = weigh_loads(core, up, contacts, count, lightness, from, temporary);
     for (std::uint32_t k = 0; k < count; ++k) {

@@ -1,6 +1,8 @@
 // Arithmetic that the methods share, for float and double.
 #pragma once
 
+#include "islet/compiler.hpp"
+
 namespace islet::lcp {
 
 template <class T>
@@ -8,17 +10,17 @@ struct Numbers;
 
 template <>
 struct Numbers<float> {
-    static constexpr float epsilon = __FLT_EPSILON__;  // from 1 to the next number
-    static constexpr float smallest = __FLT_MIN__;     // positive and normal
-    static constexpr float infinity = __builtin_inff();
+    static constexpr float epsilon = 0x1p-23f;    // from 1 to the next number
+    static constexpr float smallest = 0x1p-126f;  // positive and normal
+    static constexpr float infinity = __builtin_huge_valf();
     static constexpr float shrink = 0x1p-77f;  // the sum of max_rows products of any two numbers, each times this, does not overflow
 };
 
 template <>
 struct Numbers<double> {
-    static constexpr double epsilon = __DBL_EPSILON__;
-    static constexpr double smallest = __DBL_MIN__;
-    static constexpr double infinity = __builtin_inf();
+    static constexpr double epsilon = 0x1p-52;
+    static constexpr double smallest = 0x1p-1022;
+    static constexpr double infinity = __builtin_huge_val();
     static constexpr double shrink = 0x1p-525;
 };
 

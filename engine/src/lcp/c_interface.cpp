@@ -44,7 +44,7 @@ typename Twins<T>::Residuals given(const Residuals<T>& r) {
 /// Of a problem that is refused.
 template <class T>
 typename Twins<T>::Residuals endless() {
-    const T far = static_cast<T>(__builtin_inff());
+    const T far = static_cast<T>(__builtin_huge_valf());
     return {far, far, far};
 }
 

@@ -30,7 +30,7 @@ Row<T> row_of(const Problem<T>& problem, std::uint32_t i) {
 
 /// The sum of row_value if a part of it overflowed: computed on a smaller scale and enlarged at the end. It is infinite only if w_i is, and never NaN.
 template <class T>
-[[gnu::noinline]] T overflowing_row_value(const Problem<T>& problem, std::uint32_t i, const T* x) {
+ISLET_NEVER_INLINE T overflowing_row_value(const Problem<T>& problem, std::uint32_t i, const T* x) {
     constexpr T s = Numbers<T>::shrink;
     const Row<T> row = row_of(problem, i);
     T sum = problem.q[i] * s * s;

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "islet/compiler.hpp"
+
 namespace islet::detail {
 
 /// Mixes `word` into `sum`: one round of multiply and xor-shift.
@@ -49,7 +51,11 @@ public:
 
 private:
     using Word = std::uint32_t;
+#if ISLET_FOR_MSVC
+    using Four = Word;
+#else
     typedef Word Four __attribute__((vector_size(16)));  // the compiler's vector extension: plain code where there is none
+#endif
     static constexpr std::uint32_t lanes = block / sizeof(Word);
     static constexpr std::uint32_t fours = block / sizeof(Four);
     Word sum_[lanes] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#if defined(__SSE2__)
+#if defined(__SSE2__) || defined(_M_X64)
 #include <immintrin.h>
 #endif
 
@@ -16,7 +16,7 @@ public:
     DefaultFloatMode(const DefaultFloatMode&) = delete;
     DefaultFloatMode& operator=(const DefaultFloatMode&) = delete;
 
-#if defined(__SSE2__)
+#if defined(__SSE2__) || defined(_M_X64)
     DefaultFloatMode() : saved_(_mm_getcsr()) { _mm_setcsr(0x1f80u); }
     ~DefaultFloatMode() { _mm_setcsr(saved_); }
 

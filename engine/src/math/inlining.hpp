@@ -4,19 +4,21 @@
 // a build for size (-Os), one copy of each is enough.
 #pragma once
 
+#include "islet/compiler.hpp"
+
 #if defined(__OPTIMIZE_SIZE__)
 /// One copy in a build for size; elsewhere as the compiler likes.
-#define ISLET_SHARED [[gnu::noinline]] inline
+#define ISLET_SHARED ISLET_NEVER_INLINE inline
 /// One copy in a build for size; elsewhere one in every caller.
-#define ISLET_COPIED [[gnu::noinline]] inline
+#define ISLET_COPIED ISLET_NEVER_INLINE inline
 /// Before a function that is not inline: a copy of its own in a build for size, even if it has one caller. Inlined into a long caller, its variables would push
 /// too much to the stack.
-#define ISLET_APART [[gnu::noinline]]
+#define ISLET_APART ISLET_NEVER_INLINE
 #else
 #define ISLET_SHARED inline
-#define ISLET_COPIED [[gnu::always_inline]] inline
+#define ISLET_COPIED ISLET_ALWAYS_INLINE inline
 #define ISLET_APART
 #endif
 
 /// Before a named part of a long function that has no other caller: copied into it in every build.
-#define ISLET_PART [[gnu::always_inline]] inline
+#define ISLET_PART ISLET_ALWAYS_INLINE inline

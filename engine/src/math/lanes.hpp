@@ -19,7 +19,7 @@
 #define ISLET_LANE inline
 #define ISLET_LANE_SHARED ISLET_SHARED
 #else
-#define ISLET_LANE [[gnu::always_inline]] inline
+#define ISLET_LANE ISLET_ALWAYS_INLINE inline
 #define ISLET_LANE_SHARED ISLET_LANE
 #endif
 
@@ -37,7 +37,7 @@ struct Lane1 {
     ISLET_LANE static F load(const float* p) { return *p; }
     ISLET_LANE static void store(float* p, F a) { *p = a; }
     ISLET_LANE static F sqrt(F a) { return detail::sqrt(a); }
-    ISLET_LANE static F abs(F a) { return __builtin_fabsf(a); }
+    ISLET_LANE static F abs(F a) { return magnitude_of(a); }
 
     /// n columns of words, one record a lane. The columns of one record are the record itself.
     template <std::uint32_t n>
@@ -58,6 +58,7 @@ struct Lane1 {
 };
 
 // Four lanes by the compiler's vector extension: SSE2, NEON, wasm-simd128, or plain code where there is none.
+#if ISLET_MAX_LANES > 1
 typedef float f4 __attribute__((vector_size(16)));
 typedef int i4 __attribute__((vector_size(16)));
 
@@ -218,6 +219,7 @@ private:
     }
 };
 #endif
+#endif  // ISLET_MAX_LANES > 1
 
 template <std::uint32_t width>
 struct LanesByWidth;
@@ -225,10 +227,12 @@ template <>
 struct LanesByWidth<1> {
     using Type = Lane1;
 };
+#if ISLET_MAX_LANES > 1
 template <>
 struct LanesByWidth<4> {
     using Type = Lane4;
 };
+#endif
 #if defined(ISLET_AVX2)
 template <>
 struct LanesByWidth<8> {

@@ -10,10 +10,10 @@ namespace islet::detail {
 
 /// IEEE square root, correctly rounded, so the same bits everywhere: one instruction on every target with a floating-point unit.
 /// Never call it with a negative number: without -fno-math-errno the compiler leaves that case to the C library's sqrtf.
-[[gnu::always_inline]] inline float sqrt(float a) { return __builtin_sqrtf(a); }
+ISLET_ALWAYS_INLINE inline float sqrt(float a) { return root_of(a); }
 
 /// length(a) for the loops over all bodies: without a call, unless the build is for size.
-[[gnu::always_inline]] inline float length_inline(const Vec2& a) {
+ISLET_ALWAYS_INLINE inline float length_inline(const Vec2& a) {
 #if defined(__OPTIMIZE_SIZE__)
     return length(a);
 #else

@@ -43,12 +43,12 @@ struct BitSet {
     /// Calls visit(index) for each set bit in ascending order. Each word is read once, before its bits are visited. So `visit` may clear bits, and a bit that
     /// it sets is visited if it is in a later word, but not if it is in the current one.
     template <class Visit>
-    [[gnu::always_inline]] void for_each(Visit&& visit) const {
+    ISLET_ALWAYS_INLINE void for_each(Visit&& visit) const {
         for_each_in(0, word_count, visit);
     }
     /// The same for the words first <= w < end only.
     template <class Visit>
-    [[gnu::always_inline]] void for_each_in(std::uint32_t first, std::uint32_t end, Visit&& visit) const {
+    ISLET_ALWAYS_INLINE void for_each_in(std::uint32_t first, std::uint32_t end, Visit&& visit) const {
 #if defined(__OPTIMIZE_SIZE__)
         Walk walk{words, first, end};
         for (std::uint32_t i = walk.next(); i != none; i = walk.next()) visit(i);
@@ -63,19 +63,19 @@ private:
 #if UINTPTR_MAX > 0xffffffffu
     using Part = std::uint64_t;
 #else
-    typedef std::uint32_t Part __attribute__((may_alias));
+    typedef std::uint32_t Part ISLET_MAY_ALIAS;
 #endif
     static constexpr std::uint32_t part_bits = sizeof(Part) * 8;
-    static constexpr std::uint32_t first_part = sizeof(Part) < 8 && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__ ? 1 : 0;  // of a word in memory
+    static constexpr std::uint32_t first_part = sizeof(Part) < 8 && is_big_endian ? 1 : 0;  // of a word in memory
 
     Part& part(std::uint32_t i) const { return reinterpret_cast<Part*>(words)[(i / part_bits) ^ first_part]; }
 
     // Calls no function of the compiler's runtime where registers have 32 bits.
     static std::uint32_t lowest(std::uint64_t all) {
-        if constexpr (sizeof(void*) >= 8) return static_cast<std::uint32_t>(__builtin_ctzll(all));
+        if constexpr (sizeof(void*) >= 8) return trailing_zeros_of_long(all);
         const auto low = static_cast<std::uint32_t>(all);
         const auto high = static_cast<std::uint32_t>(all >> 32);
-        return static_cast<std::uint32_t>(low != 0 ? __builtin_ctz(low) : 32 + __builtin_ctz(high));
+        return low != 0 ? trailing_zeros(low) : 32 + trailing_zeros(high);
     }
 
 #if defined(__OPTIMIZE_SIZE__)

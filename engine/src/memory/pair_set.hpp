@@ -20,7 +20,7 @@ struct PairSet {
     }
 
     /// Starts loading the place where the key would be, for a lookup soon after.
-    void prefetch(std::uint64_t key) const { __builtin_prefetch(keys + home(key)); }
+    void prefetch(std::uint64_t key) const { ISLET_PREFETCH(keys + home(key)); }
 
     bool contains(std::uint64_t key) const { return keys[find(key)] == key; }
 

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "islet/compiler.hpp"
+
 namespace islet::detail {
 
 inline constexpr std::uint32_t null_index = 0xffffffffu;
@@ -48,14 +50,14 @@ bool pool_live(const PoolState& pool, const T* slots, std::uint32_t index) {
 
 /// Calls visit(slot) for each live slot, in ascending order.
 template <class T, class Visit>
-[[gnu::always_inline]] inline void for_each_live(const PoolState& pool, const T* slots, Visit&& visit) {
+ISLET_ALWAYS_INLINE inline void for_each_live(const PoolState& pool, const T* slots, Visit&& visit) {
     for (std::uint32_t i = 0; i < pool.high_water; ++i)
         if ((slots[i].generation & 1u) != 0) visit(i);
 }
 
 /// Clears a slot but for its generation.
 template <class T>
-[[gnu::always_inline]] inline void clear_slot(T& slot) {
+ISLET_ALWAYS_INLINE inline void clear_slot(T& slot) {
     const std::uint32_t generation = slot.generation;
     slot = T{};
     slot.generation = generation;

@@ -8,7 +8,7 @@
 namespace islet::detail {
 
 /// In a build without queries: records that, and says so.
-[[gnu::always_inline]] inline bool queries_are_cut(const Core& core) {
+ISLET_ALWAYS_INLINE inline bool queries_are_cut(const Core& core) {
     if constexpr (!has_queries) core.fail(Error::feature_cut);
     return !has_queries;
 }

@@ -57,14 +57,14 @@ using RowOf = ShapeRow<std::remove_const_t<std::remove_reference_t<Shape>>>;
 
 /// Calls visit(shape) with the geometry as what it is.
 template <class Visit>
-[[gnu::always_inline]] inline auto with_shape(const Geometry& g, Visit&& visit) {
+ISLET_ALWAYS_INLINE inline auto with_shape(const Geometry& g, Visit&& visit) {
     switch (g.shape_type()) {
 #define ISLET_VISIT(name, ...) \
     case ShapeType::name: return visit(g.name);
         ISLET_SHAPE_TYPES(ISLET_VISIT)
 #undef ISLET_VISIT
     }
-    __builtin_unreachable();
+    ISLET_UNREACHABLE();
 }
 
 ISLET_SHARED std::uint32_t rank_of(const Geometry& g) {

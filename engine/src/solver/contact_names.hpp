@@ -17,8 +17,8 @@ void name_contacts(Core& core, ContactRows<W>* rows, std::uint32_t count, const 
             const std::uint32_t c = contacts[block * W + i];
             const std::uint32_t soon = block + 1 < count ? contacts[(block + 1) * W + i] : null_index;
             if (W > 1 && soon != null_index) {  // the next block's contacts may be anywhere in memory
-                __builtin_prefetch(&core.manifolds[soon].flags);
-                __builtin_prefetch(&core.contacts[soon]);
+                ISLET_PREFETCH(&core.manifolds[soon].flags);
+                ISLET_PREFETCH(&core.contacts[soon]);
             }
             set_contact(r, i, c, core.manifolds);
             if (c != null_index) any |= core.manifolds[c].flags;

@@ -61,7 +61,7 @@ struct BatchSolve {
     template <class Work>
     void over_colors(Work&& work) {
         for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
-            const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
+            const auto c = trailing_zeros(left);
             const std::uint32_t begin = batch.first_block[c];
             over(batch.first_block[c + 1] - begin, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { work(begin + first, begin + end, c); });
         }
@@ -132,7 +132,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
     }
     if (!s.numbers.is_ordered && overflow_count != 0) ContactKernel<1>::solve(s.bodies, overflow, overflow_count, dynamic);
     for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
-        const auto c = static_cast<std::uint32_t>(__builtin_ctz(left));
+        const auto c = trailing_zeros(left);
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
             over_run(r, [&](const JointRun& part, std::byte* blocks) { solve_joint_run(part, W, s.bodies, blocks, joints); });

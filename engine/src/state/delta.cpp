@@ -53,7 +53,7 @@ std::uint32_t word_at(const std::byte* bytes) {
 // The old image's word at a place of a part, or 0 beyond its end.
 std::uint32_t old_word(const std::byte* part, std::uint64_t size, std::uint64_t at) { return at < size ? word_at(part + at) : 0; }
 
-std::uint32_t significant_bytes(std::uint32_t word) { return word == 0 ? 0 : (39u - static_cast<std::uint32_t>(__builtin_clz(word))) / 8u; }
+std::uint32_t significant_bytes(std::uint32_t word) { return word == 0 ? 0 : (39u - leading_zeros(word)) / 8u; }
 
 /// Packs groups into a span. Once the span is full, the packer writes nothing more and sets `full`.
 struct Packer {

@@ -25,10 +25,10 @@ FormatInfo format_by(std::uint32_t magic, std::uint32_t format) {
 FormatInfo format_at(span<const std::byte> bytes) {
     std::uint32_t words[2];
     if (bytes.data() == nullptr || bytes.size() < sizeof words) return {};
-    __builtin_memcpy(words, bytes.data(), sizeof words);
+    ISLET_MEMCPY(words, bytes.data(), sizeof words);
     FormatInfo info = format_by(words[0], words[1]);
     if (info.kind != FormatKind::unknown) return info;
-    info = format_by(__builtin_bswap32(words[0]), __builtin_bswap32(words[1]));
+    info = format_by(swapped_bytes(words[0]), swapped_bytes(words[1]));
     info.other_byte_order = info.kind != FormatKind::unknown;
     return info;
 }

@@ -34,7 +34,7 @@ struct Hasher {
         const auto* bytes = static_cast<const std::byte*>(from);
         for (std::size_t i = 0; i < size; i += 4) {
             std::uint32_t w = 0;
-            __builtin_memcpy(&w, bytes + i, 4);  // std::memcpy may be a call (-ffreestanding)
+            ISLET_MEMCPY(&w, bytes + i, 4);  // std::memcpy may be a call (-ffreestanding)
             word(w);
         }
     }

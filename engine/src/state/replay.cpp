@@ -99,7 +99,7 @@ struct Apply {
 };
 // Not inlined, so that the stack holds the arguments of only one call at a time.
 template <class... Args, class Function>
-[[gnu::noinline]] void make(CallReader& reader, const Function& function) {
+ISLET_NEVER_INLINE void make(CallReader& reader, const Function& function) {
     Apply{reader, function, reader.value<Args>()...};
 }
 

@@ -51,7 +51,7 @@ Error read_head(span<const std::byte> bytes, std::uint32_t magic, std::size_t le
     std::uint32_t kind = 0;
     if (bytes.size() < sizeof kind || bytes.data() == nullptr) return Error::truncated_image;
     std::memcpy(&kind, bytes.data(), sizeof kind);
-    if (kind == __builtin_bswap32(magic)) return Error::other_byte_order;
+    if (kind == swapped_bytes(magic)) return Error::other_byte_order;
     if (kind != magic) return Error::not_an_image;
     if (bytes.size() < least) return Error::truncated_image;
     std::memcpy(&head, bytes.data(), sizeof head);

@@ -130,7 +130,7 @@ Manifold dispatch(const Geometry& a, const Geometry& b, const Transform& b_in_a,
             using A = RowOf<decltype(shape_a)>;
             using B = RowOf<decltype(shape_b)>;
             if constexpr (A::is_there && B::is_there && B::rank <= A::rank && B::kind == ShapeKind::solid) return collide(shape_a, shape_b, b_in_a, margin);
-            __builtin_unreachable();
+            ISLET_UNREACHABLE();
         });
     });
 }
@@ -347,7 +347,7 @@ void update_contacts(Core& core, float dt) {
     std::memset(recycled, 0, std::size_t{range_count(words, update_grain)} * 4);
     for_ranges(core, words, update_grain, [&](std::uint32_t first, std::uint32_t end) {
         std::uint32_t kept = 0;
-        const auto update_one = [&](std::uint32_t i) __attribute__((always_inline)) {
+        const auto update_one = [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
             const Change change = update(core, i, dt, fall, loads, kept);
             if (change == Change::none) return;
             changed.set(i);

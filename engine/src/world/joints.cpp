@@ -32,7 +32,7 @@ std::uint32_t find_slot(Core& core, JointId id, std::uint32_t types) {
 
 /// begin_call for joints of some types.
 template <Call call, class... Args>
-[[gnu::always_inline]] inline Found begin_call_on(std::uint32_t types, Core& core, const JointId& id, const Args&... args) {
+ISLET_ALWAYS_INLINE inline Found begin_call_on(std::uint32_t types, Core& core, const JointId& id, const Args&... args) {
     note_call<call>(core, id, args...);
     return {core, find_slot(core, id, types)};
 }
