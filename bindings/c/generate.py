@@ -630,6 +630,8 @@ def taken_apart(api, f, name):
         lines += [f"    const {inner}* found = nullptr;", f"{guard}found = {call};", f"    return cast<const Islet{inner}>(found);"]
     elif scalar:
         lines += [f"    {api.c_type(f['returns'])} found = {{}};", f"{guard}found = {call};", "    return found;"]
+    elif f["returns"] in api.callbacks:
+        lines += [f"    {f['returns']} found = nullptr;", f"{guard}found = {call};", f"    return function<{api.c_type(f['returns'])}>(found);"]
     else:
         nothing = f"{{static_cast<Error>(why({parameters[0]['name']})), nullptr}}" if inner == "FieldFault" else "{}"  # errors of C are faults, too
         lines += [f"    {inner} found = {nothing};", f"{guard}found = {call};", "    return out(found);"]

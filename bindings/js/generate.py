@@ -30,6 +30,7 @@ LEFT_OUT = {
     r"islet_draw_|islet_world_draw|islet_distinct_color": "draw from World.poses and the shapes",
     r"islet_world_(set_)?tasks$": "WebAssembly without threads",
     r"islet_world_set_clock": "World.measureTime sets the browser's",
+    r"islet_world_((set_)?error_hook|error_context)$": "World.onError can be replaced at any time",
     r"islet_world_(move_recording|recorded_bytes)|islet_(max_(snapshot|delta)_bytes|world_snapshot_bytes)": "memory grows by itself",
     r"islet_body_export_island|islet_describe_format|islet_format_is_readable": "for tools",
     r"islet_transform_(polygon|proxy)": "for tools",

@@ -223,6 +223,14 @@ static void creation(void) {
     CHECK(ok(islet_world_step(world, 0.01f)) && islet_world_last_error(world) == ISLET_ERROR_BAD_TIME_STEP);
     CHECK(ok(islet_world_clear_error(world)) && islet_world_last_error(world) == ISLET_ERROR_NONE);
     CHECK(islet_world_last_error(NULL) == ISLET_ERROR_NULL_POINTER);
+    CHECK(islet_world_error_hook(world) == tell && islet_world_error_context(world) == &told_count);
+    CHECK(ok(islet_world_set_error_hook(world, NULL, NULL)) && islet_world_error_hook(world) == NULL && islet_world_error_context(world) == NULL);
+    told = ISLET_ERROR_NONE;
+    CHECK(islet_world_step(world, -1) == ISLET_ERROR_BAD_TIME_STEP && told == ISLET_ERROR_NONE);
+    unsigned told_again = 0;
+    CHECK(ok(islet_world_set_error_hook(world, tell, &told_again)) && islet_world_error_context(world) == &told_again);
+    CHECK(islet_world_step(world, -1) == ISLET_ERROR_BAD_TIME_STEP && told == ISLET_ERROR_BAD_TIME_STEP && told_again == 1);
+    CHECK(ok(islet_world_set_error_hook(world, tell, &told_count)) && ok(islet_world_clear_error(world)));
     CHECK(islet_create_body(world, NULL).index1 == 0 && islet_world_last_error(world) == ISLET_ERROR_NULL_POINTER && told == ISLET_ERROR_NULL_POINTER);
     for (int e = 0; e < 256; ++e) CHECK(islet_describe((IsletError)e) != NULL && strlen(islet_describe((IsletError)e)) > 5);
 

@@ -413,6 +413,9 @@ int main(void) {
     CODE(islet_world_report(world, &some_StepReport), ISLET_ERROR_STRUCT_SIZE);
     some_StepReport.struct_size = sizeof(IsletStepReport);
     CODE(islet_world_clear_error(NULL), ISLET_ERROR_NULL_POINTER);
+    CALL(islet_world_error_hook(NULL));
+    CALL(islet_world_error_context(NULL));
+    CODE(islet_world_set_error_hook(NULL, NULL, NULL), ISLET_ERROR_NULL_POINTER);
     CALL(islet_world_hash(NULL));
     CALL(islet_world_step_count(NULL));
     CALL(islet_world_validate(NULL));

@@ -117,6 +117,12 @@ public:
     /// The last error since creation or clear_error().
     Error last_error() const;
     void clear_error();
+    /// The error hook as it was last set (WorldDef::error_hook); null if there is none.
+    ErrorHook error_hook() const;
+    /// What the error hook gets as its context; null by default.
+    void* error_context() const;
+    /// Sets the function that receives each error; null for none. The hook is not part of the state: hashes, snapshots and recordings do not contain it.
+    void set_error_hook(ErrorHook hook, void* context = nullptr);
     /// Hash of all persistent state that affects the future, and of nothing else. Worlds with equal hashes have equal futures, and their next steps report
     /// equal events, those of touches that ended since the last step included. Returns 0 on an error: in_step.
     std::uint64_t hash() const;

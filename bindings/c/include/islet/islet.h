@@ -2269,6 +2269,15 @@ ISLET_C_API IsletError islet_world_capacity(const IsletWorld* world, IsletCapaci
 /// What the last step did, and how many objects the world holds.
 ISLET_C_API IsletError islet_world_report(const IsletWorld* world, IsletStepReport* out);
 
+/// The error hook as it was last set (IsletWorldDef.error_hook); null if there is none.
+ISLET_C_API IsletErrorHook islet_world_error_hook(const IsletWorld* world);
+
+/// What the error hook gets as its context; null by default.
+ISLET_C_API void* islet_world_error_context(const IsletWorld* world);
+
+/// Sets the function that receives each error; null for none. The hook is not part of the state: hashes, snapshots and recordings do not contain it.
+ISLET_C_API IsletError islet_world_set_error_hook(IsletWorld* world, IsletErrorHook hook, void* context);
+
 /// Hash of all persistent state that affects the future, and of nothing else. Worlds with equal hashes have equal futures, and their next steps report equal
 /// events, those of touches that ended since the last step included. Returns 0 on an error: in_step.
 ISLET_C_API uint64_t islet_world_hash(const IsletWorld* world);
