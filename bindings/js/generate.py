@@ -388,7 +388,8 @@ class Js:
             sys.exit(f"{name}: too much for a frame of arguments")
         # Definitions may be left out; what a function fills in may be given, so that nothing new is made.
         optional = {p["name"]: "{}" for p in parameters if re.fullmatch(r"const (\w+) &", p["type"]) and p["type"][6:-2] in c.GROWS and not c.has_default(p)}
-        listed = [n + (" = {}" if any(camel(k) == n for k in optional) else "") for n in listed]
+        optional.update({p["name"]: self.literal("bool", p["default"]) for p in parameters if self.is_flag_with_default(p)})
+        listed = [n + "".join(f" = {value}" for k, value in optional.items() if camel(k) == n) for n in listed]
         call = f"wasm.{name}({', '.join(arguments)})"
         check = "check();"
         out = []
@@ -610,9 +611,12 @@ class Js:
                 free += self.doc(f) + ["export declare function " + line]
         return "\n".join(out + ["}", ""] + free + [""])
 
+    def is_flag_with_default(self, p):
+        return p["type"] == "bool" and "default" in p
+
     def may_be_left_out(self, p):
         match = re.fullmatch(r"const (\w+) &", p["type"])
-        return bool(match) and (c.has_default(p) or match.group(1) in c.GROWS)
+        return self.is_flag_with_default(p) or (bool(match) and (c.has_default(p) or match.group(1) in c.GROWS))
 
     # -- what WebAssembly is made with ------------------------------------------------------------------------------------------------
 

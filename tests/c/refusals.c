@@ -467,12 +467,12 @@ int main(void) {
     CODE(islet_body_set_linear_velocity(NULL, some_BodyId, some_Vec2), ISLET_ERROR_NULL_POINTER);
     CODE(islet_body_set_angular_velocity(NULL, some_BodyId, 0), ISLET_ERROR_NULL_POINTER);
     CODE(islet_body_set_target(NULL, some_BodyId, some_Transform, 0), ISLET_ERROR_NULL_POINTER);
-    CODE(islet_body_apply_force(NULL, some_BodyId, some_Vec2, some_Vec2), ISLET_ERROR_NULL_POINTER);
-    CODE(islet_body_apply_force_to_center(NULL, some_BodyId, some_Vec2), ISLET_ERROR_NULL_POINTER);
-    CODE(islet_body_apply_torque(NULL, some_BodyId, 0), ISLET_ERROR_NULL_POINTER);
-    CODE(islet_body_apply_linear_impulse(NULL, some_BodyId, some_Vec2, some_Vec2), ISLET_ERROR_NULL_POINTER);
-    CODE(islet_body_apply_linear_impulse_to_center(NULL, some_BodyId, some_Vec2), ISLET_ERROR_NULL_POINTER);
-    CODE(islet_body_apply_angular_impulse(NULL, some_BodyId, 0), ISLET_ERROR_NULL_POINTER);
+    CODE(islet_body_apply_force(NULL, some_BodyId, some_Vec2, some_Vec2, false), ISLET_ERROR_NULL_POINTER);
+    CODE(islet_body_apply_force_to_center(NULL, some_BodyId, some_Vec2, false), ISLET_ERROR_NULL_POINTER);
+    CODE(islet_body_apply_torque(NULL, some_BodyId, 0, false), ISLET_ERROR_NULL_POINTER);
+    CODE(islet_body_apply_linear_impulse(NULL, some_BodyId, some_Vec2, some_Vec2, false), ISLET_ERROR_NULL_POINTER);
+    CODE(islet_body_apply_linear_impulse_to_center(NULL, some_BodyId, some_Vec2, false), ISLET_ERROR_NULL_POINTER);
+    CODE(islet_body_apply_angular_impulse(NULL, some_BodyId, 0, false), ISLET_ERROR_NULL_POINTER);
     CALL(islet_body_type(NULL, some_BodyId));
     CODE(islet_body_set_type(NULL, some_BodyId, 0), ISLET_ERROR_NULL_POINTER);
     CALL(islet_body_mass(NULL, some_BodyId));

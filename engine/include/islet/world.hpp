@@ -225,14 +225,14 @@ public:
     /// turn. The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
     void set_target(BodyId body, const Transform& target, float dt);
 
-    /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s)
-    /// act at once. To leave sleeping bodies alone, ask is_awake first.
-    void apply_force(BodyId body, Vec2 force, Vec2 point);
-    void apply_force_to_center(BodyId body, Vec2 force);
-    void apply_torque(BodyId body, float torque);
-    void apply_linear_impulse(BodyId body, Vec2 impulse, Vec2 point);
-    void apply_linear_impulse_to_center(BodyId body, Vec2 impulse);
-    void apply_angular_impulse(BodyId body, float impulse);
+    /// Forces (N) and torques (N m) act over the next step and are then cleared. Impulses (N s, N m s) act at once. All of these need a dynamic body, and
+    /// wake it. With wake = false they have no effect on a body that sleeps, and do not keep a body that rests from falling asleep.
+    void apply_force(BodyId body, Vec2 force, Vec2 point, bool wake = true);
+    void apply_force_to_center(BodyId body, Vec2 force, bool wake = true);
+    void apply_torque(BodyId body, float torque, bool wake = true);
+    void apply_linear_impulse(BodyId body, Vec2 impulse, Vec2 point, bool wake = true);
+    void apply_linear_impulse_to_center(BodyId body, Vec2 impulse, bool wake = true);
+    void apply_angular_impulse(BodyId body, float impulse, bool wake = true);
 
     /// Static, kinematic or dynamic.
     BodyType type(BodyId body) const;

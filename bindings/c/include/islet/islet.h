@@ -845,7 +845,7 @@ typedef struct IsletWindDef {
     float lift;
     /// kg/m^3, >= 0, of a slice one metre deep: air
     float density;
-    /// false: no effect on bodies that sleep
+    /// false: no effect on bodies that sleep, and bodies that rest may fall asleep in the wind
     bool wake;
 } IsletWindDef;
 
@@ -2401,14 +2401,14 @@ ISLET_C_API IsletError islet_body_set_angular_velocity(IsletWorld* world, IsletB
 /// The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
 ISLET_C_API IsletError islet_body_set_target(IsletWorld* world, IsletBodyId body, IsletTransform target, float dt);
 
-/// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s) act at once. To
-/// leave sleeping bodies alone, ask is_awake first.
-ISLET_C_API IsletError islet_body_apply_force(IsletWorld* world, IsletBodyId body, IsletVec2 force, IsletVec2 point);
-ISLET_C_API IsletError islet_body_apply_force_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 force);
-ISLET_C_API IsletError islet_body_apply_torque(IsletWorld* world, IsletBodyId body, float torque);
-ISLET_C_API IsletError islet_body_apply_linear_impulse(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, IsletVec2 point);
-ISLET_C_API IsletError islet_body_apply_linear_impulse_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 impulse);
-ISLET_C_API IsletError islet_body_apply_angular_impulse(IsletWorld* world, IsletBodyId body, float impulse);
+/// Forces (N) and torques (N m) act over the next step and are then cleared. Impulses (N s, N m s) act at once. All of these need a dynamic body, and wake
+/// it. With wake = false they have no effect on a body that sleeps, and do not keep a body that rests from falling asleep.
+ISLET_C_API IsletError islet_body_apply_force(IsletWorld* world, IsletBodyId body, IsletVec2 force, IsletVec2 point, bool wake);
+ISLET_C_API IsletError islet_body_apply_force_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 force, bool wake);
+ISLET_C_API IsletError islet_body_apply_torque(IsletWorld* world, IsletBodyId body, float torque, bool wake);
+ISLET_C_API IsletError islet_body_apply_linear_impulse(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, IsletVec2 point, bool wake);
+ISLET_C_API IsletError islet_body_apply_linear_impulse_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, bool wake);
+ISLET_C_API IsletError islet_body_apply_angular_impulse(IsletWorld* world, IsletBodyId body, float impulse, bool wake);
 
 /// Static, kinematic or dynamic.
 ISLET_C_API IsletBodyType islet_body_type(const IsletWorld* world, IsletBodyId body);
