@@ -74,6 +74,10 @@ LEFT_OUT = {
     "all_shapes(const World &)": "islet_world_shape_at",
     "all_joints(const World &)": "islet_world_joint_at",
     "all_contacts(const World &)": "islet_world_contact_at",
+    "shapes_of(const World &, BodyId)": "islet_body_next_shape",
+    "joints_of(const World &, BodyId)": "islet_body_next_joint",
+    "contacts_of(const World &, BodyId)": "islet_body_next_contact",
+    "contacts_of(const World &, ShapeId)": "islet_shape_next_contact",
     "StaticWorldOf::create(const WorldDef &)": "a template; islet_create_world takes a static array",
     "lcp::*": "islet/islet_lcp.h has the matrix solvers, by hand",
 }

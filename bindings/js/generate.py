@@ -36,6 +36,7 @@ LEFT_OUT = {
     r"islet_transform_(polygon|proxy)": "for tools",
     r"islet_find_\w+_fault": "takes 4 kB",
     r"islet_create_fleet|islet_fleet_|islet_sense_columns": "fleets are for programs that step worlds on several cores",
+    r"islet_(body|shape)_next_": "bodyShapes, bodyJoints, bodyContacts and shapeContacts give lists",
     r"islet_copy_world": "load a snapshot into a larger world",
 }
 SKIPPED_FIELDS = {"error_hook", "error_context", "tasks", "clock", "clock_context", "context", "poses"}  # set by src/islet.js

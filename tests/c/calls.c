@@ -399,6 +399,8 @@ static void bodies(void) {
     CHECK(ok(islet_body_set_type(world, body, ISLET_BODY_TYPE_KINEMATIC)) && islet_body_type(world, body) == ISLET_BODY_TYPE_KINEMATIC);
     IsletShapeId shapes[2];
     CHECK(islet_body_shapes(world, body, shapes, 2) == 1 && equal_shapes(shapes[0], shape) && islet_body_shapes(world, body, NULL, 0) == 1);
+    const IsletShapeId no_shape = {0, 0};
+    CHECK(equal_shapes(islet_body_next_shape(world, body, no_shape), shape) && islet_body_next_shape(world, body, shape).index1 == 0);
     IsletJointId joints[1];
     IsletContactInfo contacts[1];
     CHECK(islet_body_joints(world, body, joints, 1) == 0 && islet_body_contacts(world, body, contacts, 1) == 0);
@@ -517,6 +519,9 @@ static void joints(void) {
     CHECK(equal_joints(islet_world_joint_at(world, 0), revolute_joint));
     IsletJointId found[3];
     CHECK(islet_body_joints(world, body[1], found, 3) >= 2);
+    const IsletJointId no_joint = {0, 0}, second = islet_body_next_joint(world, body[1], found[0]);
+    const IsletJointId newest = islet_body_next_joint(world, body[1], no_joint);
+    CHECK(newest.index1 == found[0].index1 && newest.generation == found[0].generation && second.index1 == found[1].index1);
     CHECK(equal_bodies(islet_joint_body_a(world, revolute_joint), body[0]) && equal_bodies(islet_joint_body_b(world, revolute_joint), body[1]));
     CHECK(near(islet_joint_frame_b(world, revolute_joint).position.x, -3) && near(islet_joint_frame_a(world, revolute_joint).position.x, 0));
     const IsletJointFrame frame_a = {{1.5f, 0}, 0}, frame_b = {{-1.5f, 0}, 0};
@@ -664,6 +669,11 @@ static void events(void) {
     for (uint32_t i = 0; i < 128; ++i) touching = touching || islet_world_contact_at(world, i, &contact);
     CHECK(islet_world_contact_count(world) == 1 && touching && contact.point_count == 2);
     CHECK(islet_body_contacts(world, crate, &contact, 1) == 1);
+    IsletContactInfo next;
+    const uint32_t number = islet_body_next_contact(world, crate, 0, &next);
+    CHECK(number != 0 && equal_shapes(next.shape_a, contact.shape_a) && equal_shapes(next.shape_b, contact.shape_b));
+    CHECK(islet_body_next_contact(world, crate, number, &next) == 0 && islet_body_next_contact(world, crate, 4000, &next) == 0);
+    CHECK(islet_shape_next_contact(world, contact.shape_b, 0, &next) == number && islet_shape_next_contact(world, contact.shape_b, number, &next) == 0);
     CHECK(ok(islet_destroy_shape(world, shape)));
     const IsletTouchEventSpan ended = islet_world_end_touch_events(world);
     CHECK(ended.count == 1 && (equal_shapes(ended.data[0].shape_a, shape) || equal_shapes(ended.data[0].shape_b, shape)));

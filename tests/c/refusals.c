@@ -509,6 +509,9 @@ int main(void) {
     LAST(islet_body_contacts(world, some_BodyId, NULL, 1), ISLET_ERROR_NULL_POINTER);
     CALL(islet_body_shapes(NULL, some_BodyId, &some_ShapeId, 1));
     LAST(islet_body_shapes(world, some_BodyId, NULL, 1), ISLET_ERROR_NULL_POINTER);
+    CALL(islet_body_next_shape(NULL, some_BodyId, some_ShapeId));
+    CALL(islet_body_next_contact(NULL, some_BodyId, 0, &some_ContactInfo));
+    LAST(islet_body_next_contact(world, some_BodyId, 0, NULL), ISLET_ERROR_NULL_POINTER);
     CALL(islet_create_circle(NULL, some_BodyId, &some_Circle, &some_ShapeDef));
     LAST(islet_create_circle(world, some_BodyId, NULL, &some_ShapeDef), ISLET_ERROR_NULL_POINTER);
     some_ShapeDef.struct_size = 0;
@@ -579,6 +582,8 @@ int main(void) {
     CALL(islet_world_shape_at(NULL, 0));
     CALL(islet_shape_contacts(NULL, some_ShapeId, &some_ContactInfo, 1));
     LAST(islet_shape_contacts(world, some_ShapeId, NULL, 1), ISLET_ERROR_NULL_POINTER);
+    CALL(islet_shape_next_contact(NULL, some_ShapeId, 0, &some_ContactInfo));
+    LAST(islet_shape_next_contact(world, some_ShapeId, 0, NULL), ISLET_ERROR_NULL_POINTER);
     CALL(islet_shape_body(NULL, some_ShapeId));
     CALL(islet_shape_type(NULL, some_ShapeId));
     CALL(islet_shape_circle(NULL, some_ShapeId));
@@ -738,6 +743,7 @@ int main(void) {
     CALL(islet_world_joint_at(NULL, 0));
     CALL(islet_body_joints(NULL, some_BodyId, &some_JointId, 1));
     LAST(islet_body_joints(world, some_BodyId, NULL, 1), ISLET_ERROR_NULL_POINTER);
+    CALL(islet_body_next_joint(NULL, some_BodyId, some_JointId));
     CALL(islet_joint_type(NULL, some_JointId));
     CALL(islet_joint_body_a(NULL, some_JointId));
     CALL(islet_joint_body_b(NULL, some_JointId));

@@ -318,4 +318,16 @@ uint32_t islet_body_shapes(const IsletWorld* world, IsletBodyId body, IsletShape
     return found;
 }
 
+IsletShapeId islet_body_next_shape(const IsletWorld* world, IsletBodyId body, IsletShapeId shape) {
+    ShapeId found = {};
+    if (world != nullptr) found = of(world).next_shape(in<BodyId>(body), in<ShapeId>(shape));
+    return out(found);
+}
+
+uint32_t islet_body_next_contact(const IsletWorld* world, IsletBodyId body, uint32_t contact, IsletContactInfo* out) {
+    uint32_t found = {};
+    if (world != nullptr && is_there(world, out)) found = of(world).next_contact(in<BodyId>(body), contact, *cast<ContactInfo>(out));
+    return found;
+}
+
 }  // extern "C"

@@ -289,6 +289,12 @@ public:
     std::uint32_t contacts(BodyId body, span<ContactInfo> out) const;
     /// Writes the ids of the body's shapes, newest first, as far as they fit; returns how many there are.
     std::uint32_t shapes(BodyId body, span<ShapeId> out) const;
+    /// For walking over a body's shapes without memory (ranges.hpp): the next one in the order of shapes(), the first one after null. Returns null after the
+    /// last one, and on an error: out_of_range if `shape` is not the body's.
+    ShapeId next_shape(BodyId body, ShapeId shape = {}) const;
+    /// The same for its touching contacts, in the order of contacts(). `contact` is 0 at first, and then what the last call returned: slot + 1 of the contact
+    /// that it wrote to `out`, or 0 after the last one and on an error: out_of_range if `contact` is none of the body's.
+    std::uint32_t next_contact(BodyId body, std::uint32_t contact, ContactInfo& out) const;
 
     // -- shapes ----------------------------------------------------------------------------------------------------------------
 
@@ -313,6 +319,8 @@ public:
     ShapeId shape_at(std::uint32_t slot) const;
     /// Writes the shape's touching contacts, newest first, as far as they fit; returns how many there are.
     std::uint32_t contacts(ShapeId shape, span<ContactInfo> out) const;
+    /// The next of these, as next_contact of a body: out_of_range if `contact` is none of the shape's body.
+    std::uint32_t next_contact(ShapeId shape, std::uint32_t contact, ContactInfo& out) const;
 
     /// The body that the shape belongs to.
     BodyId body(ShapeId shape) const;
@@ -408,6 +416,9 @@ public:
     JointId joint_at(std::uint32_t slot) const;
     /// Writes the ids of the body's joints, newest first, as far as they fit; returns how many there are.
     std::uint32_t joints(BodyId body, span<JointId> out) const;
+    /// The next one in this order, the first one after null. Returns null after the last one, and on an error: out_of_range if `joint` does not hang on the
+    /// body.
+    JointId next_joint(BodyId body, JointId joint = {}) const;
 
     /// Which kind of joint it is.
     JointType joint_type(JointId joint) const;

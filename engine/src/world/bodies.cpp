@@ -192,6 +192,19 @@ std::uint32_t World::shapes(BodyId id, span<ShapeId> out) const {
     return n;
 }
 
+ShapeId World::next_shape(BodyId id, ShapeId shape) const {
+    const Core& c = core();
+    const std::uint32_t i = find_slot(c, id);
+    if (i == null_index) return {};
+    std::uint32_t next = c.bodies[i].shape_head;
+    if (shape) {
+        const std::uint32_t s = find_slot(c, shape);
+        if (s == null_index || !check(c, c.shapes[s].body == i, Error::out_of_range)) return {};
+        next = c.shapes[s].next;
+    }
+    return next != null_index ? c.shape_id(next) : ShapeId{};
+}
+
 void World::set_transform(BodyId id, Vec2 position, float angle) {
     const DefaultFloatMode mode;
     const auto [c, i] = begin_call<Call::set_transform>(core(), id, position, angle);

@@ -2483,6 +2483,14 @@ ISLET_C_API uint32_t islet_body_contacts(const IsletWorld* world, IsletBodyId bo
 /// Writes the ids of the body's shapes, newest first, as far as they fit; returns how many there are.
 ISLET_C_API uint32_t islet_body_shapes(const IsletWorld* world, IsletBodyId body, IsletShapeId* out, size_t out_count);
 
+/// For walking over a body's shapes without memory (ranges.hpp): the next one in the order of shapes(), the first one after null. Returns null after the last
+/// one, and on an error: out_of_range if `shape` is not the body's.
+ISLET_C_API IsletShapeId islet_body_next_shape(const IsletWorld* world, IsletBodyId body, IsletShapeId shape);
+
+/// The same for its touching contacts, in the order of contacts(). `contact` is 0 at first, and then what the last call returned: slot + 1 of the contact
+/// that it wrote to `out`, or 0 after the last one and on an error: out_of_range if `contact` is none of the body's.
+ISLET_C_API uint32_t islet_body_next_contact(const IsletWorld* world, IsletBodyId body, uint32_t contact, IsletContactInfo* out);
+
 /// Returns null on an error: shapes_full; geometries_full; bad_geometry; not_finite, out_of_range and feature_cut of a field, which find_fault names
 /// (fault.hpp). def may be null.
 ISLET_C_API IsletShapeId islet_create_circle(IsletWorld* world, IsletBodyId body, const IsletCircle* circle, const IsletShapeDef* def);
@@ -2514,6 +2522,9 @@ ISLET_C_API IsletShapeId islet_world_shape_at(const IsletWorld* world, uint32_t 
 
 /// Writes the shape's touching contacts, newest first, as far as they fit; returns how many there are.
 ISLET_C_API uint32_t islet_shape_contacts(const IsletWorld* world, IsletShapeId shape, IsletContactInfo* out, size_t out_count);
+
+/// The next of these, as next_contact of a body: out_of_range if `contact` is none of the shape's body.
+ISLET_C_API uint32_t islet_shape_next_contact(const IsletWorld* world, IsletShapeId shape, uint32_t contact, IsletContactInfo* out);
 
 /// The body that the shape belongs to.
 ISLET_C_API IsletBodyId islet_shape_body(const IsletWorld* world, IsletShapeId shape);
@@ -2619,6 +2630,9 @@ ISLET_C_API IsletJointId islet_world_joint_at(const IsletWorld* world, uint32_t 
 
 /// Writes the ids of the body's joints, newest first, as far as they fit; returns how many there are.
 ISLET_C_API uint32_t islet_body_joints(const IsletWorld* world, IsletBodyId body, IsletJointId* out, size_t out_count);
+
+/// The next one in this order, the first one after null. Returns null after the last one, and on an error: out_of_range if `joint` does not hang on the body.
+ISLET_C_API IsletJointId islet_body_next_joint(const IsletWorld* world, IsletBodyId body, IsletJointId joint);
 
 /// Which kind of joint it is.
 ISLET_C_API IsletJointType islet_joint_type(const IsletWorld* world, IsletJointId joint);
