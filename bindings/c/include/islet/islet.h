@@ -1215,7 +1215,7 @@ typedef struct IsletJointBreakEvent {
 
 /// A field that breaks its rules.
 typedef struct IsletFieldFault {
-    /// not_finite, out_of_range or feature_cut; none if all fields keep their rules
+    /// not_finite, out_of_range, feature_cut, bad_capacity or bad_geometry; none if all fields keep their rules
     IsletError error;
     /// its name, after those of the structs that hold it: "limit.lower", "solver.substeps"; null if there is none
     const char* field;
@@ -2156,6 +2156,19 @@ ISLET_C_API IsletFieldFault islet_find_mouse_joint_def_fault(const IsletMouseJoi
 ISLET_C_API IsletFieldFault islet_find_pulley_joint_def_fault(const IsletPulleyJointDef* def);
 ISLET_C_API IsletFieldFault islet_find_gear_joint_def_fault(const IsletGearJointDef* def);
 ISLET_C_API IsletFieldFault islet_find_angle_joint_def_fault(const IsletAngleJointDef* def);
+
+/// The same for what islet_create_world, the setters of bodies, shapes and joints, and step_mover refuse. Rules that only some joints have are not checked:
+/// the limit of a distance joint begins at 0 or above, and a mouse joint has a linear frequency above 0 and no angular one.
+ISLET_C_API IsletFieldFault islet_find_capacity_fault(const IsletCapacity* capacity);
+ISLET_C_API IsletFieldFault islet_find_mass_data_fault(const IsletMassData* mass);
+ISLET_C_API IsletFieldFault islet_find_surface_material_fault(const IsletSurfaceMaterial* material);
+ISLET_C_API IsletFieldFault islet_find_joint_frame_fault(const IsletJointFrame* frame);
+ISLET_C_API IsletFieldFault islet_find_joint_spring_fault(const IsletJointSpring* spring);
+ISLET_C_API IsletFieldFault islet_find_joint_softness_fault(const IsletJointSoftness* softness);
+ISLET_C_API IsletFieldFault islet_find_joint_limit_fault(const IsletJointLimit* limit);
+ISLET_C_API IsletFieldFault islet_find_joint_motor_fault(const IsletJointMotor* motor);
+ISLET_C_API IsletFieldFault islet_find_joint_ratchet_fault(const IsletJointRatchet* ratchet);
+ISLET_C_API IsletFieldFault islet_find_mover_def_fault(const IsletMoverDef* def);
 
 /// Whether islet_create_world accepts the capacity.
 ISLET_C_API bool islet_capacity_is_valid(const IsletCapacity* c);
