@@ -74,6 +74,10 @@ LEFT_OUT = {
     "all_shapes(const World &)": "islet_world_shape_at",
     "all_joints(const World &)": "islet_world_joint_at",
     "all_contacts(const World &)": "islet_world_contact_at",
+    "shapes_of(const World &, BodyId)": "islet_body_next_shape",
+    "joints_of(const World &, BodyId)": "islet_body_next_joint",
+    "contacts_of(const World &, BodyId)": "islet_body_next_contact",
+    "contacts_of(const World &, ShapeId)": "islet_shape_next_contact",
     "StaticWorldOf::create(const WorldDef &)": "a template; islet_create_world takes a static array",
     "lcp::*": "islet/islet_lcp.h has the matrix solvers, by hand",
 }
@@ -630,6 +634,8 @@ def taken_apart(api, f, name):
         lines += [f"    const {inner}* found = nullptr;", f"{guard}found = {call};", f"    return cast<const Islet{inner}>(found);"]
     elif scalar:
         lines += [f"    {api.c_type(f['returns'])} found = {{}};", f"{guard}found = {call};", "    return found;"]
+    elif f["returns"] in api.callbacks:
+        lines += [f"    {f['returns']} found = nullptr;", f"{guard}found = {call};", f"    return function<{api.c_type(f['returns'])}>(found);"]
     else:
         nothing = f"{{static_cast<Error>(why({parameters[0]['name']})), nullptr}}" if inner == "FieldFault" else "{}"  # errors of C are faults, too
         lines += [f"    {inner} found = {nothing};", f"{guard}found = {call};", "    return out(found);"]

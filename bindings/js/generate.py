@@ -30,11 +30,13 @@ LEFT_OUT = {
     r"islet_draw_|islet_world_draw|islet_distinct_color": "draw from World.poses and the shapes",
     r"islet_world_(set_)?tasks$": "WebAssembly without threads",
     r"islet_world_set_clock": "World.measureTime sets the browser's",
+    r"islet_world_((set_)?error_hook|error_context)$": "World.onError can be replaced at any time",
     r"islet_world_(move_recording|recorded_bytes)|islet_(max_(snapshot|delta)_bytes|world_snapshot_bytes)": "memory grows by itself",
     r"islet_body_export_island|islet_describe_format|islet_format_is_readable": "for tools",
     r"islet_transform_(polygon|proxy)": "for tools",
     r"islet_find_\w+_fault": "takes 4 kB",
     r"islet_create_fleet|islet_fleet_|islet_sense_columns": "fleets are for programs that step worlds on several cores",
+    r"islet_(body|shape)_next_": "bodyShapes, bodyJoints, bodyContacts and shapeContacts give lists",
     r"islet_copy_world": "load a snapshot into a larger world",
 }
 SKIPPED_FIELDS = {"error_hook", "error_context", "tasks", "clock", "clock_context", "context", "poses"}  # set by src/islet.js
@@ -387,7 +389,8 @@ class Js:
             sys.exit(f"{name}: too much for a frame of arguments")
         # Definitions may be left out; what a function fills in may be given, so that nothing new is made.
         optional = {p["name"]: "{}" for p in parameters if re.fullmatch(r"const (\w+) &", p["type"]) and p["type"][6:-2] in c.GROWS and not c.has_default(p)}
-        listed = [n + (" = {}" if any(camel(k) == n for k in optional) else "") for n in listed]
+        optional.update({p["name"]: self.literal("bool", p["default"]) for p in parameters if self.is_flag_with_default(p)})
+        listed = [n + "".join(f" = {value}" for k, value in optional.items() if camel(k) == n) for n in listed]
         call = f"wasm.{name}({', '.join(arguments)})"
         check = "check();"
         out = []
@@ -609,9 +612,12 @@ class Js:
                 free += self.doc(f) + ["export declare function " + line]
         return "\n".join(out + ["}", ""] + free + [""])
 
+    def is_flag_with_default(self, p):
+        return p["type"] == "bool" and "default" in p
+
     def may_be_left_out(self, p):
         match = re.fullmatch(r"const (\w+) &", p["type"])
-        return bool(match) and (c.has_default(p) or match.group(1) in c.GROWS)
+        return self.is_flag_with_default(p) or (bool(match) and (c.has_default(p) or match.group(1) in c.GROWS))
 
     # -- what WebAssembly is made with ------------------------------------------------------------------------------------------------
 

@@ -26,8 +26,8 @@ NOT_FIELDS = set("error_hook error_context hooks tasks clock clock_context colli
 BY_HAND = set("create step hash save restore load start_recording stop_recording create_body create_shape create_chain create_joint explode apply_wind "
               "set_solver contact_at overlap_box overlap_point overlap_shape cast_ray_all cast_shape_all surfaces_near contacts shapes joints "
               "sensor_overlaps validate".split())
-LEFT_OUT = set("tasks set_tasks profile set_clock hooks set_hooks last_error clear_error snapshot_bytes is_recording recorded_bytes move_recording "
-               "cast_ray_each cast_shape_each overlap_box_each overlap_shape_each overlap_point_each export_island draw draw_shape".split())
+LEFT_OUT = set("tasks set_tasks profile set_clock hooks set_hooks last_error clear_error error_hook error_context set_error_hook snapshot_bytes is_recording recorded_bytes move_recording "
+               "next_shape next_joint next_contact cast_ray_each cast_shape_each overlap_box_each overlap_shape_each overlap_point_each export_island draw draw_shape".split())
 # Functions that stand by themselves.
 FREE = set("make_box make_rounded_box make_offset_box transform_polygon compute_mass compute_aabb separation overlaps contains cast_ray cast_shape "
            "world_bytes make_rot angle_of".split())

@@ -25,7 +25,7 @@ int ten_calls(float found[4]) {
     islet_create_circle(world, crate, &ball, NULL);
     for (int i = 0; i < 60; ++i) {
         const IsletVec2 force = {2, 0};
-        islet_body_apply_force_to_center(world, crate, force);
+        islet_body_apply_force_to_center(world, crate, force, true);
         islet_world_step(world, 1.0f / 60);
     }
     const IsletVec2 p = islet_body_position(world, crate), v = islet_body_linear_velocity(world, crate);

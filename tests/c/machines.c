@@ -133,7 +133,7 @@ unsigned machines(uint64_t* hashes, unsigned count) {
     unsigned events = 0;
     for (unsigned i = 0; i < count; ++i) {
         const IsletVec2 up = {0, 30};
-        if (i % 20 == 10) islet_body_apply_force_to_center(world, body[16], up);
+        if (i % 20 == 10) islet_body_apply_force_to_center(world, body[16], up, true);
         islet_world_step(world, 1.0f / 60);
         hashes[i] = islet_world_hash(world);
         events += (unsigned)(islet_world_begin_touch_events(world).count + islet_world_hit_events(world).count + islet_world_broken_joints(world).count);

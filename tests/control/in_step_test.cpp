@@ -172,6 +172,7 @@ const Refused all_calls[] = {
     {"set_tasks", [](Stage& s) { s.world->set_tasks({}); return false; }},
     {"set_clock", [](Stage& s) { s.world->set_clock(nullptr); return false; }},
     {"set_hooks", [](Stage& s) { s.world->set_hooks({}); return false; }},
+    {"set_error_hook", [](Stage& s) { s.world->set_error_hook(nullptr); return false; }},
     {"restore", [](Stage& s) { return s.world->restore(s.image.bytes()); }},
     {"load", [](Stage& s) { return s.world->load(s.image.bytes()); }},
     {"start_recording", [](Stage& s) { return s.world->start_recording(s.other_recording.bytes()); }},

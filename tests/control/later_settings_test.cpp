@@ -57,6 +57,66 @@ TEST(WorldSettings, TheSpeedLimitHoldsFromTheNextStep) {
     EXPECT_NEAR(w->linear_velocity(body).y, 8, 1e-4f);
 }
 
+TEST(WorldSettings, TheErrorHookCanBeReplacedAndRemoved) {
+    TestWorld w;
+    const ErrorHook first = w->error_hook();
+    EXPECT_EQ(w->error_context(), &w) << "as it was given at creation";
+    const std::uint64_t before = w->hash();
+    const std::size_t bytes = w->snapshot_bytes();
+    std::vector<Error> heard;
+    w->set_error_hook([](Error error, void* list) { static_cast<std::vector<Error>*>(list)->push_back(error); }, &heard);
+    EXPECT_EQ(w->error_context(), &heard);
+    EXPECT_NE(w->error_hook(), first);
+    w->step(-1);
+    EXPECT_EQ(heard, std::vector<Error>{Error::bad_time_step});
+    EXPECT_TRUE(w.errors.empty()) << "the hook before is told no more";
+    w->set_error_hook(nullptr);
+    EXPECT_EQ(w->error_hook(), nullptr);
+    EXPECT_EQ(w->error_context(), nullptr);
+    w->set_max_speed(-1);
+    EXPECT_EQ(heard.size(), 1u) << "no hook is told, but";
+    EXPECT_EQ(w->last_error(), Error::out_of_range);
+    EXPECT_EQ(w->hash(), before);
+    EXPECT_EQ(w->snapshot_bytes(), bytes);
+    w->set_error_hook(first, &w);
+    w->step(-1);
+    EXPECT_EQ(w.errors, std::vector<Error>{Error::bad_time_step});
+}
+
+TEST(WorldSettings, TheErrorHookSetLastIsThatOfACopy) {
+    TestWorld w;
+    int heard = 0;
+    w->set_error_hook([](Error, void* count) { ++*static_cast<int*>(count); }, &heard);
+    Block block(world_bytes(roomy));
+    std::vector<std::byte> image(w->snapshot_bytes());
+    World* copy = copy_world(*w, block.span(), roomy, image);
+    ASSERT_NE(copy, nullptr);
+    EXPECT_EQ(copy->error_hook(), w->error_hook());
+    copy->step(-1);
+    EXPECT_EQ(heard, 1);
+}
+
+// What the hook itself calls is refused without another call of it, so it can not remove itself either.
+TEST(WorldSettings, TheErrorHookDoesNotReplaceItself) {
+    struct Self {
+        World* world;
+        int heard;
+    } self{nullptr, 0};
+    TestWorld w;
+    self.world = w.get();
+    w->set_error_hook(
+        [](Error, void* context) {
+            ++static_cast<Self*>(context)->heard;
+            static_cast<Self*>(context)->world->set_error_hook(nullptr);
+        },
+        &self);
+    w->step(-1);
+    EXPECT_EQ(w->last_error(), Error::in_step);
+    EXPECT_EQ(w->error_context(), &self);
+    w->step(-1);
+    EXPECT_EQ(self.heard, 2);
+}
+
 TEST(WorldSettings, OutOfRangeAreRefused) {
     TestWorld w;
     const std::uint64_t before = w->hash();

@@ -231,5 +231,19 @@ TEST(Wind, TurnsWhatItStrikesOffCentreAndLeavesSleepersIfAsked) {
     EXPECT_NEAR(w->angular_velocity(vane), -0.5f * 1.225f * 25 * 2 * arm * 0.01f / inertia, 1e-4f);
 }
 
+// A breeze of 0.5 * 1.225 * 1 * 1 = 0.6 N on a box of 10 N that friction holds, in every step for 2 s.
+TEST(Wind, LetsABodyAtRestFallAsleepIfAsked) {
+    for (const bool wake : {false, true}) {
+        TestWorld w;
+        w.add_ground();
+        const BodyId box = w.add_box({0, 0.5f});
+        for (int i = 0; i < 120; ++i) {
+            w->apply_wind(w.shape_of(box), {.velocity = {1, 0}, .wake = wake});
+            w.step();
+        }
+        EXPECT_EQ(w->is_awake(box), wake);
+    }
+}
+
 }  // namespace
 }  // namespace islet::test

@@ -26,7 +26,7 @@ extern Capacity capacity;
 
 // The game: time, what the player does, where things are.
 inline constexpr float dt = 1.0f / 60, h = dt / 4;
-extern float owed, elapsed, stick, lowest;
+extern float owed, elapsed, stick, lowest, strongest;
 extern bool pressed;
 extern Transform before, now;
 extern Vec2 eye, direction, hand, blast;

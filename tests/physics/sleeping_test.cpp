@@ -108,6 +108,73 @@ TEST(Sleep, AnIslandWakesAsAWhole) {
     EXPECT_EQ(awake_of(world, other), 0u);
 }
 
+// -- pushes that do not wake -------------------------------------------------------------------------------------------------------------
+
+struct NamedPush {
+    const char* name;
+    void (*push)(World& w, BodyId body, float by, bool wake);
+};
+const NamedPush pushes[] = {
+    {"apply_force", [](World& w, BodyId b, float by, bool wake) { w.apply_force(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake); }},
+    {"apply_force_to_center", [](World& w, BodyId b, float by, bool wake) { w.apply_force_to_center(b, {by, 0}, wake); }},
+    {"apply_torque", [](World& w, BodyId b, float by, bool wake) { w.apply_torque(b, by, wake); }},
+    {"apply_linear_impulse", [](World& w, BodyId b, float by, bool wake) { w.apply_linear_impulse(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake); }},
+    {"apply_linear_impulse_to_center", [](World& w, BodyId b, float by, bool wake) { w.apply_linear_impulse_to_center(b, {by, 0}, wake); }},
+    {"apply_angular_impulse", [](World& w, BodyId b, float by, bool wake) { w.apply_angular_impulse(b, by, wake); }},
+};
+
+TEST(Sleep, PushesThatDoNotWakeHaveNoEffectOnASleepingBody) {
+    for (const NamedPush& p : pushes) {
+        SCOPED_TRACE(p.name);
+        TestWorld world;
+        world.add_ground();
+        const std::vector<BodyId> tower = add_tower(world, 0);
+        ASSERT_LT(steps_to_sleep(world, tower), 600);
+        const std::uint64_t before = world->hash();
+        p.push(*world, tower[2], 5, false);
+        EXPECT_EQ(awake_of(world, tower), 0u);
+        EXPECT_EQ(world->hash(), before);
+        EXPECT_TRUE(world.errors.empty());
+        p.push(*world, tower[2], NAN, false);
+        EXPECT_EQ(world->last_error(), Error::not_finite) << "arguments are checked all the same";
+        p.push(*world, tower[2], 5, true);
+        EXPECT_EQ(awake_of(world, tower), tower.size());
+    }
+}
+
+// On an awake body they are the pushes that wake: of a box of 1 kg and 1/6 kg m^2, by 3 N, N m, N s or N m s over a step of 1/60 s.
+TEST(Sleep, PushesThatDoNotWakeMoveAnAwakeBody) {
+    for (const NamedPush& p : pushes) {
+        SCOPED_TRACE(p.name);
+        WorldDef def;
+        def.gravity = {0, 0};
+        TestWorld world(roomy, def), other(roomy, def);
+        const BodyId body = world.add_box({0, 0}), same = other.add_box({0, 0});
+        p.push(*world, body, 3, false);
+        p.push(*other, same, 3, true);
+        world.step();
+        other.step();
+        EXPECT_GT(length(world->linear_velocity(body)) + std::fabs(world->angular_velocity(body)), 2.9f / 60);
+        EXPECT_EQ(world->linear_velocity(body), other->linear_velocity(same));
+        EXPECT_EQ(world->angular_velocity(body), other->angular_velocity(same));
+    }
+}
+
+// A force of 1 N on a box of 10 N that friction of 0.6 holds, in every step for 2 s.
+TEST(Sleep, PushesThatDoNotWakeLetABodyAtRestFallAsleep) {
+    for (const bool wake : {false, true}) {
+        TestWorld world;
+        world.add_ground();
+        const BodyId box = world.add_box({0, 0.5f});
+        for (int i = 0; i < 120; ++i) {
+            world->apply_force_to_center(box, {1, 0}, wake);
+            world.step();
+        }
+        EXPECT_EQ(world->is_awake(box), wake);
+        EXPECT_NEAR(world->position(box).x, 0, 0.01f);
+    }
+}
+
 TEST(Sleep, ALandingBodyWakesWhatItHits) {
     TestWorld world;
     world.add_ground();

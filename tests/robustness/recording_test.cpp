@@ -125,6 +125,14 @@ void make_every_call(World& w) {
     for (int i = 0; i < 5; ++i) w.step(1.0f / 60);
     w.enable_sleep(true);
     w.sleep(bodies[4]);
+    for (const BodyId body : {bodies[2], bodies[4]}) {
+        w.apply_force(body, {1, 2}, {-5, 1}, false);
+        w.apply_force_to_center(body, {0.1f, 0.2f}, false);
+        w.apply_torque(body, 0.3f, false);
+        w.apply_linear_impulse(body, {0.01f, 0.02f}, {-3, 1.4f}, false);
+        w.apply_linear_impulse_to_center(body, {0.01f, 0.03f}, false);
+        w.apply_angular_impulse(body, 0.001f, false);
+    }
     w.step(1.0f / 60);
     w.destroy_joint(joints[0]);
     w.destroy_shape(pill);
@@ -157,6 +165,45 @@ TEST(Recording, HoldsEveryCallOnce) {
             EXPECT_EQ(w->user_data(joint), other->user_data(joint));
         }
     }
+}
+
+// A call and an argument of 32 bits take four bytes, an id eight. Pushes that wake are recorded as ever, so that earlier versions read them.
+TEST(Recording, OnlyPushesThatDoNotWakeSayWhetherTheyDo) {
+    Tape tape(1 << 16);
+    TestWorld w;
+    const BodyId box = w.add_box({0, 0});
+    ASSERT_TRUE(w->start_recording(tape.bytes));
+    const auto bytes_of = [&](auto call) {
+        const std::size_t before = w->recorded_bytes();
+        call();
+        return w->recorded_bytes() - before;
+    };
+    for (const bool wake : {true, false}) {
+        const std::size_t more = wake ? 0 : 4;
+        EXPECT_EQ(bytes_of([&] { w->apply_force(box, {1, 0}, {2, 0}, wake); }), 28 + more);
+        EXPECT_EQ(bytes_of([&] { w->apply_force_to_center(box, {1, 0}, wake); }), 20 + more);
+        EXPECT_EQ(bytes_of([&] { w->apply_torque(box, 1, wake); }), 16 + more);
+        EXPECT_EQ(bytes_of([&] { w->apply_linear_impulse(box, {1, 0}, {2, 0}, wake); }), 28 + more);
+        EXPECT_EQ(bytes_of([&] { w->apply_linear_impulse_to_center(box, {1, 0}, wake); }), 20 + more);
+        EXPECT_EQ(bytes_of([&] { w->apply_angular_impulse(box, 1, wake); }), 16 + more);
+    }
+}
+
+TEST(Recording, PushesThatDoNotWakeLeaveBodiesAsleepInReplays) {
+    Tape tape(1 << 16);
+    TestWorld w, other;
+    w.add_ground();
+    const BodyId box = w.add_box({0, 0.5f});
+    ASSERT_TRUE(w->start_recording(tape.bytes));
+    for (int i = 0; i < 90; ++i) {
+        w->apply_force_to_center(box, {1, 0}, false);
+        w.step();
+    }
+    ASSERT_FALSE(w->is_awake(box));
+    const ReplayResult result = replay(*other, tape.bytes.first(w->stop_recording()));
+    EXPECT_EQ(result.end, ReplayEnd::complete) << describe(result.error) << " step " << result.steps;
+    EXPECT_FALSE(other->is_awake(box));
+    EXPECT_EQ(other->hash(), w->hash());
 }
 
 TEST(Recording, BeginsAtAnyStepAndStopsAtAnyStep) {

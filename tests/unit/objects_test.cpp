@@ -47,6 +47,124 @@ TEST(Ranges, OfAnEmptyWorldAreEmpty) {
     for (const JointId joint : all_joints(*w)) ADD_FAILURE() << joint.index1;
 }
 
+template <class Range>
+auto listed(const Range& range) {
+    std::vector<std::decay_t<decltype(*range.begin())>> all;
+    for (const auto& item : range) all.push_back(item);
+    return all;
+}
+bool same(const ContactInfo& a, const ContactInfo& b) {
+    return a.shape_a == b.shape_a && a.shape_b == b.shape_b && a.normal == b.normal && a.point_count == b.point_count && a.points[0].point == b.points[0].point;
+}
+
+// A machine of joints of all types, a pile on compound bodies, and for each body and shape the lists that shapes, joints and contacts write.
+TEST(Ranges, OfABodyOrShapeHoldWhatItsListsHold) {
+    TestWorld w;
+    w.add_ground();
+    add_machine(*w, {0, 10});
+    for (int i = 0; i < 12; ++i) {
+        const BodyId body = w.add_box({static_cast<float>(i % 4) * 1.1f, 0.5f + static_cast<float>(i / 4)});
+        w->create_shape(body, Circle{{0, 0.2f}, 0.5f});
+        w->create_shape(body, make_offset_box(0.6f, 0.1f, {{0, 0}, {}}));
+    }
+    w.step(20);
+    std::size_t most_shapes = 0, most_joints = 0, most_contacts = 0, most_of_shape = 0;
+    const auto expect_contacts = [&](auto of, std::size_t& most) {
+        std::vector<ContactInfo> expected(w->contacts(of, {}));
+        w->contacts(of, expected);
+        const std::vector<ContactInfo> found = listed(contacts_of(*w, of));
+        ASSERT_EQ(found.size(), expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) EXPECT_TRUE(same(found[i], expected[i]));
+        most = std::max(most, found.size());
+    };
+    for (const BodyId body : all_bodies(*w)) {
+        std::vector<ShapeId> shapes(w->shapes(body, {}));
+        w->shapes(body, shapes);
+        EXPECT_EQ(listed(shapes_of(*w, body)), shapes);
+        std::vector<JointId> joints(w->joints(body, {}));
+        w->joints(body, joints);
+        EXPECT_EQ(listed(joints_of(*w, body)), joints);
+        expect_contacts(body, most_contacts);
+        for (const ShapeId shape : shapes) expect_contacts(shape, most_of_shape);
+        most_shapes = std::max(most_shapes, shapes.size());
+        most_joints = std::max(most_joints, joints.size());
+    }
+    EXPECT_GE(most_shapes, 3u);
+    EXPECT_GE(most_joints, 2u);
+    EXPECT_GE(most_contacts, 4u);
+    EXPECT_GE(most_of_shape, 2u);
+    EXPECT_TRUE(w.errors.empty());
+}
+
+TEST(Ranges, OfABodyMayLoseTheObjectTheyAreAt) {
+    TestWorld w;
+    const BodyId hub = w.add_box({0, 0});
+    for (int i = 0; i < 5; ++i) {
+        w->create_shape(hub, Circle{{static_cast<float>(i), 0}, 0.2f});
+        RevoluteJointDef hinge;
+        hinge.base.body_a = i % 2 == 0 ? hub : w.add_box({5, 5});
+        hinge.base.body_b = i % 2 == 0 ? w.add_box({9, 9}) : hub;
+        ASSERT_TRUE(w->create_joint(hinge));
+    }
+    int shapes = 0, joints = 0;
+    for (const ShapeId shape : shapes_of(*w, hub)) {
+        w->destroy_shape(shape);
+        ++shapes;
+    }
+    for (const JointId joint : joints_of(*w, hub)) {
+        w->destroy_joint(joint);
+        ++joints;
+    }
+    EXPECT_EQ(shapes, 6);
+    EXPECT_EQ(joints, 5);
+    EXPECT_EQ(w->shapes(hub, {}) + w->joints(hub, {}), 0u);
+    EXPECT_TRUE(w.errors.empty());
+    EXPECT_EQ(w->validate(), nullptr);
+}
+
+TEST(Ranges, AreEmptyWhereThereIsNothing) {
+    TestWorld w;
+    const BodyId none = w->create_body({});
+    EXPECT_TRUE(listed(shapes_of(*w, none)).empty() && listed(joints_of(*w, none)).empty() && listed(contacts_of(*w, none)).empty());
+    EXPECT_TRUE(w.errors.empty());
+    w->destroy_body(none);
+    EXPECT_TRUE(listed(shapes_of(*w, none)).empty() && listed(joints_of(*w, none)).empty() && listed(contacts_of(*w, none)).empty());
+    EXPECT_TRUE(listed(contacts_of(*w, ShapeId{})).empty());
+    EXPECT_EQ(w.errors, (std::vector<Error>{Error::stale_id, Error::stale_id, Error::stale_id, Error::null_id}));
+}
+
+TEST(Ranges, RefuseToGoOnFromWhatIsAnotherBodys) {
+    TestWorld w;
+    const BodyId ground = w.add_ground();
+    const BodyId a = w.add_box({0, 0.5f}), b = w.add_box({5, 0.5f}), c = w.add_box({10, 5});
+    RevoluteJointDef hinge;
+    hinge.base.body_a = a;
+    hinge.base.body_b = b;
+    const JointId joint = w->create_joint(hinge);
+    w.step(3);
+    ContactInfo contact;
+    const std::uint32_t number = w->next_contact(a, 0, contact);
+    ASSERT_NE(number, 0u);
+    ASSERT_TRUE(contact.shape_a == w.shape_of(ground) || contact.shape_b == w.shape_of(ground));
+    EXPECT_NE(w->next_contact(ground, 0, contact), 0u);
+    w.errors.clear();
+    const auto refused = [&](auto found) {
+        EXPECT_FALSE(found);
+        EXPECT_EQ(w->last_error(), Error::out_of_range);
+        w->clear_error();
+    };
+    refused(w->next_shape(b, w.shape_of(a)));
+    refused(w->next_joint(c, joint));
+    refused(w->next_contact(b, number, contact));
+    refused(w->next_contact(w.shape_of(b), number, contact));
+    refused(w->next_contact(a, 4000, contact));
+    refused(w->next_contact(a, 0xffffffffu, contact));
+    EXPECT_EQ(w.errors.size(), 6u);
+    w->destroy_joint(joint);
+    EXPECT_FALSE(w->next_joint(a, joint));
+    EXPECT_EQ(w->last_error(), Error::stale_id);
+}
+
 TEST(Ids, AreKeysOfContainers) {
     TestWorld w;
     std::unordered_map<BodyId, int, IdHash> scores;

@@ -106,33 +106,33 @@ IsletError islet_body_set_target(IsletWorld* world, IsletBodyId body, IsletTrans
     return end(world);
 }
 
-IsletError islet_body_apply_force(IsletWorld* world, IsletBodyId body, IsletVec2 force, IsletVec2 point) {
-    if (begin(world)) of(world).apply_force(in<BodyId>(body), in<Vec2>(force), in<Vec2>(point));
+IsletError islet_body_apply_force(IsletWorld* world, IsletBodyId body, IsletVec2 force, IsletVec2 point, bool wake) {
+    if (begin(world)) of(world).apply_force(in<BodyId>(body), in<Vec2>(force), in<Vec2>(point), wake);
     return end(world);
 }
 
-IsletError islet_body_apply_force_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 force) {
-    if (begin(world)) of(world).apply_force_to_center(in<BodyId>(body), in<Vec2>(force));
+IsletError islet_body_apply_force_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 force, bool wake) {
+    if (begin(world)) of(world).apply_force_to_center(in<BodyId>(body), in<Vec2>(force), wake);
     return end(world);
 }
 
-IsletError islet_body_apply_torque(IsletWorld* world, IsletBodyId body, float torque) {
-    if (begin(world)) of(world).apply_torque(in<BodyId>(body), torque);
+IsletError islet_body_apply_torque(IsletWorld* world, IsletBodyId body, float torque, bool wake) {
+    if (begin(world)) of(world).apply_torque(in<BodyId>(body), torque, wake);
     return end(world);
 }
 
-IsletError islet_body_apply_linear_impulse(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, IsletVec2 point) {
-    if (begin(world)) of(world).apply_linear_impulse(in<BodyId>(body), in<Vec2>(impulse), in<Vec2>(point));
+IsletError islet_body_apply_linear_impulse(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, IsletVec2 point, bool wake) {
+    if (begin(world)) of(world).apply_linear_impulse(in<BodyId>(body), in<Vec2>(impulse), in<Vec2>(point), wake);
     return end(world);
 }
 
-IsletError islet_body_apply_linear_impulse_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 impulse) {
-    if (begin(world)) of(world).apply_linear_impulse_to_center(in<BodyId>(body), in<Vec2>(impulse));
+IsletError islet_body_apply_linear_impulse_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, bool wake) {
+    if (begin(world)) of(world).apply_linear_impulse_to_center(in<BodyId>(body), in<Vec2>(impulse), wake);
     return end(world);
 }
 
-IsletError islet_body_apply_angular_impulse(IsletWorld* world, IsletBodyId body, float impulse) {
-    if (begin(world)) of(world).apply_angular_impulse(in<BodyId>(body), impulse);
+IsletError islet_body_apply_angular_impulse(IsletWorld* world, IsletBodyId body, float impulse, bool wake) {
+    if (begin(world)) of(world).apply_angular_impulse(in<BodyId>(body), impulse, wake);
     return end(world);
 }
 
@@ -315,6 +315,18 @@ uint32_t islet_body_contacts(const IsletWorld* world, IsletBodyId body, IsletCon
 uint32_t islet_body_shapes(const IsletWorld* world, IsletBodyId body, IsletShapeId* out, size_t out_count) {
     uint32_t found = {};
     if (world != nullptr && is_there(world, out, out_count)) found = of(world).shapes(in<BodyId>(body), span_of<ShapeId>(out, out_count));
+    return found;
+}
+
+IsletShapeId islet_body_next_shape(const IsletWorld* world, IsletBodyId body, IsletShapeId shape) {
+    ShapeId found = {};
+    if (world != nullptr) found = of(world).next_shape(in<BodyId>(body), in<ShapeId>(shape));
+    return out(found);
+}
+
+uint32_t islet_body_next_contact(const IsletWorld* world, IsletBodyId body, uint32_t contact, IsletContactInfo* out) {
+    uint32_t found = {};
+    if (world != nullptr && is_there(world, out)) found = of(world).next_contact(in<BodyId>(body), contact, *cast<ContactInfo>(out));
     return found;
 }
 

@@ -128,4 +128,68 @@ IsletFieldFault islet_find_angle_joint_def_fault(const IsletAngleJointDef* def) 
     return out(found);
 }
 
+IsletFieldFault islet_find_capacity_fault(const IsletCapacity* capacity) {
+    Room<Capacity> capacity_room;
+    const Capacity* capacity_taken = nullptr;
+    FieldFault found = {static_cast<Error>(why(capacity)), nullptr};
+    if ((capacity_taken = take<Capacity>(nullptr, capacity, capacity_room)) != nullptr) found = islet::find_fault(*capacity_taken);
+    return out(found);
+}
+
+IsletFieldFault islet_find_mass_data_fault(const IsletMassData* mass) {
+    FieldFault found = {static_cast<Error>(why(mass)), nullptr};
+    if (is_there(nullptr, mass)) found = islet::find_fault(*cast<const MassData>(mass));
+    return out(found);
+}
+
+IsletFieldFault islet_find_surface_material_fault(const IsletSurfaceMaterial* material) {
+    FieldFault found = {static_cast<Error>(why(material)), nullptr};
+    if (is_there(nullptr, material)) found = islet::find_fault(*cast<const SurfaceMaterial>(material));
+    return out(found);
+}
+
+IsletFieldFault islet_find_joint_frame_fault(const IsletJointFrame* frame) {
+    FieldFault found = {static_cast<Error>(why(frame)), nullptr};
+    if (is_there(nullptr, frame)) found = islet::find_fault(*cast<const JointFrame>(frame));
+    return out(found);
+}
+
+IsletFieldFault islet_find_joint_spring_fault(const IsletJointSpring* spring) {
+    FieldFault found = {static_cast<Error>(why(spring)), nullptr};
+    if (is_there(nullptr, spring)) found = islet::find_fault(*cast<const JointSpring>(spring));
+    return out(found);
+}
+
+IsletFieldFault islet_find_joint_softness_fault(const IsletJointSoftness* softness) {
+    FieldFault found = {static_cast<Error>(why(softness)), nullptr};
+    if (is_there(nullptr, softness)) found = islet::find_fault(*cast<const JointSoftness>(softness));
+    return out(found);
+}
+
+IsletFieldFault islet_find_joint_limit_fault(const IsletJointLimit* limit) {
+    FieldFault found = {static_cast<Error>(why(limit)), nullptr};
+    if (is_there(nullptr, limit)) found = islet::find_fault(*cast<const JointLimit>(limit));
+    return out(found);
+}
+
+IsletFieldFault islet_find_joint_motor_fault(const IsletJointMotor* motor) {
+    FieldFault found = {static_cast<Error>(why(motor)), nullptr};
+    if (is_there(nullptr, motor)) found = islet::find_fault(*cast<const JointMotor>(motor));
+    return out(found);
+}
+
+IsletFieldFault islet_find_joint_ratchet_fault(const IsletJointRatchet* ratchet) {
+    FieldFault found = {static_cast<Error>(why(ratchet)), nullptr};
+    if (is_there(nullptr, ratchet)) found = islet::find_fault(*cast<const JointRatchet>(ratchet));
+    return out(found);
+}
+
+IsletFieldFault islet_find_mover_def_fault(const IsletMoverDef* def) {
+    Room<MoverDef> def_room;
+    const MoverDef* def_taken = nullptr;
+    FieldFault found = {static_cast<Error>(why(def)), nullptr};
+    if ((def_taken = take<MoverDef>(nullptr, def, def_room)) != nullptr) found = islet::find_fault(*def_taken);
+    return out(found);
+}
+
 }  // extern "C"

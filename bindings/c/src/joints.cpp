@@ -123,6 +123,12 @@ uint32_t islet_body_joints(const IsletWorld* world, IsletBodyId body, IsletJoint
     return found;
 }
 
+IsletJointId islet_body_next_joint(const IsletWorld* world, IsletBodyId body, IsletJointId joint) {
+    JointId found = {};
+    if (world != nullptr) found = of(world).next_joint(in<BodyId>(body), in<JointId>(joint));
+    return out(found);
+}
+
 IsletJointType islet_joint_type(const IsletWorld* world, IsletJointId joint) {
     JointType found = {};
     if (world != nullptr) found = of(world).joint_type(in<JointId>(joint));

@@ -70,6 +70,12 @@ uint32_t islet_shape_contacts(const IsletWorld* world, IsletShapeId shape, Islet
     return found;
 }
 
+uint32_t islet_shape_next_contact(const IsletWorld* world, IsletShapeId shape, uint32_t contact, IsletContactInfo* out) {
+    uint32_t found = {};
+    if (world != nullptr && is_there(world, out)) found = of(world).next_contact(in<ShapeId>(shape), contact, *cast<ContactInfo>(out));
+    return found;
+}
+
 IsletBodyId islet_shape_body(const IsletWorld* world, IsletShapeId shape) {
     BodyId found = {};
     if (world != nullptr) found = of(world).body(in<ShapeId>(shape));

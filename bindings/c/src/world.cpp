@@ -157,6 +157,23 @@ IsletError islet_world_report(const IsletWorld* world, IsletStepReport* out) {
     return ISLET_ERROR_NONE;
 }
 
+IsletErrorHook islet_world_error_hook(const IsletWorld* world) {
+    ErrorHook found = nullptr;
+    if (world != nullptr) found = of(world).error_hook();
+    return function<IsletErrorHook>(found);
+}
+
+void* islet_world_error_context(const IsletWorld* world) {
+    void* found = {};
+    if (world != nullptr) found = of(world).error_context();
+    return found;
+}
+
+IsletError islet_world_set_error_hook(IsletWorld* world, IsletErrorHook hook, void* context) {
+    if (begin(world)) of(world).set_error_hook(function<ErrorHook>(hook), context);
+    return end(world);
+}
+
 uint64_t islet_world_step_count(const IsletWorld* world) {
     uint64_t found = {};
     if (world != nullptr) found = of(world).step_count();

@@ -49,6 +49,8 @@ export declare class World extends Calls {
     static at(make: (errorHook: number, errorContext: number) => number, onError?: (error: IsletError) => void): World;
     /** Its address in the engine's memory. */
     readonly pointer: number;
+    /** WorldOptions.onError; it can be replaced at any time. */
+    onError: (error: IsletError) => void;
 
     /** Gives the world's memory back. The garbage collector does not. */
     destroy(): void;

@@ -15,9 +15,11 @@
 ISLET_API_BEGIN
 namespace islet {
 
+struct MoverDef;  // mover.hpp
+
 /// A field that breaks its rules.
 struct FieldFault {
-    Error error = Error::none;    ///< not_finite, out_of_range or feature_cut; none if all fields keep their rules
+    Error error = Error::none;    ///< not_finite, out_of_range, feature_cut, bad_capacity or bad_geometry; none if all fields keep their rules
     const char* field = nullptr;  ///< its name, after those of the structs that hold it: "limit.lower", "solver.substeps"; null if there is none
 };
 
@@ -40,6 +42,19 @@ FieldFault find_fault(const MouseJointDef& def);
 FieldFault find_fault(const PulleyJointDef& def);
 FieldFault find_fault(const GearJointDef& def);
 FieldFault find_fault(const AngleJointDef& def);
+
+/// The same for what World::create, the setters of bodies, shapes and joints, and step_mover refuse. Rules that only some joints have are not checked: the
+/// limit of a distance joint begins at 0 or above, and a mouse joint has a linear frequency above 0 and no angular one.
+FieldFault find_fault(const Capacity& capacity);
+FieldFault find_fault(const MassData& mass);
+FieldFault find_fault(const SurfaceMaterial& material);
+FieldFault find_fault(const JointFrame& frame);
+FieldFault find_fault(const JointSpring& spring);
+FieldFault find_fault(const JointSoftness& softness);
+FieldFault find_fault(const JointLimit& limit);
+FieldFault find_fault(const JointMotor& motor);
+FieldFault find_fault(const JointRatchet& ratchet);
+FieldFault find_fault(const MoverDef& def);
 
 }  // namespace islet
 ISLET_API_END

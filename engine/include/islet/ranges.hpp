@@ -1,8 +1,11 @@
-// Walking over all objects of a world in the order of their slots:
+// Walking over all objects of a world in the order of their slots, and over those of one body or shape, newest first:
 //
 //     for (const islet::BodyId body : islet::all_bodies(world)) draw(world.transform(body));
+//     for (const islet::ShapeId shape : islet::shapes_of(world, body)) world.set_friction(shape, 0);
 //
-// The loop's body may change the world; objects made meanwhile are visited if their slots come later.
+// The body of a loop over all objects may change the world; objects made meanwhile are visited if their slots come later. In a loop over the shapes or joints
+// of a body it may destroy the one that it is at, but no other one of these (a joint's gears die with it); in a loop over contacts it may change nothing. A
+// range of a body or shape that does not exist is empty, and an error of the world (stale_id, null_id).
 #pragma once
 
 #include <cstdint>
@@ -54,6 +57,70 @@ bool read_slot(const World& of, std::uint32_t slot, Id& id) {
 }
 inline bool read_contact_slot(const World& of, std::uint32_t slot, ContactInfo& contact) { return of.contact_at(slot, contact); }
 
+/// The shapes or joints of a body: `Next` gives the one after another.
+template <class Id, Id (World::*Next)(BodyId, Id) const>
+class ListRange {
+public:
+    class Iterator {
+    public:
+        Iterator() = default;
+        Iterator(const World& of, BodyId body) : world_(&of), body_(body), item_((of.*Next)(body, {})) { look_ahead(); }
+        const Id& operator*() const { return item_; }
+        Iterator& operator++() {
+            item_ = next_;
+            look_ahead();
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const { return item_ != other.item_; }
+
+    private:
+        void look_ahead() { next_ = item_ ? (world_->*Next)(body_, item_) : Id{}; }  // before the loop's body may destroy the item
+
+        const World* world_ = nullptr;
+        BodyId body_ = {};
+        Id item_ = {}, next_ = {};
+    };
+
+    ListRange(const World& of, BodyId body) : world_(&of), body_(body) {}
+    Iterator begin() const { return {*world_, body_}; }
+    Iterator end() const { return {}; }
+
+private:
+    const World* world_;
+    BodyId body_;
+};
+
+/// The touching contacts of a body or a shape.
+template <class Id>
+class ContactRange {
+public:
+    class Iterator {
+    public:
+        Iterator() = default;
+        Iterator(const World& world, Id of) : world_(&world), of_(of), number_(world.next_contact(of, 0, contact_)) {}
+        const ContactInfo& operator*() const { return contact_; }
+        Iterator& operator++() {
+            number_ = world_->next_contact(of_, number_, contact_);
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const { return number_ != other.number_; }
+
+    private:
+        const World* world_ = nullptr;
+        Id of_ = {};
+        ContactInfo contact_ = {};
+        std::uint32_t number_ = 0;
+    };
+
+    ContactRange(const World& world, Id of) : world_(&world), of_(of) {}
+    Iterator begin() const { return {*world_, of_}; }
+    Iterator end() const { return {}; }
+
+private:
+    const World* world_;
+    Id of_;
+};
+
 }  // namespace detail
 
 /// Ids of all bodies.
@@ -64,6 +131,15 @@ inline auto all_shapes(const World& of) { return detail::SlotRange<ShapeId, deta
 inline auto all_joints(const World& of) { return detail::SlotRange<JointId, detail::read_slot<JointId, &World::joint_at>>(of, of.capacity().joints); }
 /// All contacts that touch, as ContactInfo.
 inline auto all_contacts(const World& of) { return detail::SlotRange<ContactInfo, detail::read_contact_slot>(of, of.capacity().contacts); }
+
+/// Ids of the body's shapes.
+inline auto shapes_of(const World& of, BodyId body) { return detail::ListRange<ShapeId, &World::next_shape>(of, body); }
+/// Ids of the body's joints.
+inline auto joints_of(const World& of, BodyId body) { return detail::ListRange<JointId, &World::next_joint>(of, body); }
+/// The body's touching contacts, as ContactInfo.
+inline auto contacts_of(const World& of, BodyId body) { return detail::ContactRange<BodyId>(of, body); }
+/// The shape's touching contacts, as ContactInfo.
+inline auto contacts_of(const World& of, ShapeId shape) { return detail::ContactRange<ShapeId>(of, shape); }
 
 }  // namespace islet
 ISLET_API_END

@@ -334,7 +334,7 @@ struct WindDef {
     float drag = 1;          ///< >= 0, coefficient of the force along the stream: 1.2 to 2 for a flat plate across it, about 1 for a disc
     float lift = 0;          ///< coefficient of the force across the stream
     float density = 1.225f;  ///< kg/m^3, >= 0, of a slice one metre deep: air
-    bool wake = true;        ///< false: no effect on bodies that sleep
+    bool wake = true;        ///< false: no effect on bodies that sleep, and bodies that rest may fall asleep in the wind
 };
 
 /// What the last step did.

@@ -117,6 +117,12 @@ public:
     /// The last error since creation or clear_error().
     Error last_error() const;
     void clear_error();
+    /// The error hook as it was last set (WorldDef::error_hook); null if there is none.
+    ErrorHook error_hook() const;
+    /// What the error hook gets as its context; null by default.
+    void* error_context() const;
+    /// Sets the function that receives each error; null for none. The hook is not part of the state: hashes, snapshots and recordings do not contain it.
+    void set_error_hook(ErrorHook hook, void* context = nullptr);
     /// Hash of all persistent state that affects the future, and of nothing else. Worlds with equal hashes have equal futures, and their next steps report
     /// equal events, those of touches that ended since the last step included. Returns 0 on an error: in_step.
     std::uint64_t hash() const;
@@ -219,14 +225,14 @@ public:
     /// turn. The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
     void set_target(BodyId body, const Transform& target, float dt);
 
-    /// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s)
-    /// act at once. To leave sleeping bodies alone, ask is_awake first.
-    void apply_force(BodyId body, Vec2 force, Vec2 point);
-    void apply_force_to_center(BodyId body, Vec2 force);
-    void apply_torque(BodyId body, float torque);
-    void apply_linear_impulse(BodyId body, Vec2 impulse, Vec2 point);
-    void apply_linear_impulse_to_center(BodyId body, Vec2 impulse);
-    void apply_angular_impulse(BodyId body, float impulse);
+    /// Forces (N) and torques (N m) act over the next step and are then cleared. Impulses (N s, N m s) act at once. All of these need a dynamic body, and
+    /// wake it. With wake = false they have no effect on a body that sleeps, and do not keep a body that rests from falling asleep.
+    void apply_force(BodyId body, Vec2 force, Vec2 point, bool wake = true);
+    void apply_force_to_center(BodyId body, Vec2 force, bool wake = true);
+    void apply_torque(BodyId body, float torque, bool wake = true);
+    void apply_linear_impulse(BodyId body, Vec2 impulse, Vec2 point, bool wake = true);
+    void apply_linear_impulse_to_center(BodyId body, Vec2 impulse, bool wake = true);
+    void apply_angular_impulse(BodyId body, float impulse, bool wake = true);
 
     /// Static, kinematic or dynamic.
     BodyType type(BodyId body) const;
@@ -283,6 +289,12 @@ public:
     std::uint32_t contacts(BodyId body, span<ContactInfo> out) const;
     /// Writes the ids of the body's shapes, newest first, as far as they fit; returns how many there are.
     std::uint32_t shapes(BodyId body, span<ShapeId> out) const;
+    /// For walking over a body's shapes without memory (ranges.hpp): the next one in the order of shapes(), the first one after null. Returns null after the
+    /// last one, and on an error: out_of_range if `shape` is not the body's.
+    ShapeId next_shape(BodyId body, ShapeId shape = {}) const;
+    /// The same for its touching contacts, in the order of contacts(). `contact` is 0 at first, and then what the last call returned: slot + 1 of the contact
+    /// that it wrote to `out`, or 0 after the last one and on an error: out_of_range if `contact` is none of the body's.
+    std::uint32_t next_contact(BodyId body, std::uint32_t contact, ContactInfo& out) const;
 
     // -- shapes ----------------------------------------------------------------------------------------------------------------
 
@@ -307,6 +319,8 @@ public:
     ShapeId shape_at(std::uint32_t slot) const;
     /// Writes the shape's touching contacts, newest first, as far as they fit; returns how many there are.
     std::uint32_t contacts(ShapeId shape, span<ContactInfo> out) const;
+    /// The next of these, as next_contact of a body: out_of_range if `contact` is none of the shape's body.
+    std::uint32_t next_contact(ShapeId shape, std::uint32_t contact, ContactInfo& out) const;
 
     /// The body that the shape belongs to.
     BodyId body(ShapeId shape) const;
@@ -402,6 +416,9 @@ public:
     JointId joint_at(std::uint32_t slot) const;
     /// Writes the ids of the body's joints, newest first, as far as they fit; returns how many there are.
     std::uint32_t joints(BodyId body, span<JointId> out) const;
+    /// The next one in this order, the first one after null. Returns null after the last one, and on an error: out_of_range if `joint` does not hang on the
+    /// body.
+    JointId next_joint(BodyId body, JointId joint = {}) const;
 
     /// Which kind of joint it is.
     JointType joint_type(JointId joint) const;

@@ -11,6 +11,11 @@ inline constexpr float time_to_learn = 0.25f;  // s at rest before its contacts 
 
 /// Wakes a body and, along touching contacts and joints, every dynamic body of its island. No effect on static bodies.
 void wake_island(Core& core, std::uint32_t body, Arena arena);
+/// The same if `wake` is set. Returns whether the body, which moves, is awake then.
+inline bool wake_if(Core& core, std::uint32_t body, bool wake) {
+    if (wake) wake_island(core, body, core.arena());
+    return wake || core.is_awake(body);
+}
 /// Wakes the islands of bodies that touch the body or are joined to it; the body itself stays as it is.
 void wake_neighbors(Core& core, std::uint32_t body, Arena arena);
 /// The same, and destroys the body's contacts.

@@ -99,7 +99,13 @@
     X(set_sensor, set_sensor, ShapeId, bool) \
     X(set_softness, set_softness, JointId, JointSoftness) \
     X(set_grounds, set_grounds, JointId, Vec2, Vec2) \
-    X(set_joint_ratio, set_joint_ratio, JointId, float)
+    X(set_joint_ratio, set_joint_ratio, JointId, float) \
+    X(apply_force_no_wake, apply_force, BodyId, Vec2, Vec2, bool) \
+    X(apply_force_to_center_no_wake, apply_force_to_center, BodyId, Vec2, bool) \
+    X(apply_torque_no_wake, apply_torque, BodyId, float, bool) \
+    X(apply_linear_impulse_no_wake, apply_linear_impulse, BodyId, Vec2, Vec2, bool) \
+    X(apply_linear_impulse_to_center_no_wake, apply_linear_impulse_to_center, BodyId, Vec2, bool) \
+    X(apply_angular_impulse_no_wake, apply_angular_impulse, BodyId, float, bool)
 // clang-format on
 
 namespace islet::detail {

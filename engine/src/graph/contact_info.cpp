@@ -56,9 +56,34 @@ std::uint32_t list_contacts(const Core& c, std::uint32_t body, std::uint32_t sha
     return n;
 }
 
+/// The first contact after one, or of all, that list_contacts would list: its slot + 1; 0 if there is none.
+std::uint32_t next_contact_of(const Core& c, std::uint32_t body, std::uint32_t shape, std::uint32_t after, ContactInfo& out) {
+    std::uint32_t key = c.bodies[body].contact_head;
+    if (after != 0) {
+        const std::uint32_t slot = after - 1;
+        const bool of_body = pool_live(c.state->contact_pool, c.contacts, slot) && (c.manifolds[slot].body_a == body || c.manifolds[slot].body_b == body);
+        if (!check(c, of_body, Error::out_of_range)) return 0;
+        key = c.contacts[slot].next[c.manifolds[slot].body_a == body ? 0 : 1];
+    }
+    while (key != 0) {
+        const std::uint32_t contact = constraint_of_key(key);
+        const Contact& of = c.contacts[contact];
+        key = of.next[side_of_key(key)];
+        if (!is_told(c.manifolds[contact]) || (shape != null_index && of.shape_a != shape && of.shape_b != shape)) continue;
+        read_contact(c, contact, out);
+        return contact + 1;
+    }
+    return 0;
+}
+
 }  // namespace
 
 std::uint32_t World::contacts(BodyId id, span<ContactInfo> out) const { ISLET_READ(list_contacts(c, i, null_index, out)); }
 std::uint32_t World::contacts(ShapeId id, span<ContactInfo> out) const { ISLET_READ(list_contacts(c, c.shapes[i].body, i, out)); }
+
+std::uint32_t World::next_contact(BodyId id, std::uint32_t contact, ContactInfo& out) const { ISLET_READ(next_contact_of(c, i, null_index, contact, out)); }
+std::uint32_t World::next_contact(ShapeId id, std::uint32_t contact, ContactInfo& out) const {
+    ISLET_READ(next_contact_of(c, c.shapes[i].body, i, contact, out));
+}
 
 }  // namespace islet

@@ -29,7 +29,27 @@ bool check_def(const Core& core, const BodyDef& d) {
            check_there(core, has_sleep || d.awake) && check_there(core, !d.bullet || has_bullets) && check_there(core, d.enabled || has_disabling);
 }
 
-enum class Push : std::uint8_t { force, impulse };
+// The calls that push stand in the table in this order: at a point, to the centre of mass, turning; first forces, then impulses. Those that wake no body have
+// `wake` as one argument more.
+constexpr bool is_force(Call push) { return push <= Call::apply_torque; }
+constexpr bool is_turn(Call push) { return push == Call::apply_torque || push == Call::apply_angular_impulse; }
+constexpr Call without_waking(Call push) {
+    return static_cast<Call>(static_cast<std::uint32_t>(push) + static_cast<std::uint32_t>(Call::apply_force_no_wake) -
+                             static_cast<std::uint32_t>(Call::apply_force));
+}
+template <Call call, class... Args>
+constexpr bool are_pushes = __is_same(typename SignatureOf<call>::Type, Signature<BodyId, Args...>) &&
+                            __is_same(typename SignatureOf<without_waking(call)>::Type, Signature<BodyId, Args..., bool>);
+static_assert(are_pushes<Call::apply_force, Vec2, Vec2> && are_pushes<Call::apply_force_to_center, Vec2> && are_pushes<Call::apply_torque, float>);
+static_assert(are_pushes<Call::apply_linear_impulse, Vec2, Vec2> && are_pushes<Call::apply_linear_impulse_to_center, Vec2> &&
+              are_pushes<Call::apply_angular_impulse, float>);
+static_assert(without_waking(Call::apply_angular_impulse) == Call::apply_angular_impulse_no_wake);
+
+[[maybe_unused, gnu::noinline, gnu::cold]] void note_push(Core& core, Call call, BodyId id, Vec2 push, float turn, const Vec2* point, bool wake) {
+    const void* const pushed = is_turn(call) ? static_cast<const void*>(&turn) : &push;
+    const void* const arguments[] = {&id, pushed, point != nullptr ? static_cast<const void*>(point) : &wake, &wake};
+    write_call(core, wake ? call : without_waking(call), arguments);
+}
 
 // Where a heavy force pulls at a body, its hinges will bear it in the next step.
 void expect_load(Core& core, std::uint32_t i) {
@@ -43,14 +63,16 @@ void expect_load(Core& core, std::uint32_t i) {
     });
 }
 
-/// Pushes a body and wakes it; no effect on a body that cannot be pushed. What turns it is `turn`, or, if a point is given, `push` at this point.
-void act_on(Core& core, BodyId id, Vec2 push, float turn, const Vec2* point, Push kind) {
+/// Pushes a body; no effect on a body that cannot be pushed. What turns it is `turn`, or, if a point is given, `push` at this point.
+void act_on(Core& core, Call call, BodyId id, Vec2 push, float turn, const Vec2* point, bool wake) {
+    if constexpr (has_recorder)
+        if (core.recording != nullptr) [[unlikely]]
+            note_push(core, call, id, push, turn, point, wake);
     if (!check_finite(core, push) || !check_finite(core, turn) || (point != nullptr && !check_finite(core, *point))) return;
     const std::uint32_t i = find_slot(core, id);
-    if (i == null_index || !is_pushable(core, i)) return;
-    wake_island(core, i, core.arena());
+    if (i == null_index || !is_pushable(core, i) || !wake_if(core, i, wake)) return;
     if (point != nullptr) turn = cross(*point - core.poses[i].center, push);
-    if (kind == Push::force) {
+    if (is_force(call)) {
         pull(core, i, push, turn);
         expect_load(core, i);
     } else {
@@ -170,6 +192,19 @@ std::uint32_t World::shapes(BodyId id, span<ShapeId> out) const {
     return n;
 }
 
+ShapeId World::next_shape(BodyId id, ShapeId shape) const {
+    const Core& c = core();
+    const std::uint32_t i = find_slot(c, id);
+    if (i == null_index) return {};
+    std::uint32_t next = c.bodies[i].shape_head;
+    if (shape) {
+        const std::uint32_t s = find_slot(c, shape);
+        if (s == null_index || !check(c, c.shapes[s].body == i, Error::out_of_range)) return {};
+        next = c.shapes[s].next;
+    }
+    return next != null_index ? c.shape_id(next) : ShapeId{};
+}
+
 void World::set_transform(BodyId id, Vec2 position, float angle) {
     const DefaultFloatMode mode;
     const auto [c, i] = begin_call<Call::set_transform>(core(), id, position, angle);
@@ -197,30 +232,14 @@ void World::set_angular_velocity(BodyId id, float velocity) {
     if (c.is_awake(i) || !detail::is_enabled(c, i)) c.motions[i].w = velocity;
 }
 
-void World::apply_force(BodyId id, Vec2 force, Vec2 point) {
-    note_call<Call::apply_force>(core(), id, force, point);
-    act_on(core(), id, force, 0, &point, Push::force);
+void World::apply_force(BodyId id, Vec2 force, Vec2 point, bool wake) { act_on(core(), Call::apply_force, id, force, 0, &point, wake); }
+void World::apply_force_to_center(BodyId id, Vec2 force, bool wake) { act_on(core(), Call::apply_force_to_center, id, force, 0, nullptr, wake); }
+void World::apply_torque(BodyId id, float torque, bool wake) { act_on(core(), Call::apply_torque, id, {0, 0}, torque, nullptr, wake); }
+void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point, bool wake) { act_on(core(), Call::apply_linear_impulse, id, impulse, 0, &point, wake); }
+void World::apply_linear_impulse_to_center(BodyId id, Vec2 impulse, bool wake) {
+    act_on(core(), Call::apply_linear_impulse_to_center, id, impulse, 0, nullptr, wake);
 }
-void World::apply_force_to_center(BodyId id, Vec2 force) {
-    note_call<Call::apply_force_to_center>(core(), id, force);
-    act_on(core(), id, force, 0, nullptr, Push::force);
-}
-void World::apply_torque(BodyId id, float torque) {
-    note_call<Call::apply_torque>(core(), id, torque);
-    act_on(core(), id, {0, 0}, torque, nullptr, Push::force);
-}
-void World::apply_linear_impulse(BodyId id, Vec2 impulse, Vec2 point) {
-    note_call<Call::apply_linear_impulse>(core(), id, impulse, point);
-    act_on(core(), id, impulse, 0, &point, Push::impulse);
-}
-void World::apply_linear_impulse_to_center(BodyId id, Vec2 impulse) {
-    note_call<Call::apply_linear_impulse_to_center>(core(), id, impulse);
-    act_on(core(), id, impulse, 0, nullptr, Push::impulse);
-}
-void World::apply_angular_impulse(BodyId id, float impulse) {
-    note_call<Call::apply_angular_impulse>(core(), id, impulse);
-    act_on(core(), id, {0, 0}, impulse, nullptr, Push::impulse);
-}
+void World::apply_angular_impulse(BodyId id, float impulse, bool wake) { act_on(core(), Call::apply_angular_impulse, id, {0, 0}, impulse, nullptr, wake); }
 
 void World::set_type(BodyId id, BodyType type) {
     const DefaultFloatMode mode;

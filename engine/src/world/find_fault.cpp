@@ -3,10 +3,12 @@
 
 #include "islet/fault.hpp"
 
+#include "../bodies/bounds.hpp"
 #include "../calls/checks.hpp"
 #include "../constraint/angle_joint.hpp"
 #include "../data/features.hpp"
 #include "../graph/hooks.hpp"
+#include "islet/mover.hpp"
 
 namespace islet {
 
@@ -48,15 +50,41 @@ public:
         not_negative("base.break_force", b.break_force);
         not_negative("base.break_torque", b.break_torque);
     }
-    void coordinate(const JointSpring& spring, const JointLimit& limit, const JointMotor& motor) {
-        not_negative("spring.hertz", spring.hertz);
-        not_negative("spring.damping_ratio", spring.damping_ratio);
-        finite("spring.target", spring.target);
-        finite("limit.lower", limit.lower);
-        finite("limit.upper", limit.upper);
-        rule("limit.upper", limit.upper >= limit.lower, Error::out_of_range);
-        finite("motor.speed", motor.speed);
-        not_negative("motor.max_force", motor.max_force);
+    void spring(const JointSpring& s) {
+        not_negative("spring.hertz", s.hertz);
+        not_negative("spring.damping_ratio", s.damping_ratio);
+        finite("spring.target", s.target);
+    }
+    void limit(const JointLimit& l) {
+        finite("limit.lower", l.lower);
+        finite("limit.upper", l.upper);
+        rule("limit.upper", l.upper >= l.lower, Error::out_of_range);
+    }
+    void motor(const JointMotor& m) {
+        finite("motor.speed", m.speed);
+        not_negative("motor.max_force", m.max_force);
+    }
+    void ratchet(const JointRatchet& r) {
+        finite("ratchet.step", r.step);
+        rule("ratchet.step", is_ratchet_step(r.step), Error::out_of_range);
+        range("ratchet.phase", r.phase, -most_ratchet_phase, most_ratchet_phase);
+    }
+    template <class Def>
+    void coordinate(const Def& d) {
+        spring(d.spring);
+        limit(d.limit);
+        motor(d.motor);
+    }
+    /// A material's fields, which a ShapeDef has too.
+    template <class Def>
+    void surface(const Def& d) {
+        range("friction", d.friction, 0, max_coefficient);
+        range("restitution", d.restitution, 0, 1);
+        there("restitution", has_restitution || d.restitution == 0);
+        range("rolling_resistance", d.rolling_resistance, 0, max_coefficient);
+        there("rolling_resistance", has_surfaces || d.rolling_resistance == 0);
+        range("tangent_speed", d.tangent_speed, -max_speed_limit, max_speed_limit);
+        there("tangent_speed", has_surfaces || d.tangent_speed == 0);
     }
     template <class Def>
     void softness(const Def& d) {
@@ -66,9 +94,16 @@ public:
         not_negative("angular_damping_ratio", d.angular_damping_ratio);
     }
     void solver(const SolverDef& d);
+
+    /// The fault of a struct by itself, whose fields were named as those of a definition that holds it, after so many characters.
+    FieldFault without_prefix(std::uint32_t length) const { return found.field != nullptr ? FieldFault{found.error, found.field + length} : found; }
 };
 
-constexpr std::uint32_t solver_prefix = sizeof "solver." - 1;
+/// The characters of a prefix.
+template <std::uint32_t N>
+constexpr std::uint32_t length_of(const char (&)[N]) {
+    return N - 1;
+}
 
 void Finder::solver(const SolverDef& d) {
     rule("solver.schedule", d.schedule <= Schedule::classic, Error::out_of_range);
@@ -100,7 +135,7 @@ template <class Def>
 Finder along_coordinate(const Def& d) {
     Finder f;
     f.base(d.base);
-    f.coordinate(d.spring, d.limit, d.motor);
+    f.coordinate(d);
     return f;
 }
 
@@ -116,8 +151,7 @@ FieldFault along_with_friction(const Def& d) {
 FieldFault find_fault(const SolverDef& d) {
     Finder f;
     f.solver(d);
-    if (f.found.field != nullptr) f.found.field += solver_prefix;
-    return f.found;
+    return f.without_prefix(length_of("solver."));
 }
 
 FieldFault find_fault(const WorldDef& d) {
@@ -154,13 +188,7 @@ FieldFault find_fault(const BodyDef& d) {
 
 FieldFault find_fault(const ShapeDef& d) {
     Finder f;
-    f.range("friction", d.friction, 0, max_coefficient);
-    f.range("restitution", d.restitution, 0, 1);
-    f.there("restitution", has_restitution || d.restitution == 0);
-    f.range("rolling_resistance", d.rolling_resistance, 0, max_coefficient);
-    f.there("rolling_resistance", has_surfaces || d.rolling_resistance == 0);
-    f.range("tangent_speed", d.tangent_speed, -max_speed_limit, max_speed_limit);
-    f.there("tangent_speed", has_surfaces || d.tangent_speed == 0);
+    f.surface(d);
     f.not_negative("density", d.density);
     f.there("sensor", has_sensors || !d.sensor);
     f.there("hit_events", has_hits || !d.hit_events);
@@ -197,7 +225,7 @@ FieldFault find_fault(const DistanceJointDef& d) {
     Finder f;
     f.base(d.base);
     f.range("length", d.length, linear_slop, max_position);
-    f.coordinate(d.spring, d.limit, d.motor);
+    f.coordinate(d);
     f.rule("limit.lower", !d.limit.enable || d.limit.lower >= 0, Error::out_of_range);
     return f.found;
 }
@@ -250,9 +278,88 @@ FieldFault find_fault(const GearJointDef& d) {
 FieldFault find_fault(const AngleJointDef& d) {
     Finder f = along_coordinate(d);
     f.not_negative("friction", d.friction);
-    f.finite("ratchet.step", d.ratchet.step);
-    f.rule("ratchet.step", is_ratchet_step(d.ratchet.step), Error::out_of_range);
-    f.range("ratchet.phase", d.ratchet.phase, -most_ratchet_phase, most_ratchet_phase);
+    f.ratchet(d.ratchet);
+    return f.found;
+}
+
+FieldFault find_fault(const JointSpring& spring) {
+    Finder f;
+    f.spring(spring);
+    return f.without_prefix(length_of("spring."));
+}
+
+FieldFault find_fault(const JointLimit& limit) {
+    Finder f;
+    f.limit(limit);
+    return f.without_prefix(length_of("limit."));
+}
+
+FieldFault find_fault(const JointMotor& motor) {
+    Finder f;
+    f.motor(motor);
+    return f.without_prefix(length_of("motor."));
+}
+
+FieldFault find_fault(const JointRatchet& ratchet) {
+    Finder f;
+    f.ratchet(ratchet);
+    return f.without_prefix(length_of("ratchet."));
+}
+
+FieldFault find_fault(const JointSoftness& softness) {
+    Finder f;
+    f.softness(softness);
+    return f.found;
+}
+
+FieldFault find_fault(const JointFrame& frame) {
+    Finder f;
+    f.place("position", frame.position);
+    f.finite("angle", frame.angle);
+    return f.found;
+}
+
+FieldFault find_fault(const SurfaceMaterial& material) {
+    Finder f;
+    f.surface(material);
+    return f.found;
+}
+
+FieldFault find_fault(const MassData& mass) {
+    Finder f;
+    f.range("mass", mass.mass, min_mass, max_mass);
+    f.place("center", mass.center);
+    f.finite("inertia", mass.inertia);
+    f.rule("inertia", mass.inertia == 0 || (mass.inertia >= min_inertia && mass.inertia <= max_mass), Error::out_of_range);
+    return f.found;
+}
+
+FieldFault find_fault(const Capacity& capacity) {
+    Finder f;
+    const auto count = [&f](const char* field, std::uint32_t n, std::uint32_t least) { f.rule(field, n >= least && n <= max_capacity, Error::bad_capacity); };
+    count("bodies", capacity.bodies, 1);
+    count("shapes", capacity.shapes, 1);
+    count("contacts", capacity.contacts, 1);
+    count("joints", capacity.joints, 0);
+    count("geometries", capacity.geometries, 0);
+    count("hits", capacity.hits, 0);
+    count("events", capacity.events, 0);
+    return f.found;
+}
+
+FieldFault find_fault(const MoverDef& d) {
+    Finder f;
+    f.rule("capsule", islet::is_valid(d.capsule), Error::bad_geometry);
+    f.finite("up", d.up);
+    f.rule("up", abs(length(d.up) - 1) <= 1e-3f, Error::out_of_range);
+    f.range("gravity_scale", d.gravity_scale, -max_coefficient, max_coefficient);
+    f.range("max_slope", d.max_slope, 0, 1.5f);
+    f.range("step_height", d.step_height, 0, max_position);
+    f.range("snap_distance", d.snap_distance, 0, max_position);
+    f.not_negative("ground_acceleration", d.ground_acceleration);
+    f.not_negative("air_acceleration", d.air_acceleration);
+    f.not_negative("mass", d.mass);
+    f.not_negative("max_push_force", d.max_push_force);
     return f.found;
 }
 

@@ -86,6 +86,19 @@ std::uint32_t World::joints(BodyId id, span<JointId> out) const {
     return n;
 }
 
+JointId World::next_joint(BodyId id, JointId joint) const {
+    const Core& c = core();
+    const std::uint32_t i = find_slot(c, id);
+    if (i == null_index || !has_joints) return {};
+    std::uint32_t key = c.bodies[i].joint_head;
+    if (joint) {
+        const std::uint32_t j = find_slot(c, joint);
+        if (j == null_index || !check(c, c.joints[j].body_a == i || c.joints[j].body_b == i, Error::out_of_range)) return {};
+        key = c.joints[j].next[c.joints[j].body_a == i ? 0 : 1];
+    }
+    return key != 0 ? c.joint_id(constraint_of_key(key)) : JointId{};
+}
+
 // Reading: value if the id is good and the joint of one of the types, else the value's zero.
 #define ISLET_READ_JOINT(types, value)               \
     const Core& c = core();                          \

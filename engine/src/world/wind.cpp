@@ -43,8 +43,7 @@ void World::apply_wind(ShapeId id, const WindDef& wind) {
     const std::uint32_t body = c.shapes[i].body;
     const Geometry& g = c.geometries[c.shapes[i].geometry];
     if (!is_pushable(c, body) || kind_of(g) != ShapeKind::solid) return;
-    if (!c.is_awake(body) && !wind.wake) return;
-    wake_island(c, body, c.arena());
+    if (!wake_if(c, body, wind.wake)) return;
 
     const Corners shape = corners_of(g);
     const Pose& pose = c.poses[body];

@@ -212,6 +212,16 @@ const Capacity& World::capacity() const { return core().capacity; }
 const StepReport& World::report() const { return core().report; }
 Error World::last_error() const { return core().last_error; }
 void World::clear_error() { core().last_error = Error::none; }
+
+ErrorHook World::error_hook() const { return core().error_hook; }
+void* World::error_context() const { return core().error_context; }
+
+void World::set_error_hook(ErrorHook hook, void* context) {
+    if (!check_open(core())) return;
+    core().error_hook = hook;
+    core().error_context = context;
+}
+
 std::uint64_t World::step_count() const { return core().state->steps; }
 
 span<const TouchEvent> World::begin_touch_events() const { return {core().begin_events, core().begin_count}; }

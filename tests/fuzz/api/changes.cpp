@@ -90,6 +90,7 @@ void Caller::create_joint() {
 
 void Caller::change_body() {
     const BodyId b = body();
+    const auto wakes = [this] { return in.below(4) != 0; };
     switch (in.below(28)) {
     case 0: {
         const Vec2 at = in.place();
@@ -100,19 +101,35 @@ void Caller::change_body() {
     case 1: all.set_linear_velocity(b, in.point()); break;
     case 2: all.set_angular_velocity(b, in.number()); break;
     case 3: {
+        const Vec2 force = in.point(), at = in.place();
+        all.apply_force(b, force, at, wakes());
+        break;
+    }
+    case 4: {
         const Vec2 force = in.point();
-        all.apply_force(b, force, in.place());
+        all.apply_force_to_center(b, force, wakes());
         break;
     }
-    case 4: all.apply_force_to_center(b, in.point()); break;
-    case 5: all.apply_torque(b, in.number()); break;
+    case 5: {
+        const float torque = in.number();
+        all.apply_torque(b, torque, wakes());
+        break;
+    }
     case 6: {
-        const Vec2 impulse = in.point();
-        all.apply_linear_impulse(b, impulse, in.place());
+        const Vec2 impulse = in.point(), at = in.place();
+        all.apply_linear_impulse(b, impulse, at, wakes());
         break;
     }
-    case 7: all.apply_linear_impulse_to_center(b, in.point()); break;
-    case 8: all.apply_angular_impulse(b, in.number()); break;
+    case 7: {
+        const Vec2 impulse = in.point();
+        all.apply_linear_impulse_to_center(b, impulse, wakes());
+        break;
+    }
+    case 8: {
+        const float impulse = in.number();
+        all.apply_angular_impulse(b, impulse, wakes());
+        break;
+    }
     case 9: all.set_type(b, static_cast<BodyType>(in.below(3))); break;
     case 10: {
         const float mass = in.size();

@@ -845,7 +845,7 @@ typedef struct IsletWindDef {
     float lift;
     /// kg/m^3, >= 0, of a slice one metre deep: air
     float density;
-    /// false: no effect on bodies that sleep
+    /// false: no effect on bodies that sleep, and bodies that rest may fall asleep in the wind
     bool wake;
 } IsletWindDef;
 
@@ -1215,7 +1215,7 @@ typedef struct IsletJointBreakEvent {
 
 /// A field that breaks its rules.
 typedef struct IsletFieldFault {
-    /// not_finite, out_of_range or feature_cut; none if all fields keep their rules
+    /// not_finite, out_of_range, feature_cut, bad_capacity or bad_geometry; none if all fields keep their rules
     IsletError error;
     /// its name, after those of the structs that hold it: "limit.lower", "solver.substeps"; null if there is none
     const char* field;
@@ -2157,6 +2157,19 @@ ISLET_C_API IsletFieldFault islet_find_pulley_joint_def_fault(const IsletPulleyJ
 ISLET_C_API IsletFieldFault islet_find_gear_joint_def_fault(const IsletGearJointDef* def);
 ISLET_C_API IsletFieldFault islet_find_angle_joint_def_fault(const IsletAngleJointDef* def);
 
+/// The same for what islet_create_world, the setters of bodies, shapes and joints, and step_mover refuse. Rules that only some joints have are not checked:
+/// the limit of a distance joint begins at 0 or above, and a mouse joint has a linear frequency above 0 and no angular one.
+ISLET_C_API IsletFieldFault islet_find_capacity_fault(const IsletCapacity* capacity);
+ISLET_C_API IsletFieldFault islet_find_mass_data_fault(const IsletMassData* mass);
+ISLET_C_API IsletFieldFault islet_find_surface_material_fault(const IsletSurfaceMaterial* material);
+ISLET_C_API IsletFieldFault islet_find_joint_frame_fault(const IsletJointFrame* frame);
+ISLET_C_API IsletFieldFault islet_find_joint_spring_fault(const IsletJointSpring* spring);
+ISLET_C_API IsletFieldFault islet_find_joint_softness_fault(const IsletJointSoftness* softness);
+ISLET_C_API IsletFieldFault islet_find_joint_limit_fault(const IsletJointLimit* limit);
+ISLET_C_API IsletFieldFault islet_find_joint_motor_fault(const IsletJointMotor* motor);
+ISLET_C_API IsletFieldFault islet_find_joint_ratchet_fault(const IsletJointRatchet* ratchet);
+ISLET_C_API IsletFieldFault islet_find_mover_def_fault(const IsletMoverDef* def);
+
 /// Whether islet_create_world accepts the capacity.
 ISLET_C_API bool islet_capacity_is_valid(const IsletCapacity* c);
 
@@ -2268,6 +2281,15 @@ ISLET_C_API IsletError islet_world_capacity(const IsletWorld* world, IsletCapaci
 
 /// What the last step did, and how many objects the world holds.
 ISLET_C_API IsletError islet_world_report(const IsletWorld* world, IsletStepReport* out);
+
+/// The error hook as it was last set (IsletWorldDef.error_hook); null if there is none.
+ISLET_C_API IsletErrorHook islet_world_error_hook(const IsletWorld* world);
+
+/// What the error hook gets as its context; null by default.
+ISLET_C_API void* islet_world_error_context(const IsletWorld* world);
+
+/// Sets the function that receives each error; null for none. The hook is not part of the state: hashes, snapshots and recordings do not contain it.
+ISLET_C_API IsletError islet_world_set_error_hook(IsletWorld* world, IsletErrorHook hook, void* context);
 
 /// Hash of all persistent state that affects the future, and of nothing else. Worlds with equal hashes have equal futures, and their next steps report equal
 /// events, those of touches that ended since the last step included. Returns 0 on an error: in_step.
@@ -2392,14 +2414,14 @@ ISLET_C_API IsletError islet_body_set_angular_velocity(IsletWorld* world, IsletB
 /// The body keeps the velocities after that step, so call this function before each step. No effect on other bodies. target.q must be of unit length.
 ISLET_C_API IsletError islet_body_set_target(IsletWorld* world, IsletBodyId body, IsletTransform target, float dt);
 
-/// Forces (N) and torques (N m) act over the next step and are then cleared; they need a dynamic body and wake it. Impulses (N s, N m s) act at once. To
-/// leave sleeping bodies alone, ask is_awake first.
-ISLET_C_API IsletError islet_body_apply_force(IsletWorld* world, IsletBodyId body, IsletVec2 force, IsletVec2 point);
-ISLET_C_API IsletError islet_body_apply_force_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 force);
-ISLET_C_API IsletError islet_body_apply_torque(IsletWorld* world, IsletBodyId body, float torque);
-ISLET_C_API IsletError islet_body_apply_linear_impulse(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, IsletVec2 point);
-ISLET_C_API IsletError islet_body_apply_linear_impulse_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 impulse);
-ISLET_C_API IsletError islet_body_apply_angular_impulse(IsletWorld* world, IsletBodyId body, float impulse);
+/// Forces (N) and torques (N m) act over the next step and are then cleared. Impulses (N s, N m s) act at once. All of these need a dynamic body, and wake
+/// it. With wake = false they have no effect on a body that sleeps, and do not keep a body that rests from falling asleep.
+ISLET_C_API IsletError islet_body_apply_force(IsletWorld* world, IsletBodyId body, IsletVec2 force, IsletVec2 point, bool wake);
+ISLET_C_API IsletError islet_body_apply_force_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 force, bool wake);
+ISLET_C_API IsletError islet_body_apply_torque(IsletWorld* world, IsletBodyId body, float torque, bool wake);
+ISLET_C_API IsletError islet_body_apply_linear_impulse(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, IsletVec2 point, bool wake);
+ISLET_C_API IsletError islet_body_apply_linear_impulse_to_center(IsletWorld* world, IsletBodyId body, IsletVec2 impulse, bool wake);
+ISLET_C_API IsletError islet_body_apply_angular_impulse(IsletWorld* world, IsletBodyId body, float impulse, bool wake);
 
 /// Static, kinematic or dynamic.
 ISLET_C_API IsletBodyType islet_body_type(const IsletWorld* world, IsletBodyId body);
@@ -2474,6 +2496,14 @@ ISLET_C_API uint32_t islet_body_contacts(const IsletWorld* world, IsletBodyId bo
 /// Writes the ids of the body's shapes, newest first, as far as they fit; returns how many there are.
 ISLET_C_API uint32_t islet_body_shapes(const IsletWorld* world, IsletBodyId body, IsletShapeId* out, size_t out_count);
 
+/// For walking over a body's shapes without memory (ranges.hpp): the next one in the order of shapes(), the first one after null. Returns null after the last
+/// one, and on an error: out_of_range if `shape` is not the body's.
+ISLET_C_API IsletShapeId islet_body_next_shape(const IsletWorld* world, IsletBodyId body, IsletShapeId shape);
+
+/// The same for its touching contacts, in the order of contacts(). `contact` is 0 at first, and then what the last call returned: slot + 1 of the contact
+/// that it wrote to `out`, or 0 after the last one and on an error: out_of_range if `contact` is none of the body's.
+ISLET_C_API uint32_t islet_body_next_contact(const IsletWorld* world, IsletBodyId body, uint32_t contact, IsletContactInfo* out);
+
 /// Returns null on an error: shapes_full; geometries_full; bad_geometry; not_finite, out_of_range and feature_cut of a field, which find_fault names
 /// (fault.hpp). def may be null.
 ISLET_C_API IsletShapeId islet_create_circle(IsletWorld* world, IsletBodyId body, const IsletCircle* circle, const IsletShapeDef* def);
@@ -2505,6 +2535,9 @@ ISLET_C_API IsletShapeId islet_world_shape_at(const IsletWorld* world, uint32_t 
 
 /// Writes the shape's touching contacts, newest first, as far as they fit; returns how many there are.
 ISLET_C_API uint32_t islet_shape_contacts(const IsletWorld* world, IsletShapeId shape, IsletContactInfo* out, size_t out_count);
+
+/// The next of these, as next_contact of a body: out_of_range if `contact` is none of the shape's body.
+ISLET_C_API uint32_t islet_shape_next_contact(const IsletWorld* world, IsletShapeId shape, uint32_t contact, IsletContactInfo* out);
 
 /// The body that the shape belongs to.
 ISLET_C_API IsletBodyId islet_shape_body(const IsletWorld* world, IsletShapeId shape);
@@ -2610,6 +2643,9 @@ ISLET_C_API IsletJointId islet_world_joint_at(const IsletWorld* world, uint32_t 
 
 /// Writes the ids of the body's joints, newest first, as far as they fit; returns how many there are.
 ISLET_C_API uint32_t islet_body_joints(const IsletWorld* world, IsletBodyId body, IsletJointId* out, size_t out_count);
+
+/// The next one in this order, the first one after null. Returns null after the last one, and on an error: out_of_range if `joint` does not hang on the body.
+ISLET_C_API IsletJointId islet_body_next_joint(const IsletWorld* world, IsletBodyId body, IsletJointId joint);
 
 /// Which kind of joint it is.
 ISLET_C_API IsletJointType islet_joint_type(const IsletWorld* world, IsletJointId joint);
