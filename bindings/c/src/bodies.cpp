@@ -17,9 +17,9 @@ float islet_body_residual(const IsletWorld* world, IsletBodyId body) {
 IsletBodyId islet_create_body(IsletWorld* world, const IsletBodyDef* def) {
     Room<BodyDef> def_room;
     const BodyDef* def_taken = nullptr;
-    BodyId found = {};
-    if (world != nullptr && (def_taken = take<BodyDef>(world, def, def_room)) != nullptr) found = of(world).create_body(*def_taken);
-    return out(found);
+    IsletBodyId found = {};
+    if ((def_taken = take<BodyDef>(world, def, def_room)) != nullptr) new (&found) BodyId(of(world).create_body(*def_taken));
+    return found;
 }
 
 IsletError islet_destroy_body(IsletWorld* world, IsletBodyId body) {

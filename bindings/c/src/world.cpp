@@ -212,9 +212,9 @@ uint32_t islet_world_body_count(const IsletWorld* world) {
 }
 
 IsletBodyId islet_world_body_at(const IsletWorld* world, uint32_t slot) {
-    BodyId found = {};
-    if (world != nullptr) found = of(world).body_at(slot);
-    return out(found);
+    IsletBodyId found = {};
+    if (world != nullptr) new (&found) BodyId(of(world).body_at(slot));
+    return found;
 }
 
 uint32_t islet_world_shape_count(const IsletWorld* world) {
@@ -224,9 +224,9 @@ uint32_t islet_world_shape_count(const IsletWorld* world) {
 }
 
 IsletShapeId islet_world_shape_at(const IsletWorld* world, uint32_t slot) {
-    ShapeId found = {};
-    if (world != nullptr) found = of(world).shape_at(slot);
-    return out(found);
+    IsletShapeId found = {};
+    if (world != nullptr) new (&found) ShapeId(of(world).shape_at(slot));
+    return found;
 }
 
 uint32_t islet_world_contact_count(const IsletWorld* world) {
