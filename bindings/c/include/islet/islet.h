@@ -2961,7 +2961,7 @@ ISLET_C_API void islet_world_draw(const IsletWorld* world, const IsletDebugDraw*
 ISLET_C_API void islet_world_draw_shape(const IsletWorld* world, const IsletDebugDraw* draw, IsletShapeId shape, IsletTransform pose,
     const IsletDrawStyle* style);
 
-/// Columns that these senses fill.
+/// Columns that these senses fill; 0 for a sense of an unknown kind.
 ISLET_C_API uint32_t islet_sense_columns(const IsletSense* senses, size_t senses_count);
 
 /// Tells the kind and format of a snapshot, a delta or a recording from its first bytes, whatever version wrote it: 8 bytes are enough for the first two, 64
