@@ -9,7 +9,7 @@
 #   tools/footprint.sh --write       the table, and its figures into docs/microcontrollers.md
 #   tools/footprint.sh --check       the table (without the Cortex-M7, and some without all programs), and whether every figure keeps its limit: part of
 #                                    tools/test.sh --all
-#   tools/footprint.sh --c           what the C interface adds to a program of ten calls on a Cortex-M4F
+#   tools/footprint.sh --c           what the C interface adds to a program of ten calls on a Cortex-M4F, and whether it is at most 500 bytes
 #   tools/footprint.sh --options     what each feature in islet/config.hpp saves on a Cortex-M4F when ISLET_WITHOUT leaves it out alone
 # Installs the cross compilers and QEMU with apt if they are missing.
 set -euo pipefail
@@ -110,6 +110,7 @@ if [ "$mode" = c ]; then
             die "C and C++ do not come to the same"
         for program in calls_cpp calls_c; do in_flash+=("$(arm-none-eabi-size -A "$folder/$program.elf" | awk '/^\.(text|rodata|data|ARM)/ { sum += $2 } END { print sum }')"); done
         printf '%-48s %8d %8d %6d\n' "$printed" "${in_flash[@]}" $((in_flash[1] - in_flash[0]))
+        [ $((in_flash[1] - in_flash[0])) -le 500 ] || die "$printed, the C interface adds more than 500 bytes"
     }
     only=(calls_c calls_cpp)
     printf '%-48s %8s %8s %6s\n' 'flash, bytes' 'in C++' 'in C' 'more'

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes the C interface from bindings/api.json: include/islet/islet.h and most files of src; and three tests, tests/c/refusals.c,
-defaults_test.cpp and joint_defaults_test.cpp.
+"""Makes the C interface from bindings/api.json: include/islet/islet.h and most files of src; and tests, tests/c/refusals.c,
+defaults.c, defaults_test.cpp and joint_defaults_test.cpp.
 
     bindings/c/generate.py           writes them
     bindings/c/generate.py --check   says whether they are up to date, and how much of the C++ interface they cover
@@ -32,6 +32,7 @@ GROWS = set(
     "SnapshotInfo RecordingInfo ReplayResult FormatInfo".split())
 RESULTS = {"SnapshotInfo", "RecordingInfo"}  # of those, written to
 BY_VALUE = {"Transform", "Aabb"}  # though C++ has references to them
+IN_REGISTERS = {"Vec2", "Rot", "Transform", "Aabb"}  # up to four floats, which many processors return in registers: made there, all else in place
 
 # Written by hand, and why. Signature: (C function, reason)
 HANDMADE = {
@@ -506,13 +507,26 @@ def header(api):
     for name in span_types(api):
         out += [f"typedef struct Islet{name}Span {{", f"    const Islet{name}* data;", "    size_t count;", f"}} Islet{name}Span;", ""]
 
-    out += section("defaults")
+    out += section("defaults") + ["#ifndef __cplusplus  // GCC makes a value without a name in its place, but copies a variable", ""]
+    for name in defaulted(api):
+        given = [f".struct_size = sizeof(Islet{name})"] if name in GROWS else []
+        given += [line.strip().rstrip(";") for line in assignments(api, name, "", {})]
+        lines, line = [], f"    return (Islet{name}){{" + given[0]
+        for field in given[1:]:
+            if len(line) + len(field) > 153:
+                lines.append(line + ",")
+                line = " " * 8 + field
+            else:
+                line += ", " + field
+        out += [f"static inline Islet{name} islet_default_{snake(name)}(void) {{", *lines, line + "};", "}", ""]
+    out += ["#else", ""]
     for name in defaulted(api):
         out.append(f"static inline Islet{name} islet_default_{snake(name)}(void) {{")
         out.append(f"    Islet{name} def = ISLET_ZERO;")
         if name in GROWS:
             out.append("    def.struct_size = sizeof def;")
         out += assignments(api, name, "def", {}) + ["    return def;", "}", ""]
+    out += ["#endif", ""]
 
     out += section("functions")
     with open(BY_HAND, encoding="utf-8") as file:
@@ -578,7 +592,14 @@ def taken_apart(api, f, name):
             if const and inner in BY_VALUE:
                 arguments.append(f"in<{inner}>({n})")
             elif inner in GROWS:
-                taken = f"take{'_or_default' if has_default(p) else ''}<{inner}>({world}, {n}, {n}_room)"
+                other = re.fullmatch(r"is_there\(world, (\w+)\)", conditions[-1]) if has_default(p) and kind == "value" and conditions else None
+                if conditions == ["world != nullptr"] and not has_default(p) and kind != "out":
+                    conditions.clear()  # take() checks it
+                if other:  # a shape and its definition: one function checks both, and the world
+                    conditions.clear()
+                    taken = f"take_with<{inner}>({world}, {other.group(1)}, {n}, {n}_room)"
+                else:
+                    taken = f"take{'_or_default' if has_default(p) else ''}<{inner}>({world}, {n}, {n}_room)"
                 lines += [f"    Room<{inner}> {n}_room;", f"    const {inner}* {n}_taken = nullptr;"]
                 conditions.append(f"({n}_taken = {taken}) != nullptr")
                 if inner == "DebugDraw":
@@ -609,11 +630,14 @@ def taken_apart(api, f, name):
         call = f"islet::{f['name']}({', '.join(arguments)})"
     inner = re.fullmatch(r"(?:span<const (\w+)>|const (\w+) \*|(?:const )?(\w+) &)", f["returns"])
     inner = next((g for g in inner.groups() if g), None) if inner else f["returns"]
+    scalar = f["returns"] in SCALARS or f["returns"] == "DrawColor"
+    in_place = kind == "value" and not scalar and inner not in IN_REGISTERS and inner not in api.enum_types and inner not in defaulted(api)
+    if in_place:
+        call = f"new (&found) {inner}({call})"
     test = " && ".join(conditions)
     guard = f"    if ({test}) " if test else "    "
     if len(guard) + len(call) > 140:
         guard = "    if (" + (" &&\n        ".join(conditions) if len(guard) > 150 else test) + ")\n        "
-    scalar = f["returns"] in SCALARS or f["returns"] == "DrawColor"
     if kind == "void":
         lines.append(f"{guard}{call};")
     elif kind == "code":
@@ -626,6 +650,9 @@ def taken_apart(api, f, name):
             refused = {"world != nullptr": "world == nullptr"}.get(condition, f"!({condition})" if " " in condition.split("(")[0] or "!=" in condition else f"!{condition}")
             lines.append(f"    if ({refused}) return {error};")
         lines += [f"    give<{inner}>(out, {call});", "    return ISLET_ERROR_NONE;"]
+    elif in_place:
+        nothing = f" = {{why({parameters[0]['name']}), nullptr}}" if inner == "FieldFault" else " = {}" if test else ""  # errors of C are faults, too
+        lines += [f"    Islet{inner} found{nothing};", f"{guard}{call};", "    return found;"]
     elif not test:
         lines.append(f"    return {call if scalar else 'out(' + call + ')'};")
     elif kind == "span":
@@ -637,8 +664,7 @@ def taken_apart(api, f, name):
     elif f["returns"] in api.callbacks:
         lines += [f"    {f['returns']} found = nullptr;", f"{guard}found = {call};", f"    return function<{api.c_type(f['returns'])}>(found);"]
     else:
-        nothing = f"{{static_cast<Error>(why({parameters[0]['name']})), nullptr}}" if inner == "FieldFault" else "{}"  # errors of C are faults, too
-        lines += [f"    {inner} found = {nothing};", f"{guard}found = {call};", "    return out(found);"]
+        lines += [f"    {inner} found = {{}};", f"{guard}found = {call};", "    return out(found);"]
     return lines
 
 
@@ -852,19 +878,26 @@ def defaults_test(api, of, names, headers):
     for name in inner:
         out += [f"void expect_same(const Islet{name}& c, const islet::{name}& cpp) {{", *compared(api, name), "}", ""]
     for name in names:
-        made = f"islet_default_{snake(name)}()"
-        if name in inner:
-            out += [f"TEST(Defaults, Of{name}) {{ expect_same({made}, {{}}); }}", ""]
-        else:
-            out += [f"TEST(Defaults, Of{name}) {{", f"    const Islet{name} c = {made};", f"    const islet::{name} cpp = {{}};", *compared(api, name), "}", ""]
+        lines = ["    expect_same(c, cpp);"] if name in inner else compared(api, name)
+        out += [f'extern "C" Islet{name} default_{snake(name)}_of_c(void);', f"TEST(Defaults, Of{name}) {{", f"    const islet::{name} cpp = {{}};",
+                f"    for (const Islet{name}& c : {{islet_default_{snake(name)}(), default_{snake(name)}_of_c()}}) {{", *("    " + line for line in lines), "    }", "}", ""]
     return "\n".join(out + ["}  // namespace", ""])
 
 
+def defaults_of_c(api):
+    out = ["// The defaults as a program in C gets them, for the tests in C++.", "//", "// Made by bindings/c/generate.py; do not edit.", "#include <islet/islet.h>", ""]
+    for name in defaulted(api):
+        function = f"Islet{name} default_{snake(name)}_of_c(void)"
+        out += [function + ";", f"{function} {{ return islet_default_{snake(name)}(); }}"]
+    return "\n".join(out + [""])
+
+
 def defaults_tests(api):
-    """Two files, of joints and of all else, so that neither grows too long."""
+    """Two files of tests, of joints and of all else, so that neither grows too long."""
     of_joints = [name for name in defaulted(api) if "Joint" in name]
     others = [name for name in defaulted(api) if name not in of_joints]
-    return {os.path.join(TESTS, "defaults_test.cpp"): defaults_test(api, "all structs but those of joints", others, ["islet.hpp", "fleet.hpp", "island.hpp"]),
+    return {os.path.join(TESTS, "defaults.c"): defaults_of_c(api),
+            os.path.join(TESTS, "defaults_test.cpp"): defaults_test(api, "all structs but those of joints", others, ["islet.hpp", "fleet.hpp", "island.hpp"]),
             os.path.join(TESTS, "joint_defaults_test.cpp"): defaults_test(api, "structs of joints", of_joints, ["islet.hpp"])}
 
 

@@ -68,6 +68,31 @@ TEST(GrownStructs, OfNoKnownSizeAreRefused) {
     EXPECT_FALSE(fits<ToyDef>(nullptr, nullptr));
 }
 
+TEST(GrownStructs, OfACallWithoutItsWorldAreRefused) {
+    const IsletWorld* const none = nullptr;
+    Room<ToyDef> room;
+    for (std::uint32_t size : {8u, 12u, 16u}) {
+        const IsletToyDef given = {size, 10, 20, 30};
+        EXPECT_EQ(take<ToyDef>(none, &given, room), nullptr) << size;
+        EXPECT_EQ(take_with<ToyDef>(none, &given, &given, room), nullptr) << size;
+    }
+    EXPECT_EQ(take_with<ToyDef>(none, &room, nullptr, room), nullptr);
+}
+
+TEST(GrownStructs, AreTakenWithWhatElseTheCallNeeds) {
+    alignas(world_alignment) static std::byte block[20000];
+    World* const made = World::create(block, {.bodies = 1, .shapes = 1, .contacts = 1}, {});
+    ASSERT_NE(made, nullptr);
+    IsletWorld* const world = cast<IsletWorld>(made);
+    const IsletToyDef given = {12, 10, 20, 30};
+    Room<ToyDef> room;
+    EXPECT_EQ(take_with<ToyDef>(world, &given, nullptr, room)->width, 1);
+    EXPECT_EQ(take_with<ToyDef>(world, &given, &given, room)->height, 20);
+    EXPECT_EQ(made->last_error(), Error::none);
+    EXPECT_EQ(take_with<ToyDef>(world, nullptr, &given, room), nullptr);
+    EXPECT_EQ(static_cast<int>(made->last_error()), ISLET_ERROR_NULL_POINTER);
+}
+
 TEST(GrownStructs, GetNoMoreOfAResultThanTheyHaveRoomFor) {
     IsletToyDef to = {8, 0, 77, 88};
     ASSERT_TRUE(fits<ToyDef>(nullptr, &to));

@@ -63,138 +63,160 @@ void expect_same(const IsletJointRatchet& c, const islet::JointRatchet& cpp) {
     EXPECT_EQ(c.phase, cpp.phase);
 }
 
+extern "C" IsletJointSoftness default_joint_softness_of_c(void);
 TEST(Defaults, OfJointSoftness) {
-    const IsletJointSoftness c = islet_default_joint_softness();
     const islet::JointSoftness cpp = {};
-    EXPECT_EQ(c.linear_hertz, cpp.linear_hertz);
-    EXPECT_EQ(c.linear_damping_ratio, cpp.linear_damping_ratio);
-    EXPECT_EQ(c.angular_hertz, cpp.angular_hertz);
-    EXPECT_EQ(c.angular_damping_ratio, cpp.angular_damping_ratio);
+    for (const IsletJointSoftness& c : {islet_default_joint_softness(), default_joint_softness_of_c()}) {
+        EXPECT_EQ(c.linear_hertz, cpp.linear_hertz);
+        EXPECT_EQ(c.linear_damping_ratio, cpp.linear_damping_ratio);
+        EXPECT_EQ(c.angular_hertz, cpp.angular_hertz);
+        EXPECT_EQ(c.angular_damping_ratio, cpp.angular_damping_ratio);
+    }
 }
 
+extern "C" IsletRevoluteJointDef default_revolute_joint_def_of_c(void);
 TEST(Defaults, OfRevoluteJointDef) {
-    const IsletRevoluteJointDef c = islet_default_revolute_joint_def();
     const islet::RevoluteJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.base, cpp.base);
-    expect_same(c.spring, cpp.spring);
-    expect_same(c.limit, cpp.limit);
-    expect_same(c.motor, cpp.motor);
-    EXPECT_EQ(c.friction, cpp.friction);
+    for (const IsletRevoluteJointDef& c : {islet_default_revolute_joint_def(), default_revolute_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.base, cpp.base);
+        expect_same(c.spring, cpp.spring);
+        expect_same(c.limit, cpp.limit);
+        expect_same(c.motor, cpp.motor);
+        EXPECT_EQ(c.friction, cpp.friction);
+    }
 }
 
+extern "C" IsletPrismaticJointDef default_prismatic_joint_def_of_c(void);
 TEST(Defaults, OfPrismaticJointDef) {
-    const IsletPrismaticJointDef c = islet_default_prismatic_joint_def();
     const islet::PrismaticJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.base, cpp.base);
-    expect_same(c.spring, cpp.spring);
-    expect_same(c.limit, cpp.limit);
-    expect_same(c.motor, cpp.motor);
-    EXPECT_EQ(c.friction, cpp.friction);
+    for (const IsletPrismaticJointDef& c : {islet_default_prismatic_joint_def(), default_prismatic_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.base, cpp.base);
+        expect_same(c.spring, cpp.spring);
+        expect_same(c.limit, cpp.limit);
+        expect_same(c.motor, cpp.motor);
+        EXPECT_EQ(c.friction, cpp.friction);
+    }
 }
 
+extern "C" IsletDistanceJointDef default_distance_joint_def_of_c(void);
 TEST(Defaults, OfDistanceJointDef) {
-    const IsletDistanceJointDef c = islet_default_distance_joint_def();
     const islet::DistanceJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.base, cpp.base);
-    EXPECT_EQ(c.length, cpp.length);
-    expect_same(c.spring, cpp.spring);
-    expect_same(c.limit, cpp.limit);
-    expect_same(c.motor, cpp.motor);
+    for (const IsletDistanceJointDef& c : {islet_default_distance_joint_def(), default_distance_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.base, cpp.base);
+        EXPECT_EQ(c.length, cpp.length);
+        expect_same(c.spring, cpp.spring);
+        expect_same(c.limit, cpp.limit);
+        expect_same(c.motor, cpp.motor);
+    }
 }
 
+extern "C" IsletWeldJointDef default_weld_joint_def_of_c(void);
 TEST(Defaults, OfWeldJointDef) {
-    const IsletWeldJointDef c = islet_default_weld_joint_def();
     const islet::WeldJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.base, cpp.base);
-    EXPECT_EQ(c.linear_hertz, cpp.linear_hertz);
-    EXPECT_EQ(c.linear_damping_ratio, cpp.linear_damping_ratio);
-    EXPECT_EQ(c.angular_hertz, cpp.angular_hertz);
-    EXPECT_EQ(c.angular_damping_ratio, cpp.angular_damping_ratio);
+    for (const IsletWeldJointDef& c : {islet_default_weld_joint_def(), default_weld_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.base, cpp.base);
+        EXPECT_EQ(c.linear_hertz, cpp.linear_hertz);
+        EXPECT_EQ(c.linear_damping_ratio, cpp.linear_damping_ratio);
+        EXPECT_EQ(c.angular_hertz, cpp.angular_hertz);
+        EXPECT_EQ(c.angular_damping_ratio, cpp.angular_damping_ratio);
+    }
 }
 
+extern "C" IsletWheelJointDef default_wheel_joint_def_of_c(void);
 TEST(Defaults, OfWheelJointDef) {
-    const IsletWheelJointDef c = islet_default_wheel_joint_def();
     const islet::WheelJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.base, cpp.base);
-    expect_same(c.spring, cpp.spring);
-    expect_same(c.limit, cpp.limit);
-    expect_same(c.motor, cpp.motor);
-    EXPECT_EQ(c.friction, cpp.friction);
+    for (const IsletWheelJointDef& c : {islet_default_wheel_joint_def(), default_wheel_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.base, cpp.base);
+        expect_same(c.spring, cpp.spring);
+        expect_same(c.limit, cpp.limit);
+        expect_same(c.motor, cpp.motor);
+        EXPECT_EQ(c.friction, cpp.friction);
+    }
 }
 
+extern "C" IsletMotorJointDef default_motor_joint_def_of_c(void);
 TEST(Defaults, OfMotorJointDef) {
-    const IsletMotorJointDef c = islet_default_motor_joint_def();
     const islet::MotorJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.base, cpp.base);
-    expect_same(c.linear_velocity, cpp.linear_velocity);
-    EXPECT_EQ(c.angular_velocity, cpp.angular_velocity);
-    EXPECT_EQ(c.max_force, cpp.max_force);
-    EXPECT_EQ(c.max_torque, cpp.max_torque);
-    EXPECT_EQ(c.linear_hertz, cpp.linear_hertz);
-    EXPECT_EQ(c.linear_damping_ratio, cpp.linear_damping_ratio);
-    EXPECT_EQ(c.angular_hertz, cpp.angular_hertz);
-    EXPECT_EQ(c.angular_damping_ratio, cpp.angular_damping_ratio);
+    for (const IsletMotorJointDef& c : {islet_default_motor_joint_def(), default_motor_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.base, cpp.base);
+        expect_same(c.linear_velocity, cpp.linear_velocity);
+        EXPECT_EQ(c.angular_velocity, cpp.angular_velocity);
+        EXPECT_EQ(c.max_force, cpp.max_force);
+        EXPECT_EQ(c.max_torque, cpp.max_torque);
+        EXPECT_EQ(c.linear_hertz, cpp.linear_hertz);
+        EXPECT_EQ(c.linear_damping_ratio, cpp.linear_damping_ratio);
+        EXPECT_EQ(c.angular_hertz, cpp.angular_hertz);
+        EXPECT_EQ(c.angular_damping_ratio, cpp.angular_damping_ratio);
+    }
 }
 
+extern "C" IsletMouseJointDef default_mouse_joint_def_of_c(void);
 TEST(Defaults, OfMouseJointDef) {
-    const IsletMouseJointDef c = islet_default_mouse_joint_def();
     const islet::MouseJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.body, cpp.body);
-    expect_same(c.target, cpp.target);
-    EXPECT_EQ(c.hertz, cpp.hertz);
-    EXPECT_EQ(c.damping_ratio, cpp.damping_ratio);
-    EXPECT_EQ(c.max_force, cpp.max_force);
-    EXPECT_EQ(c.user_data, cpp.user_data);
+    for (const IsletMouseJointDef& c : {islet_default_mouse_joint_def(), default_mouse_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.body, cpp.body);
+        expect_same(c.target, cpp.target);
+        EXPECT_EQ(c.hertz, cpp.hertz);
+        EXPECT_EQ(c.damping_ratio, cpp.damping_ratio);
+        EXPECT_EQ(c.max_force, cpp.max_force);
+        EXPECT_EQ(c.user_data, cpp.user_data);
+    }
 }
 
+extern "C" IsletPulleyJointDef default_pulley_joint_def_of_c(void);
 TEST(Defaults, OfPulleyJointDef) {
-    const IsletPulleyJointDef c = islet_default_pulley_joint_def();
     const islet::PulleyJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.base, cpp.base);
-    expect_same(c.ground_a, cpp.ground_a);
-    expect_same(c.ground_b, cpp.ground_b);
-    EXPECT_EQ(c.ratio, cpp.ratio);
+    for (const IsletPulleyJointDef& c : {islet_default_pulley_joint_def(), default_pulley_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.base, cpp.base);
+        expect_same(c.ground_a, cpp.ground_a);
+        expect_same(c.ground_b, cpp.ground_b);
+        EXPECT_EQ(c.ratio, cpp.ratio);
+    }
 }
 
+extern "C" IsletGearJointDef default_gear_joint_def_of_c(void);
 TEST(Defaults, OfGearJointDef) {
-    const IsletGearJointDef c = islet_default_gear_joint_def();
     const islet::GearJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.joint1, cpp.joint1);
-    expect_same(c.joint2, cpp.joint2);
-    EXPECT_EQ(c.ratio, cpp.ratio);
-    EXPECT_EQ(c.break_torque, cpp.break_torque);
-    EXPECT_EQ(c.user_data, cpp.user_data);
+    for (const IsletGearJointDef& c : {islet_default_gear_joint_def(), default_gear_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.joint1, cpp.joint1);
+        expect_same(c.joint2, cpp.joint2);
+        EXPECT_EQ(c.ratio, cpp.ratio);
+        EXPECT_EQ(c.break_torque, cpp.break_torque);
+        EXPECT_EQ(c.user_data, cpp.user_data);
+    }
 }
 
+extern "C" IsletAngleJointDef default_angle_joint_def_of_c(void);
 TEST(Defaults, OfAngleJointDef) {
-    const IsletAngleJointDef c = islet_default_angle_joint_def();
     const islet::AngleJointDef cpp = {};
-    EXPECT_EQ(c.struct_size, sizeof c);
-    EXPECT_EQ(c.reserved, 0u);
-    expect_same(c.base, cpp.base);
-    expect_same(c.spring, cpp.spring);
-    expect_same(c.limit, cpp.limit);
-    expect_same(c.motor, cpp.motor);
-    EXPECT_EQ(c.friction, cpp.friction);
-    expect_same(c.ratchet, cpp.ratchet);
+    for (const IsletAngleJointDef& c : {islet_default_angle_joint_def(), default_angle_joint_def_of_c()}) {
+        EXPECT_EQ(c.struct_size, sizeof c);
+        EXPECT_EQ(c.reserved, 0u);
+        expect_same(c.base, cpp.base);
+        expect_same(c.spring, cpp.spring);
+        expect_same(c.limit, cpp.limit);
+        expect_same(c.motor, cpp.motor);
+        EXPECT_EQ(c.friction, cpp.friction);
+        expect_same(c.ratchet, cpp.ratchet);
+    }
 }
 
 }  // namespace

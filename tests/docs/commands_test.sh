@@ -56,7 +56,7 @@ try() {
     ./bindings/js/build.sh | ./samples/sandbox/build.sh) [ -x "$command" ] ;;  # tests/CMakeLists.txt runs both
     ./bindings/js/bench/run.sh | './tests/browser/measure.sh '*) [ -x "${words[0]}" ] ;;  # they take minutes
     './tools/run.sh'*) has_options tools/run.sh && islet run "${words[1]-hello}" ;;  # first_command_test.sh runs it in a fresh tree
-    ./tools/test.sh* | ./tools/footprint.sh* | ./tools/boards.sh*) has_options "${words[@]}" ;;
+    ./tools/test.sh* | ./tools/footprint.sh* | ./tools/c_cost.sh | ./tools/boards.sh*) has_options "${words[@]}" ;;
     'cmake --preset '*) grep -q "\"name\": \"${words[2]}\"" "$root/CMakePresets.json" ;;
     # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.
     'cmake -S samples/firmware'*) [ -e "$(sed -n 's/.*toolchain "$PWD\/\([^"]*\)".*/\1/p' <<<"$command")" ] ;;

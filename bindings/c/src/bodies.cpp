@@ -17,9 +17,9 @@ float islet_body_residual(const IsletWorld* world, IsletBodyId body) {
 IsletBodyId islet_create_body(IsletWorld* world, const IsletBodyDef* def) {
     Room<BodyDef> def_room;
     const BodyDef* def_taken = nullptr;
-    BodyId found = {};
-    if (world != nullptr && (def_taken = take<BodyDef>(world, def, def_room)) != nullptr) found = of(world).create_body(*def_taken);
-    return out(found);
+    IsletBodyId found = {};
+    if ((def_taken = take<BodyDef>(world, def, def_room)) != nullptr) new (&found) BodyId(of(world).create_body(*def_taken));
+    return found;
 }
 
 IsletError islet_destroy_body(IsletWorld* world, IsletBodyId body) {
@@ -319,9 +319,9 @@ uint32_t islet_body_shapes(const IsletWorld* world, IsletBodyId body, IsletShape
 }
 
 IsletShapeId islet_body_next_shape(const IsletWorld* world, IsletBodyId body, IsletShapeId shape) {
-    ShapeId found = {};
-    if (world != nullptr) found = of(world).next_shape(in<BodyId>(body), in<ShapeId>(shape));
-    return out(found);
+    IsletShapeId found = {};
+    if (world != nullptr) new (&found) ShapeId(of(world).next_shape(in<BodyId>(body), in<ShapeId>(shape)));
+    return found;
 }
 
 uint32_t islet_body_next_contact(const IsletWorld* world, IsletBodyId body, uint32_t contact, IsletContactInfo* out) {

@@ -15,18 +15,18 @@ bool islet_chain_segment_is_valid(const IsletChainSegment* s) {
 }
 
 IsletShapeProxy islet_make_chain_segment_proxy(const IsletChainSegment* segment) {
-    ShapeProxy found = {};
-    if (is_there(nullptr, segment)) found = islet::make_proxy(*cast<const ChainSegment>(segment));
-    return out(found);
+    IsletShapeProxy found = {};
+    if (is_there(nullptr, segment)) new (&found) ShapeProxy(islet::make_proxy(*cast<const ChainSegment>(segment)));
+    return found;
 }
 
 IsletShapeId islet_create_chain_segment(IsletWorld* world, IsletBodyId body, const IsletChainSegment* segment, const IsletShapeDef* def) {
     Room<ShapeDef> def_room;
     const ShapeDef* def_taken = nullptr;
-    ShapeId found = {};
-    if (world != nullptr && is_there(world, segment) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
-        found = of(world).create_shape(in<BodyId>(body), *cast<const ChainSegment>(segment), *def_taken);
-    return out(found);
+    IsletShapeId found = {};
+    if ((def_taken = take_with<ShapeDef>(world, segment, def, def_room)) != nullptr)
+        new (&found) ShapeId(of(world).create_shape(in<BodyId>(body), *cast<const ChainSegment>(segment), *def_taken));
+    return found;
 }
 
 uint32_t islet_create_chain(IsletWorld* world, IsletBodyId body, const IsletVec2* points, size_t points_count, bool loop, const IsletShapeDef* def,

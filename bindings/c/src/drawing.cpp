@@ -43,14 +43,13 @@ void islet_draw_polygon(const IsletDebugDraw* draw, const IsletPolygon* polygon,
 void islet_world_draw(const IsletWorld* world, const IsletDebugDraw* draw) {
     Room<DebugDraw> draw_room;
     const DebugDraw* draw_taken = nullptr;
-    if (world != nullptr && (draw_taken = take<DebugDraw>(world, draw, draw_room)) != nullptr)
-        of(world).draw(Drawing(*draw_taken).functions);
+    if ((draw_taken = take<DebugDraw>(world, draw, draw_room)) != nullptr) of(world).draw(Drawing(*draw_taken).functions);
 }
 
 void islet_world_draw_shape(const IsletWorld* world, const IsletDebugDraw* draw, IsletShapeId shape, IsletTransform pose, const IsletDrawStyle* style) {
     Room<DebugDraw> draw_room;
     const DebugDraw* draw_taken = nullptr;
-    if (world != nullptr && (draw_taken = take<DebugDraw>(world, draw, draw_room)) != nullptr && is_there(world, style))
+    if ((draw_taken = take<DebugDraw>(world, draw, draw_room)) != nullptr && is_there(world, style))
         of(world).draw_shape(Drawing(*draw_taken).functions, in<ShapeId>(shape), in<Transform>(pose), *cast<const DrawStyle>(style));
 }
 

@@ -7,8 +7,9 @@ using namespace islet::c;
 extern "C" {
 
 IsletFieldFault islet_find_world_def_fault(const IsletWorldDef* given) {
-    WorldDef def;
-    if (given == nullptr || !take_world_def(given, def)) return {why(given), nullptr};
+    int refused = ISLET_ERROR_NONE;
+    const WorldDef def = world_def_of(given, refused);
+    if (given == nullptr || refused != ISLET_ERROR_NONE) return {why(given), nullptr};
     return out(islet::find_fault(def));
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <type_traits>
 
 #include "islet/fleet.hpp"
@@ -42,35 +43,15 @@ inline constexpr std::uint32_t start_of = Twin<T>::start;
 inline World& of(IsletWorld* world) { return *reinterpret_cast<World*>(world); }
 inline const World& of(const IsletWorld* world) { return *reinterpret_cast<const World*>(world); }
 
-/// A value of C as that of C++, and back. (Those that most calls have are made field by field, which takes less code than a copy of their bytes.)
+/// A value of C as that of C++, and back: it has the same bytes, which stay where they are. (A copy takes code in every call.)
 template <class T>
-T in(const typename Twin<T>::Type& value) {
-    return __builtin_bit_cast(T, value);
-}
-template <>
-inline BodyId in<BodyId>(const IsletBodyId& id) {
-    return {id.index1, id.generation};
-}
-template <>
-inline ShapeId in<ShapeId>(const IsletShapeId& id) {
-    return {id.index1, id.generation};
-}
-template <>
-inline JointId in<JointId>(const IsletJointId& id) {
-    return {id.index1, id.generation};
-}
-template <>
-inline Vec2 in<Vec2>(const IsletVec2& v) {
-    return {v.x, v.y};
+const T& in(const typename Twin<T>::Type& value) {
+    return reinterpret_cast<const T&>(value);
 }
 template <class T>
-typename Twin<T>::Type out(const T& value) {
-    return __builtin_bit_cast(typename Twin<T>::Type, value);
+const typename Twin<T>::Type& out(const T& value) {
+    return reinterpret_cast<const typename Twin<T>::Type&>(value);
 }
-inline IsletVec2 out(const Vec2& v) { return {v.x, v.y}; }
-inline IsletBodyId out(const BodyId& id) { return {id.index1, id.generation}; }
-inline IsletShapeId out(const ShapeId& id) { return {id.index1, id.generation}; }
-inline IsletJointId out(const JointId& id) { return {id.index1, id.generation}; }
 
 template <class To, class From>
 To* cast(From* pointer) {
@@ -97,7 +78,9 @@ span<T> span_of(void* pointer, std::size_t count) {
 }
 
 /// Records an error of C, as the world records its own, and returns it. Without a world it is returned alone.
-IsletError refuse(const IsletWorld* world, int error);
+inline IsletError refuse(const IsletWorld* world, int error) {
+    return static_cast<IsletError>(detail::refuse_call(cast<const World>(world), static_cast<Error>(error)));
+}
 
 /// Around a call that returns a code: its own error, none if it had none. The world's last error is then what it would be without these two. Of no world
 /// begin() is false, and end() is null_pointer.
@@ -113,11 +96,13 @@ inline constexpr bool has_grown = false;
 template <class T>
 inline constexpr bool has_grown<T, std::void_t<decltype(sizeof(First<T>))>> = true;
 
-/// Whether a struct had this size in an earlier version, which no size that would cut a field has.
+/// Whether a struct may have had this size in an earlier version, which no size that would cut a field has.
 template <class T>
 bool is_older(std::uint32_t size) {
     using Type = typename Twin<T>::Type;
-    return size >= sizeof(First<T>) && size < sizeof(Type) && size % alignof(Type) == 0;
+    for (std::uint32_t older = sizeof(First<T>); older < sizeof(Type); older += alignof(Type))
+        if (size == older) return true;
+    return false;
 }
 
 /// Room for a struct of an older program, with the defaults of the fields that it does not know.
@@ -128,15 +113,23 @@ struct Room<T, true> {
     T value = {};
 };
 
-/// Where the fields of C++ begin in a struct that carries its size; null, with the error recorded, if there is none, or its size is another than `size`.
+/// Where the fields of C++ begin in a struct that carries its size; null, with the error recorded, if there is none, or its size is another than `size`, or
+/// there is no world.
 const void* take_exact(const IsletWorld* world, const void* given, std::uint32_t size, std::uint32_t start);
+/// The same for a call that has no world.
+inline const void* take_exact(std::nullptr_t, const void* given, std::uint32_t size, std::uint32_t start) {
+    return given != nullptr && *static_cast<const std::uint32_t*>(given) == size ? static_cast<const char*>(given) + start : nullptr;
+}
 
-/// The struct of C++ that the caller gave, or null with the error recorded.
-template <class T>
-const T* take(const IsletWorld* world, const typename Twin<T>::Type* given, [[maybe_unused]] Room<T>& room) {
+inline bool lacks_world(std::nullptr_t) { return false; }
+inline bool lacks_world(const IsletWorld* world) { return world == nullptr; }
+
+/// The struct of C++ that the caller gave, or null with the error recorded. `world` is the call's, which is then checked too, or nullptr if it has none.
+template <class T, class W>
+const T* take(W world, const typename Twin<T>::Type* given, [[maybe_unused]] Room<T>& room) {
     using Type = typename Twin<T>::Type;
     if constexpr (has_grown<T>) {
-        if (given != nullptr && is_older<T>(given->struct_size)) {
+        if (!lacks_world(world) && given != nullptr && is_older<T>(given->struct_size)) {
             std::memcpy(static_cast<void*>(&room.value), reinterpret_cast<const char*>(given) + start_of<T>, given->struct_size - start_of<T>);
             return &room.value;
         }
@@ -152,14 +145,24 @@ const T* take_default() {
 }
 
 /// A definition that may be left out. One function for all that take it.
-template <class T>
-ISLET_NEVER_INLINE const T* take_or_default(const IsletWorld* world, const typename Twin<T>::Type* given, Room<T>& room) {
+template <class T, class W>
+ISLET_NEVER_INLINE const T* take_or_default(W world, const typename Twin<T>::Type* given, Room<T>& room) {
     return given == nullptr ? take_default<T>() : take<T>(world, given, room);
 }
 
-/// Whether a result can be written to a struct of the caller's; if not, the error is recorded.
+/// The same for a call that also needs a world and `other`, which must not be null.
 template <class T>
-bool fits(const IsletWorld* world, const typename Twin<T>::Type* out) {
+ISLET_NEVER_INLINE const T* take_with(const IsletWorld* world, const void* other, const typename Twin<T>::Type* given, Room<T>& room) {
+    if (other == nullptr)
+        given = nullptr;
+    else if (given == nullptr && world != nullptr)
+        return take_default<T>();
+    return take<T>(world, given, room);
+}
+
+/// Whether a result can be written to a struct of the caller's; if not, the error is recorded.
+template <class T, class W>
+bool fits(W world, const typename Twin<T>::Type* out) {
     using Type = typename Twin<T>::Type;
     if constexpr (has_grown<T>) {
         if (out != nullptr && is_older<T>(out->struct_size)) return true;
@@ -178,8 +181,57 @@ inline IsletError why(const void* given) { return given == nullptr ? ISLET_ERROR
 /// Whether a capacity can be written where the caller wants it, if anywhere.
 inline bool fits_if_wanted(const IsletCapacity* out) { return out == nullptr || fits<Capacity>(nullptr, out); }
 
-/// A world's definition, with the structs that it points to. False if one has a wrong size. (`given` may be null.)
-bool take_world_def(const IsletWorldDef* given, WorldDef& def);
+/// Copies a struct of the caller's, which must have this size, without its first `start` bytes; nothing if it is null. Returns struct_size on another size.
+int copy_exact(void* to, const void* given, std::uint32_t size, std::uint32_t start);
+
+/// Copies a struct of the caller's to where its defaults stand. One of an older program has no more than its first fields.
+template <class T>
+int copy(const typename Twin<T>::Type* given, T& to) {
+    std::uint32_t size = sizeof *given;
+    if constexpr (has_grown<T>) {
+        if (given != nullptr && is_older<T>(given->struct_size)) size = given->struct_size;
+    }
+    return copy_exact(&to, given, size, start_of<T>);
+}
+
+// The plain settings of a world stand together in both languages, and are copied as a whole; on processors with short pointers the error hook too.
+constexpr std::size_t settings_bytes = offsetof(WorldDef, lanes) + sizeof(WorldDef::lanes) - offsetof(WorldDef, enable_sleep);
+constexpr std::size_t with_hook_bytes = offsetof(WorldDef, error_context) + sizeof(WorldDef::error_context) - offsetof(WorldDef, enable_sleep);
+constexpr bool hook_follows =
+    with_hook_bytes == offsetof(IsletWorldDef, error_context) + sizeof(IsletWorldDef::error_context) - offsetof(IsletWorldDef, enable_sleep);
+#define ISLET_C_SAME_PLACE(field)                                                                                                                           \
+    static_assert(offsetof(IsletWorldDef, field) - offsetof(IsletWorldDef, enable_sleep) == offsetof(WorldDef, field) - offsetof(WorldDef, enable_sleep) && \
+                  sizeof(IsletWorldDef::field) == sizeof(WorldDef::field))
+ISLET_C_SAME_PLACE(enable_sleep);
+ISLET_C_SAME_PLACE(restitution_threshold);
+ISLET_C_SAME_PLACE(max_speed);
+ISLET_C_SAME_PLACE(hit_threshold);
+ISLET_C_SAME_PLACE(continuous);
+ISLET_C_SAME_PLACE(lanes);
+#undef ISLET_C_SAME_PLACE
+
+/// A world's definition, with the structs that it points to; null is the default. If one of them has a wrong size, `refused` becomes struct_size. (Only two
+/// functions call it, of which most programs have one: as part of that it takes less code.)
+ISLET_ALWAYS_INLINE inline WorldDef world_def_of(const IsletWorldDef* given, int& refused) {
+    WorldDef def;
+    if (given == nullptr) return def;
+    if (given->struct_size != sizeof *given) {
+        refused = ISLET_ERROR_STRUCT_SIZE;
+        return def;
+    }
+    refused |= copy(given->solver, def.solver);
+    refused |= copy(given->hooks, def.hooks);
+    refused |= copy(given->tasks, def.tasks);
+    def.gravity = in<Vec2>(given->gravity);
+    std::memcpy(&def.enable_sleep, &given->enable_sleep, hook_follows ? with_hook_bytes : settings_bytes);
+    if constexpr (!hook_follows) {
+        def.error_hook = function<ErrorHook>(given->error_hook);
+        def.error_context = given->error_context;
+    }
+    def.clock = given->clock;
+    def.clock_context = given->clock_context;
+    return def;
+}
 
 /// Functions that draw, of C. A polygon's corners are a pointer and a count there.
 struct Drawing {

@@ -17,81 +17,81 @@ IsletJointBreakEventSpan islet_world_broken_joints(const IsletWorld* world) {
 IsletJointId islet_create_revolute_joint(IsletWorld* world, const IsletRevoluteJointDef* def) {
     Room<RevoluteJointDef> def_room;
     const RevoluteJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<RevoluteJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<RevoluteJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletJointId islet_create_prismatic_joint(IsletWorld* world, const IsletPrismaticJointDef* def) {
     Room<PrismaticJointDef> def_room;
     const PrismaticJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<PrismaticJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<PrismaticJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletJointId islet_create_distance_joint(IsletWorld* world, const IsletDistanceJointDef* def) {
     Room<DistanceJointDef> def_room;
     const DistanceJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<DistanceJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<DistanceJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletJointId islet_create_weld_joint(IsletWorld* world, const IsletWeldJointDef* def) {
     Room<WeldJointDef> def_room;
     const WeldJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<WeldJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<WeldJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletJointId islet_create_wheel_joint(IsletWorld* world, const IsletWheelJointDef* def) {
     Room<WheelJointDef> def_room;
     const WheelJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<WheelJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<WheelJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletJointId islet_create_motor_joint(IsletWorld* world, const IsletMotorJointDef* def) {
     Room<MotorJointDef> def_room;
     const MotorJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<MotorJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<MotorJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletJointId islet_create_mouse_joint(IsletWorld* world, const IsletMouseJointDef* def) {
     Room<MouseJointDef> def_room;
     const MouseJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<MouseJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<MouseJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletJointId islet_create_pulley_joint(IsletWorld* world, const IsletPulleyJointDef* def) {
     Room<PulleyJointDef> def_room;
     const PulleyJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<PulleyJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<PulleyJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletJointId islet_create_gear_joint(IsletWorld* world, const IsletGearJointDef* def) {
     Room<GearJointDef> def_room;
     const GearJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<GearJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<GearJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletJointId islet_create_angle_joint(IsletWorld* world, const IsletAngleJointDef* def) {
     Room<AngleJointDef> def_room;
     const AngleJointDef* def_taken = nullptr;
-    JointId found = {};
-    if (world != nullptr && (def_taken = take<AngleJointDef>(world, def, def_room)) != nullptr) found = of(world).create_joint(*def_taken);
-    return out(found);
+    IsletJointId found = {};
+    if ((def_taken = take<AngleJointDef>(world, def, def_room)) != nullptr) new (&found) JointId(of(world).create_joint(*def_taken));
+    return found;
 }
 
 IsletError islet_destroy_joint(IsletWorld* world, IsletJointId joint) {
@@ -112,9 +112,9 @@ uint32_t islet_world_joint_count(const IsletWorld* world) {
 }
 
 IsletJointId islet_world_joint_at(const IsletWorld* world, uint32_t slot) {
-    JointId found = {};
-    if (world != nullptr) found = of(world).joint_at(slot);
-    return out(found);
+    IsletJointId found = {};
+    if (world != nullptr) new (&found) JointId(of(world).joint_at(slot));
+    return found;
 }
 
 uint32_t islet_body_joints(const IsletWorld* world, IsletBodyId body, IsletJointId* out, size_t out_count) {
@@ -124,9 +124,9 @@ uint32_t islet_body_joints(const IsletWorld* world, IsletBodyId body, IsletJoint
 }
 
 IsletJointId islet_body_next_joint(const IsletWorld* world, IsletBodyId body, IsletJointId joint) {
-    JointId found = {};
-    if (world != nullptr) found = of(world).next_joint(in<BodyId>(body), in<JointId>(joint));
-    return out(found);
+    IsletJointId found = {};
+    if (world != nullptr) new (&found) JointId(of(world).next_joint(in<BodyId>(body), in<JointId>(joint)));
+    return found;
 }
 
 IsletJointType islet_joint_type(const IsletWorld* world, IsletJointId joint) {
@@ -136,27 +136,27 @@ IsletJointType islet_joint_type(const IsletWorld* world, IsletJointId joint) {
 }
 
 IsletBodyId islet_joint_body_a(const IsletWorld* world, IsletJointId joint) {
-    BodyId found = {};
-    if (world != nullptr) found = of(world).body_a(in<JointId>(joint));
-    return out(found);
+    IsletBodyId found = {};
+    if (world != nullptr) new (&found) BodyId(of(world).body_a(in<JointId>(joint)));
+    return found;
 }
 
 IsletBodyId islet_joint_body_b(const IsletWorld* world, IsletJointId joint) {
-    BodyId found = {};
-    if (world != nullptr) found = of(world).body_b(in<JointId>(joint));
-    return out(found);
+    IsletBodyId found = {};
+    if (world != nullptr) new (&found) BodyId(of(world).body_b(in<JointId>(joint)));
+    return found;
 }
 
 IsletJointFrame islet_joint_frame_a(const IsletWorld* world, IsletJointId joint) {
-    JointFrame found = {};
-    if (world != nullptr) found = of(world).frame_a(in<JointId>(joint));
-    return out(found);
+    IsletJointFrame found = {};
+    if (world != nullptr) new (&found) JointFrame(of(world).frame_a(in<JointId>(joint)));
+    return found;
 }
 
 IsletJointFrame islet_joint_frame_b(const IsletWorld* world, IsletJointId joint) {
-    JointFrame found = {};
-    if (world != nullptr) found = of(world).frame_b(in<JointId>(joint));
-    return out(found);
+    IsletJointFrame found = {};
+    if (world != nullptr) new (&found) JointFrame(of(world).frame_b(in<JointId>(joint)));
+    return found;
 }
 
 IsletError islet_joint_set_frames(IsletWorld* world, IsletJointId joint, const IsletJointFrame* frame_a, const IsletJointFrame* frame_b) {
@@ -229,9 +229,9 @@ float islet_joint_speed(const IsletWorld* world, IsletJointId joint) {
 }
 
 IsletJointSpring islet_joint_spring(const IsletWorld* world, IsletJointId joint) {
-    JointSpring found = {};
-    if (world != nullptr) found = of(world).spring(in<JointId>(joint));
-    return out(found);
+    IsletJointSpring found = {};
+    if (world != nullptr) new (&found) JointSpring(of(world).spring(in<JointId>(joint)));
+    return found;
 }
 
 IsletError islet_joint_set_spring(IsletWorld* world, IsletJointId joint, const IsletJointSpring* spring) {
@@ -240,9 +240,9 @@ IsletError islet_joint_set_spring(IsletWorld* world, IsletJointId joint, const I
 }
 
 IsletJointLimit islet_joint_limit(const IsletWorld* world, IsletJointId joint) {
-    JointLimit found = {};
-    if (world != nullptr) found = of(world).limit(in<JointId>(joint));
-    return out(found);
+    IsletJointLimit found = {};
+    if (world != nullptr) new (&found) JointLimit(of(world).limit(in<JointId>(joint)));
+    return found;
 }
 
 IsletError islet_joint_set_limit(IsletWorld* world, IsletJointId joint, const IsletJointLimit* limit) {
@@ -251,9 +251,9 @@ IsletError islet_joint_set_limit(IsletWorld* world, IsletJointId joint, const Is
 }
 
 IsletJointMotor islet_joint_motor(const IsletWorld* world, IsletJointId joint) {
-    JointMotor found = {};
-    if (world != nullptr) found = of(world).motor(in<JointId>(joint));
-    return out(found);
+    IsletJointMotor found = {};
+    if (world != nullptr) new (&found) JointMotor(of(world).motor(in<JointId>(joint)));
+    return found;
 }
 
 IsletError islet_joint_set_motor(IsletWorld* world, IsletJointId joint, const IsletJointMotor* motor) {
@@ -279,9 +279,9 @@ float islet_joint_motor_force(const IsletWorld* world, IsletJointId joint) {
 }
 
 IsletJointRatchet islet_joint_ratchet(const IsletWorld* world, IsletJointId joint) {
-    JointRatchet found = {};
-    if (world != nullptr) found = of(world).ratchet(in<JointId>(joint));
-    return out(found);
+    IsletJointRatchet found = {};
+    if (world != nullptr) new (&found) JointRatchet(of(world).ratchet(in<JointId>(joint)));
+    return found;
 }
 
 IsletError islet_joint_set_ratchet(IsletWorld* world, IsletJointId joint, const IsletJointRatchet* ratchet) {
@@ -385,15 +385,15 @@ IsletError islet_joint_set_ratio(IsletWorld* world, IsletJointId joint, float ra
 }
 
 IsletJointId islet_gear_joint1(const IsletWorld* world, IsletJointId gear) {
-    JointId found = {};
-    if (world != nullptr) found = of(world).joint1(in<JointId>(gear));
-    return out(found);
+    IsletJointId found = {};
+    if (world != nullptr) new (&found) JointId(of(world).joint1(in<JointId>(gear)));
+    return found;
 }
 
 IsletJointId islet_gear_joint2(const IsletWorld* world, IsletJointId gear) {
-    JointId found = {};
-    if (world != nullptr) found = of(world).joint2(in<JointId>(gear));
-    return out(found);
+    IsletJointId found = {};
+    if (world != nullptr) new (&found) JointId(of(world).joint2(in<JointId>(gear)));
+    return found;
 }
 
 IsletVec2 islet_joint_force(const IsletWorld* world, IsletJointId joint) {
@@ -409,9 +409,9 @@ float islet_joint_torque(const IsletWorld* world, IsletJointId joint) {
 }
 
 IsletJointError islet_joint_error(const IsletWorld* world, IsletJointId joint) {
-    JointError found = {};
-    if (world != nullptr) found = of(world).joint_error(in<JointId>(joint));
-    return out(found);
+    IsletJointError found = {};
+    if (world != nullptr) new (&found) JointError(of(world).joint_error(in<JointId>(joint)));
+    return found;
 }
 
 }  // extern "C"

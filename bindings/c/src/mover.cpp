@@ -14,8 +14,7 @@ bool islet_step_mover(IsletWorld* world, const IsletMoverDef* def, IsletMoverSta
     Room<MoverInput> input_room;
     const MoverInput* input_taken = nullptr;
     bool found = {};
-    if (world != nullptr &&
-        (def_taken = take<MoverDef>(world, def, def_room)) != nullptr &&
+    if ((def_taken = take<MoverDef>(world, def, def_room)) != nullptr &&
         is_there(world, state) &&
         (input_taken = take<MoverInput>(world, input, input_room)) != nullptr)
         found = islet::step_mover(of(world), *def_taken, *cast<MoverState>(state), *input_taken, dt);

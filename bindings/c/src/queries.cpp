@@ -9,10 +9,10 @@ using namespace islet::c;
 extern "C" {
 
 IsletQueryHit islet_world_cast_ray(const IsletWorld* world, IsletVec2 origin, IsletVec2 translation, const IsletQueryFilter* filter) {
-    QueryHit found = {};
+    IsletQueryHit found = {};
     if (world != nullptr)
-        found = of(world).cast_ray(in<Vec2>(origin), in<Vec2>(translation), filter == nullptr ? *take_default<QueryFilter>() : *cast<const QueryFilter>(filter));
-    return out(found);
+        new (&found) QueryHit(of(world).cast_ray(in<Vec2>(origin), in<Vec2>(translation), filter == nullptr ? *take_default<QueryFilter>() : *cast<const QueryFilter>(filter)));
+    return found;
 }
 
 bool islet_world_cast_ray_any(const IsletWorld* world, IsletVec2 origin, IsletVec2 translation, const IsletQueryFilter* filter) {
@@ -37,10 +37,10 @@ void islet_world_cast_ray_each(const IsletWorld* world, IsletVec2 origin, IsletV
 }
 
 IsletQueryHit islet_world_cast_shape(const IsletWorld* world, const IsletShapeProxy* shape, IsletVec2 translation, const IsletQueryFilter* filter) {
-    QueryHit found = {};
+    IsletQueryHit found = {};
     if (world != nullptr && is_there(world, shape))
-        found = of(world).cast_shape(*cast<const ShapeProxy>(shape), in<Vec2>(translation), filter == nullptr ? *take_default<QueryFilter>() : *cast<const QueryFilter>(filter));
-    return out(found);
+        new (&found) QueryHit(of(world).cast_shape(*cast<const ShapeProxy>(shape), in<Vec2>(translation), filter == nullptr ? *take_default<QueryFilter>() : *cast<const QueryFilter>(filter)));
+    return found;
 }
 
 bool islet_world_cast_shape_any(const IsletWorld* world, const IsletShapeProxy* shape, IsletVec2 translation, const IsletQueryFilter* filter) {
@@ -103,10 +103,10 @@ void islet_world_overlap_point_each(const IsletWorld* world, IsletVec2 point, co
 }
 
 IsletClosestHit islet_world_closest(const IsletWorld* world, IsletVec2 point, float max_distance, const IsletQueryFilter* filter) {
-    ClosestHit found = {};
+    IsletClosestHit found = {};
     if (world != nullptr)
-        found = of(world).closest(in<Vec2>(point), max_distance, filter == nullptr ? *take_default<QueryFilter>() : *cast<const QueryFilter>(filter));
-    return out(found);
+        new (&found) ClosestHit(of(world).closest(in<Vec2>(point), max_distance, filter == nullptr ? *take_default<QueryFilter>() : *cast<const QueryFilter>(filter)));
+    return found;
 }
 
 uint32_t islet_world_surfaces_near(const IsletWorld* world, const IsletShapeProxy* shape, float within, IsletSurface* out, size_t out_count,

@@ -11,46 +11,46 @@ extern "C" {
 IsletShapeId islet_create_circle(IsletWorld* world, IsletBodyId body, const IsletCircle* circle, const IsletShapeDef* def) {
     Room<ShapeDef> def_room;
     const ShapeDef* def_taken = nullptr;
-    ShapeId found = {};
-    if (world != nullptr && is_there(world, circle) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
-        found = of(world).create_shape(in<BodyId>(body), *cast<const Circle>(circle), *def_taken);
-    return out(found);
+    IsletShapeId found = {};
+    if ((def_taken = take_with<ShapeDef>(world, circle, def, def_room)) != nullptr)
+        new (&found) ShapeId(of(world).create_shape(in<BodyId>(body), *cast<const Circle>(circle), *def_taken));
+    return found;
 }
 
 IsletShapeId islet_create_capsule(IsletWorld* world, IsletBodyId body, const IsletCapsule* capsule, const IsletShapeDef* def) {
     Room<ShapeDef> def_room;
     const ShapeDef* def_taken = nullptr;
-    ShapeId found = {};
-    if (world != nullptr && is_there(world, capsule) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
-        found = of(world).create_shape(in<BodyId>(body), *cast<const Capsule>(capsule), *def_taken);
-    return out(found);
+    IsletShapeId found = {};
+    if ((def_taken = take_with<ShapeDef>(world, capsule, def, def_room)) != nullptr)
+        new (&found) ShapeId(of(world).create_shape(in<BodyId>(body), *cast<const Capsule>(capsule), *def_taken));
+    return found;
 }
 
 IsletShapeId islet_create_segment(IsletWorld* world, IsletBodyId body, const IsletSegment* segment, const IsletShapeDef* def) {
     Room<ShapeDef> def_room;
     const ShapeDef* def_taken = nullptr;
-    ShapeId found = {};
-    if (world != nullptr && is_there(world, segment) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
-        found = of(world).create_shape(in<BodyId>(body), *cast<const Segment>(segment), *def_taken);
-    return out(found);
+    IsletShapeId found = {};
+    if ((def_taken = take_with<ShapeDef>(world, segment, def, def_room)) != nullptr)
+        new (&found) ShapeId(of(world).create_shape(in<BodyId>(body), *cast<const Segment>(segment), *def_taken));
+    return found;
 }
 
 IsletShapeId islet_create_polygon(IsletWorld* world, IsletBodyId body, const IsletPolygon* polygon, const IsletShapeDef* def) {
     Room<ShapeDef> def_room;
     const ShapeDef* def_taken = nullptr;
-    ShapeId found = {};
-    if (world != nullptr && is_there(world, polygon) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
-        found = of(world).create_shape(in<BodyId>(body), *cast<const Polygon>(polygon), *def_taken);
-    return out(found);
+    IsletShapeId found = {};
+    if ((def_taken = take_with<ShapeDef>(world, polygon, def, def_room)) != nullptr)
+        new (&found) ShapeId(of(world).create_shape(in<BodyId>(body), *cast<const Polygon>(polygon), *def_taken));
+    return found;
 }
 
 IsletShapeId islet_create_half_space(IsletWorld* world, IsletBodyId body, const IsletHalfSpace* half_space, const IsletShapeDef* def) {
     Room<ShapeDef> def_room;
     const ShapeDef* def_taken = nullptr;
-    ShapeId found = {};
-    if (world != nullptr && is_there(world, half_space) && (def_taken = take_or_default<ShapeDef>(world, def, def_room)) != nullptr)
-        found = of(world).create_shape(in<BodyId>(body), *cast<const HalfSpace>(half_space), *def_taken);
-    return out(found);
+    IsletShapeId found = {};
+    if ((def_taken = take_with<ShapeDef>(world, half_space, def, def_room)) != nullptr)
+        new (&found) ShapeId(of(world).create_shape(in<BodyId>(body), *cast<const HalfSpace>(half_space), *def_taken));
+    return found;
 }
 
 IsletError islet_destroy_shape(IsletWorld* world, IsletShapeId shape) {
@@ -77,9 +77,9 @@ uint32_t islet_shape_next_contact(const IsletWorld* world, IsletShapeId shape, u
 }
 
 IsletBodyId islet_shape_body(const IsletWorld* world, IsletShapeId shape) {
-    BodyId found = {};
-    if (world != nullptr) found = of(world).body(in<ShapeId>(shape));
-    return out(found);
+    IsletBodyId found = {};
+    if (world != nullptr) new (&found) BodyId(of(world).body(in<ShapeId>(shape)));
+    return found;
 }
 
 IsletShapeType islet_shape_type(const IsletWorld* world, IsletShapeId shape) {

@@ -161,33 +161,39 @@ IsletRot islet_rot_integrate(IsletRot q, float delta_radians) {
 }
 
 IsletHull islet_compute_hull(const IsletVec2* points, size_t points_count) {
-    Hull found = {};
-    if (is_there(nullptr, points, points_count)) found = islet::compute_hull(span_of<const Vec2>(points, points_count));
-    return out(found);
+    IsletHull found = {};
+    if (is_there(nullptr, points, points_count)) new (&found) Hull(islet::compute_hull(span_of<const Vec2>(points, points_count)));
+    return found;
 }
 
 IsletPolygon islet_make_polygon(const IsletHull* hull, float radius) {
-    Polygon found = {};
-    if (is_there(nullptr, hull)) found = islet::make_polygon(*cast<const Hull>(hull), radius);
-    return out(found);
+    IsletPolygon found = {};
+    if (is_there(nullptr, hull)) new (&found) Polygon(islet::make_polygon(*cast<const Hull>(hull), radius));
+    return found;
 }
 
 IsletPolygon islet_make_box(float hx, float hy) {
-    return out(islet::make_box(hx, hy));
+    IsletPolygon found;
+    new (&found) Polygon(islet::make_box(hx, hy));
+    return found;
 }
 
 IsletPolygon islet_make_rounded_box(float hx, float hy, float radius) {
-    return out(islet::make_rounded_box(hx, hy, radius));
+    IsletPolygon found;
+    new (&found) Polygon(islet::make_rounded_box(hx, hy, radius));
+    return found;
 }
 
 IsletPolygon islet_make_offset_box(float hx, float hy, IsletTransform pose, float radius) {
-    return out(islet::make_offset_box(hx, hy, in<Transform>(pose), radius));
+    IsletPolygon found;
+    new (&found) Polygon(islet::make_offset_box(hx, hy, in<Transform>(pose), radius));
+    return found;
 }
 
 IsletPolygon islet_transform_polygon(IsletTransform t, const IsletPolygon* p) {
-    Polygon found = {};
-    if (is_there(nullptr, p)) found = islet::transform_polygon(in<Transform>(t), *cast<const Polygon>(p));
-    return out(found);
+    IsletPolygon found = {};
+    if (is_there(nullptr, p)) new (&found) Polygon(islet::transform_polygon(in<Transform>(t), *cast<const Polygon>(p)));
+    return found;
 }
 
 bool islet_circle_is_valid(const IsletCircle* c) {
@@ -221,21 +227,21 @@ bool islet_polygon_is_valid(const IsletPolygon* p) {
 }
 
 IsletMassData islet_circle_compute_mass(const IsletCircle* c, float density) {
-    MassData found = {};
-    if (is_there(nullptr, c)) found = islet::compute_mass(*cast<const Circle>(c), density);
-    return out(found);
+    IsletMassData found = {};
+    if (is_there(nullptr, c)) new (&found) MassData(islet::compute_mass(*cast<const Circle>(c), density));
+    return found;
 }
 
 IsletMassData islet_capsule_compute_mass(const IsletCapsule* c, float density) {
-    MassData found = {};
-    if (is_there(nullptr, c)) found = islet::compute_mass(*cast<const Capsule>(c), density);
-    return out(found);
+    IsletMassData found = {};
+    if (is_there(nullptr, c)) new (&found) MassData(islet::compute_mass(*cast<const Capsule>(c), density));
+    return found;
 }
 
 IsletMassData islet_polygon_compute_mass(const IsletPolygon* p, float density) {
-    MassData found = {};
-    if (is_there(nullptr, p)) found = islet::compute_mass(*cast<const Polygon>(p), density);
-    return out(found);
+    IsletMassData found = {};
+    if (is_there(nullptr, p)) new (&found) MassData(islet::compute_mass(*cast<const Polygon>(p), density));
+    return found;
 }
 
 IsletAabb islet_circle_compute_aabb(const IsletCircle* c, IsletTransform t) {
@@ -271,43 +277,46 @@ bool islet_capacity_is_valid(const IsletCapacity* c) {
 }
 
 IsletShapeProxy islet_make_circle_proxy(const IsletCircle* circle) {
-    ShapeProxy found = {};
-    if (is_there(nullptr, circle)) found = islet::make_proxy(*cast<const Circle>(circle));
-    return out(found);
+    IsletShapeProxy found = {};
+    if (is_there(nullptr, circle)) new (&found) ShapeProxy(islet::make_proxy(*cast<const Circle>(circle)));
+    return found;
 }
 
 IsletShapeProxy islet_make_capsule_proxy(const IsletCapsule* capsule) {
-    ShapeProxy found = {};
-    if (is_there(nullptr, capsule)) found = islet::make_proxy(*cast<const Capsule>(capsule));
-    return out(found);
+    IsletShapeProxy found = {};
+    if (is_there(nullptr, capsule)) new (&found) ShapeProxy(islet::make_proxy(*cast<const Capsule>(capsule)));
+    return found;
 }
 
 IsletShapeProxy islet_make_segment_proxy(const IsletSegment* segment) {
-    ShapeProxy found = {};
-    if (is_there(nullptr, segment)) found = islet::make_proxy(*cast<const Segment>(segment));
-    return out(found);
+    IsletShapeProxy found = {};
+    if (is_there(nullptr, segment)) new (&found) ShapeProxy(islet::make_proxy(*cast<const Segment>(segment)));
+    return found;
 }
 
 IsletShapeProxy islet_make_polygon_proxy(const IsletPolygon* polygon) {
-    ShapeProxy found = {};
-    if (is_there(nullptr, polygon)) found = islet::make_proxy(*cast<const Polygon>(polygon));
-    return out(found);
+    IsletShapeProxy found = {};
+    if (is_there(nullptr, polygon)) new (&found) ShapeProxy(islet::make_proxy(*cast<const Polygon>(polygon)));
+    return found;
 }
 
 IsletShapeProxy islet_make_proxy(const IsletVec2* points, size_t points_count, float radius) {
-    ShapeProxy found = {};
-    if (is_there(nullptr, points, points_count)) found = islet::make_proxy(span_of<const Vec2>(points, points_count), radius);
-    return out(found);
+    IsletShapeProxy found = {};
+    if (is_there(nullptr, points, points_count))
+        new (&found) ShapeProxy(islet::make_proxy(span_of<const Vec2>(points, points_count), radius));
+    return found;
 }
 
 IsletShapeProxy islet_make_box_proxy(IsletAabb box) {
-    return out(islet::make_proxy(in<Aabb>(box)));
+    IsletShapeProxy found;
+    new (&found) ShapeProxy(islet::make_proxy(in<Aabb>(box)));
+    return found;
 }
 
 IsletShapeProxy islet_transform_proxy(IsletTransform t, const IsletShapeProxy* p) {
-    ShapeProxy found = {};
-    if (is_there(nullptr, p)) found = islet::transform_proxy(in<Transform>(t), *cast<const ShapeProxy>(p));
-    return out(found);
+    IsletShapeProxy found = {};
+    if (is_there(nullptr, p)) new (&found) ShapeProxy(islet::transform_proxy(in<Transform>(t), *cast<const ShapeProxy>(p)));
+    return found;
 }
 
 bool islet_proxy_is_valid(const IsletShapeProxy* p) {
@@ -317,16 +326,17 @@ bool islet_proxy_is_valid(const IsletShapeProxy* p) {
 }
 
 IsletCastHit islet_cast_ray(const IsletShapeProxy* target, IsletVec2 origin, IsletVec2 translation) {
-    CastHit found = {};
-    if (is_there(nullptr, target)) found = islet::cast_ray(*cast<const ShapeProxy>(target), in<Vec2>(origin), in<Vec2>(translation));
-    return out(found);
+    IsletCastHit found = {};
+    if (is_there(nullptr, target))
+        new (&found) CastHit(islet::cast_ray(*cast<const ShapeProxy>(target), in<Vec2>(origin), in<Vec2>(translation)));
+    return found;
 }
 
 IsletCastHit islet_cast_shape(const IsletShapeProxy* moving, IsletVec2 translation, const IsletShapeProxy* target) {
-    CastHit found = {};
+    IsletCastHit found = {};
     if (is_there(nullptr, moving) && is_there(nullptr, target))
-        found = islet::cast_shape(*cast<const ShapeProxy>(moving), in<Vec2>(translation), *cast<const ShapeProxy>(target));
-    return out(found);
+        new (&found) CastHit(islet::cast_shape(*cast<const ShapeProxy>(moving), in<Vec2>(translation), *cast<const ShapeProxy>(target)));
+    return found;
 }
 
 bool islet_proxy_overlaps(const IsletShapeProxy* a, const IsletShapeProxy* b) {

@@ -158,9 +158,9 @@ IsletError islet_world_report(const IsletWorld* world, IsletStepReport* out) {
 }
 
 IsletErrorHook islet_world_error_hook(const IsletWorld* world) {
-    ErrorHook found = nullptr;
-    if (world != nullptr) found = of(world).error_hook();
-    return function<IsletErrorHook>(found);
+    IsletErrorHook found = {};
+    if (world != nullptr) new (&found) ErrorHook(of(world).error_hook());
+    return found;
 }
 
 void* islet_world_error_context(const IsletWorld* world) {
@@ -229,9 +229,9 @@ uint32_t islet_world_body_count(const IsletWorld* world) {
 }
 
 IsletBodyId islet_world_body_at(const IsletWorld* world, uint32_t slot) {
-    BodyId found = {};
-    if (world != nullptr) found = of(world).body_at(slot);
-    return out(found);
+    IsletBodyId found = {};
+    if (world != nullptr) new (&found) BodyId(of(world).body_at(slot));
+    return found;
 }
 
 uint32_t islet_world_shape_count(const IsletWorld* world) {
@@ -241,9 +241,9 @@ uint32_t islet_world_shape_count(const IsletWorld* world) {
 }
 
 IsletShapeId islet_world_shape_at(const IsletWorld* world, uint32_t slot) {
-    ShapeId found = {};
-    if (world != nullptr) found = of(world).shape_at(slot);
-    return out(found);
+    IsletShapeId found = {};
+    if (world != nullptr) new (&found) ShapeId(of(world).shape_at(slot));
+    return found;
 }
 
 uint32_t islet_world_contact_count(const IsletWorld* world) {

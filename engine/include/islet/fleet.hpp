@@ -62,7 +62,7 @@ struct Sense {
     QueryFilter filter = {};  ///< what a ray can meet
 };
 
-/// Columns that these senses fill.
+/// Columns that these senses fill; 0 for a sense of an unknown kind.
 std::uint32_t columns(span<const Sense> senses);
 
 /// What Fleet::step does. Empty spans stand for nothing to do; all arrays are read and written during the call only.

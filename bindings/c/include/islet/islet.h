@@ -1528,6 +1528,190 @@ typedef struct IsletJointBreakEventSpan {
 
 // -- defaults --------------------------------------------------------------------------------------------------------------------------
 
+#ifndef __cplusplus  // GCC makes a value without a name in its place, but copies a variable
+
+static inline IsletRot islet_default_rot(void) {
+    return (IsletRot){.c = 1.0f};
+}
+
+static inline IsletTransform islet_default_transform(void) {
+    return (IsletTransform){.q.c = 1.0f};
+}
+
+static inline IsletCircle islet_default_circle(void) {
+    return (IsletCircle){.radius = 0.5f};
+}
+
+static inline IsletCapsule islet_default_capsule(void) {
+    return (IsletCapsule){.radius = 0.5f};
+}
+
+static inline IsletHalfSpace islet_default_half_space(void) {
+    return (IsletHalfSpace){.normal.y = 1.0f};
+}
+
+static inline IsletDrawStyle islet_default_draw_style(void) {
+    return (IsletDrawStyle){.solid = true};
+}
+
+static inline IsletDebugDraw islet_default_debug_draw(void) {
+    return (IsletDebugDraw){.struct_size = sizeof(IsletDebugDraw), .view.lower.x = -1.0e30f, .view.lower.y = -1.0e30f, .view.upper.x = 1.0e30f,
+        .view.upper.y = 1.0e30f, .size = 0.25f, .impulse_scale = 1.0f, .shapes = true, .joints = true};
+}
+
+static inline IsletTaskSystem islet_default_task_system(void) {
+    return (IsletTaskSystem){.struct_size = sizeof(IsletTaskSystem), .workers = 1u};
+}
+
+static inline IsletCapacity islet_default_capacity(void) {
+    return (IsletCapacity){.struct_size = sizeof(IsletCapacity)};
+}
+
+static inline IsletHooks islet_default_hooks(void) {
+    return (IsletHooks){.struct_size = sizeof(IsletHooks)};
+}
+
+static inline IsletSolverDef islet_default_solver_def(void) {
+    return (IsletSolverDef){.struct_size = sizeof(IsletSolverDef), .substeps = 4u, .iterations = 1u, .relax_iterations = 1u, .contact_hertz = 30.0f,
+        .contact_damping_ratio = 10.0f, .contact_push_speed = 3.0f, .joint_hertz = 60.0f, .joint_damping_ratio = 2.0f, .baumgarte = 0.2f, .omega = 1.0f,
+        .warm_start = true, .joint_trees = ISLET_JOINT_TREES_AUTOMATIC, .joint_tree_load = 1.0f};
+}
+
+static inline IsletWorldDef islet_default_world_def(void) {
+    return (IsletWorldDef){.struct_size = sizeof(IsletWorldDef), .gravity.y = -10.0f, .enable_sleep = true, .restitution_threshold = 1.0f,
+        .max_speed = 400.0f, .hit_threshold = 1.0f, .continuous = true};
+}
+
+static inline IsletBodyDef islet_default_body_def(void) {
+    return (IsletBodyDef){.struct_size = sizeof(IsletBodyDef), .gravity_scale = 1.0f, .sleep_threshold = 0.05f, .enable_sleep = true, .awake = true,
+        .enabled = true};
+}
+
+static inline IsletFilter islet_default_filter(void) {
+    return (IsletFilter){.category = 1u, .mask = 4294967295u};
+}
+
+static inline IsletSurfaceMaterial islet_default_surface_material(void) {
+    return (IsletSurfaceMaterial){.friction = 0.6f};
+}
+
+static inline IsletShapeDef islet_default_shape_def(void) {
+    return (IsletShapeDef){.struct_size = sizeof(IsletShapeDef), .friction = 0.6f, .density = 1.0f, .filter.category = 1u, .filter.mask = 4294967295u,
+        .sensor_events = true};
+}
+
+static inline IsletExplosionDef islet_default_explosion_def(void) {
+    return (IsletExplosionDef){.struct_size = sizeof(IsletExplosionDef), .mask = 4294967295u};
+}
+
+static inline IsletWindDef islet_default_wind_def(void) {
+    return (IsletWindDef){.struct_size = sizeof(IsletWindDef), .drag = 1.0f, .density = 1.225f, .wake = true};
+}
+
+static inline IsletStepReport islet_default_step_report(void) {
+    return (IsletStepReport){.struct_size = sizeof(IsletStepReport)};
+}
+
+static inline IsletStepProfile islet_default_step_profile(void) {
+    return (IsletStepProfile){.struct_size = sizeof(IsletStepProfile)};
+}
+
+static inline IsletWorldCounters islet_default_world_counters(void) {
+    return (IsletWorldCounters){.struct_size = sizeof(IsletWorldCounters)};
+}
+
+static inline IsletPreSolve islet_default_pre_solve(void) {
+    return (IsletPreSolve){.enabled = true};
+}
+
+static inline IsletJointSoftness islet_default_joint_softness(void) {
+    return (IsletJointSoftness){.linear_damping_ratio = 1.0f, .angular_damping_ratio = 1.0f};
+}
+
+static inline IsletRevoluteJointDef islet_default_revolute_joint_def(void) {
+    return (IsletRevoluteJointDef){.struct_size = sizeof(IsletRevoluteJointDef)};
+}
+
+static inline IsletPrismaticJointDef islet_default_prismatic_joint_def(void) {
+    return (IsletPrismaticJointDef){.struct_size = sizeof(IsletPrismaticJointDef)};
+}
+
+static inline IsletDistanceJointDef islet_default_distance_joint_def(void) {
+    return (IsletDistanceJointDef){.struct_size = sizeof(IsletDistanceJointDef), .length = 1.0f};
+}
+
+static inline IsletWeldJointDef islet_default_weld_joint_def(void) {
+    return (IsletWeldJointDef){.struct_size = sizeof(IsletWeldJointDef), .linear_damping_ratio = 1.0f, .angular_damping_ratio = 1.0f};
+}
+
+static inline IsletWheelJointDef islet_default_wheel_joint_def(void) {
+    return (IsletWheelJointDef){.struct_size = sizeof(IsletWheelJointDef), .spring.enable = true, .spring.hertz = 4.0f, .spring.damping_ratio = 0.7f};
+}
+
+static inline IsletMotorJointDef islet_default_motor_joint_def(void) {
+    return (IsletMotorJointDef){.struct_size = sizeof(IsletMotorJointDef), .linear_damping_ratio = 1.0f, .angular_damping_ratio = 1.0f};
+}
+
+static inline IsletMouseJointDef islet_default_mouse_joint_def(void) {
+    return (IsletMouseJointDef){.struct_size = sizeof(IsletMouseJointDef), .hertz = 5.0f, .damping_ratio = 0.7f};
+}
+
+static inline IsletPulleyJointDef islet_default_pulley_joint_def(void) {
+    return (IsletPulleyJointDef){.struct_size = sizeof(IsletPulleyJointDef), .ratio = 1.0f};
+}
+
+static inline IsletGearJointDef islet_default_gear_joint_def(void) {
+    return (IsletGearJointDef){.struct_size = sizeof(IsletGearJointDef), .ratio = 1.0f};
+}
+
+static inline IsletAngleJointDef islet_default_angle_joint_def(void) {
+    return (IsletAngleJointDef){.struct_size = sizeof(IsletAngleJointDef)};
+}
+
+static inline IsletQueryFilter islet_default_query_filter(void) {
+    return (IsletQueryFilter){.category = 4294967295u, .mask = 4294967295u};
+}
+
+static inline IsletDrive islet_default_drive(void) {
+    return (IsletDrive){.scale = 1.0f};
+}
+
+static inline IsletSense islet_default_sense(void) {
+    return (IsletSense){.filter.category = 4294967295u, .filter.mask = 4294967295u};
+}
+
+static inline IsletFormatInfo islet_default_format_info(void) {
+    return (IsletFormatInfo){.struct_size = sizeof(IsletFormatInfo)};
+}
+
+static inline IsletRowEnd islet_default_row_end(void) {
+    return (IsletRowEnd){.body = ISLET_NO_BODY};
+}
+
+static inline IsletMoverDef islet_default_mover_def(void) {
+    return (IsletMoverDef){.struct_size = sizeof(IsletMoverDef), .capsule.point1.y = 0.3f, .capsule.point2.y = 1.5f, .capsule.radius = 0.3f, .up.y = 1.0f,
+        .gravity_scale = 1.0f, .max_slope = 0.9f, .step_height = 0.35f, .snap_distance = 0.35f, .ground_acceleration = 60.0f, .air_acceleration = 20.0f,
+        .mass = 70.0f, .max_push_force = 400.0f, .filter.category = 4294967295u, .filter.mask = 4294967295u};
+}
+
+static inline IsletMoverInput islet_default_mover_input(void) {
+    return (IsletMoverInput){.struct_size = sizeof(IsletMoverInput)};
+}
+
+static inline IsletRecordingInfo islet_default_recording_info(void) {
+    return (IsletRecordingInfo){.struct_size = sizeof(IsletRecordingInfo)};
+}
+
+static inline IsletReplayResult islet_default_replay_result(void) {
+    return (IsletReplayResult){.struct_size = sizeof(IsletReplayResult)};
+}
+
+static inline IsletSnapshotInfo islet_default_snapshot_info(void) {
+    return (IsletSnapshotInfo){.struct_size = sizeof(IsletSnapshotInfo)};
+}
+
+#else
+
 static inline IsletRot islet_default_rot(void) {
     IsletRot def = ISLET_ZERO;
     def.c = 1.0f;
@@ -1857,6 +2041,8 @@ static inline IsletSnapshotInfo islet_default_snapshot_info(void) {
     def.struct_size = sizeof def;
     return def;
 }
+
+#endif
 
 
 // -- functions -------------------------------------------------------------------------------------------------------------------------
@@ -2811,7 +2997,7 @@ ISLET_C_API void islet_world_draw(const IsletWorld* world, const IsletDebugDraw*
 ISLET_C_API void islet_world_draw_shape(const IsletWorld* world, const IsletDebugDraw* draw, IsletShapeId shape, IsletTransform pose,
     const IsletDrawStyle* style);
 
-/// Columns that these senses fill.
+/// Columns that these senses fill; 0 for a sense of an unknown kind.
 ISLET_C_API uint32_t islet_sense_columns(const IsletSense* senses, size_t senses_count);
 
 /// Tells the kind and format of a snapshot, a delta or a recording from its first bytes, whatever version wrote it: 8 bytes are enough for the first two, 64
