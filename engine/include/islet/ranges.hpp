@@ -97,28 +97,28 @@ public:
     class Iterator {
     public:
         Iterator() = default;
-        Iterator(const World& world, Id of) : world_(&world), of_(of), number_(world.next_contact(of, 0, contact_)) {}
+        Iterator(const World& of, Id id) : world_(&of), id_(id), number_(of.next_contact(id, 0, contact_)) {}
         const ContactInfo& operator*() const { return contact_; }
         Iterator& operator++() {
-            number_ = world_->next_contact(of_, number_, contact_);
+            number_ = world_->next_contact(id_, number_, contact_);
             return *this;
         }
         bool operator!=(const Iterator& other) const { return number_ != other.number_; }
 
     private:
         const World* world_ = nullptr;
-        Id of_ = {};
+        Id id_ = {};
         ContactInfo contact_ = {};
         std::uint32_t number_ = 0;
     };
 
-    ContactRange(const World& world, Id of) : world_(&world), of_(of) {}
-    Iterator begin() const { return {*world_, of_}; }
+    ContactRange(const World& of, Id id) : world_(&of), id_(id) {}
+    Iterator begin() const { return {*world_, id_}; }
     Iterator end() const { return {}; }
 
 private:
     const World* world_;
-    Id of_;
+    Id id_;
 };
 
 }  // namespace detail

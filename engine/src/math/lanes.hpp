@@ -58,7 +58,7 @@ struct Lane1 {
 };
 
 // Four lanes by the compiler's vector extension: SSE2, NEON, wasm-simd128, or plain code where there is none.
-#if ISLET_MAX_LANES > 1
+#if !ISLET_FOR_MSVC
 typedef float f4 __attribute__((vector_size(16)));
 typedef int i4 __attribute__((vector_size(16)));
 
@@ -219,7 +219,7 @@ private:
     }
 };
 #endif
-#endif  // ISLET_MAX_LANES > 1
+#endif  // !ISLET_FOR_MSVC
 
 template <std::uint32_t width>
 struct LanesByWidth;
@@ -227,7 +227,7 @@ template <>
 struct LanesByWidth<1> {
     using Type = Lane1;
 };
-#if ISLET_MAX_LANES > 1
+#if !ISLET_FOR_MSVC
 template <>
 struct LanesByWidth<4> {
     using Type = Lane4;
