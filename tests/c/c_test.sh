@@ -29,7 +29,7 @@ for compiler in gcc clang; do
     # What the program does not call it does not link, as in C++ (engine/src/data/features.hpp): joints, chains, recordings, the profile.
     nm -C "$compiler-hello_world" | grep -E ' [TtW] .*(solve_joint_run|collide\(islet::ChainSegment|write_call|note_stage)' && fail "$compiler: the program links too much"
     diff <("$hello") "$compiler-hello_world.txt" || fail "$compiler: the C program prints something else than that of C++"
-    "$compiler" -std=c11 -Wall -Wextra -pedantic -Werror -I "$islet/bindings/c/include" -c "$islet"/tests/c/{machines,fleets}.c || fail "$compiler: machines.c or fleets.c"
+    "$compiler" -std=c11 -Wall -Wextra -pedantic -Werror -I "$islet/bindings/c/include" -I "$islet/engine/include" -c "$islet"/tests/c/{machines,fleets,kinds,defaults}.c || fail "$compiler: machines.c, fleets.c, kinds.c or defaults.c"
     if "$compiler" -x c++ -std=c++20 -fsyntax-only -Wall -Wextra -pedantic -Werror -I "$islet/bindings/c/include" -I "$islet/engine/include" - \
         <<<'#include <islet/islet.h>
 #include <islet/islet_lcp.h>

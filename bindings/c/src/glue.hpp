@@ -199,6 +199,8 @@ constexpr std::size_t settings_bytes = offsetof(WorldDef, lanes) + sizeof(WorldD
 constexpr std::size_t with_hook_bytes = offsetof(WorldDef, error_context) + sizeof(WorldDef::error_context) - offsetof(WorldDef, enable_sleep);
 constexpr bool hook_follows =
     with_hook_bytes == offsetof(IsletWorldDef, error_context) + sizeof(IsletWorldDef::error_context) - offsetof(IsletWorldDef, enable_sleep);
+static_assert(!hook_follows || offsetof(IsletWorldDef, error_context) - offsetof(IsletWorldDef, error_hook) ==
+                                   offsetof(WorldDef, error_context) - offsetof(WorldDef, error_hook));
 #define ISLET_C_SAME_PLACE(field)                                                                                                                           \
     static_assert(offsetof(IsletWorldDef, field) - offsetof(IsletWorldDef, enable_sleep) == offsetof(WorldDef, field) - offsetof(WorldDef, enable_sleep) && \
                   sizeof(IsletWorldDef::field) == sizeof(WorldDef::field))
