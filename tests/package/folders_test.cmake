@@ -4,7 +4,7 @@
 cmake_minimum_required(VERSION 3.25)
 get_filename_component(ISLET ${ISLET} ABSOLUTE)
 set(sample_folders firmware boards prefabs programs workers harness scene_files scenes rollback sandbox window)
-set(tool_folders common engines islet bench compare lab pictures recipes)
+set(tool_folders common engines islet bench compare lab pictures recipes c_cost)
 set(complaints 0)
 
 function(complain)

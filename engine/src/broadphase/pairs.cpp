@@ -55,7 +55,7 @@ struct PairBuffer {
 
     void push(std::uint32_t shape_1, std::uint32_t shape_2) {
         if constexpr (size == 1) {
-            if (Sink::looks_up || !sink.core.pairs.contains(PairSet::key(shape_1, shape_2))) sink.add(shape_1, shape_2);
+            if (Sink::looks_up || !have_contact(sink.core, shape_1, shape_2)) sink.add(shape_1, shape_2);
             return;
         }
         keys[count] = PairSet::key(shape_1, shape_2);
@@ -186,14 +186,11 @@ struct Moving {
     Columns all;
     Columns moved;
     const MovingShape* shapes;
-    const KeyedItem* order;             // by place in `all`: which shape in motion
-    const MovingShape* end_of_singles;  // shapes in motion that are in no column, in reversed order: their filters agree with none in motion
-    std::uint32_t single_count;
+    const KeyedItem* order;  // by place in `all`: which shape in motion
     bool along_x;
     float dt, fall;
 
     const MovingShape& in_place(std::uint32_t place) const { return shapes[number_of(order[place])]; }
-    const MovingShape& single(std::uint32_t i) const { return *(end_of_singles - 1 - i); }
 
     // For bodies that move together, an overlap of the boxes of their ways means little.
     bool may_meet(std::uint32_t place_1, std::uint32_t place_2) const {
@@ -231,9 +228,23 @@ ISLET_SHARED Aabb box_to_meet_in(const Core& core, std::uint32_t shape, float dt
     return true;
 }
 
-FilterSum filters_in_motion(const Core& core) {
+Aabb surroundings_of(const Pose& pose) {
+    const float reach = pose.max_extent + surroundings(pose);
+    return expand({pose.center, pose.center}, reach);
+}
+
+// True if it is known that nothing at rest overlaps a box near the body.
+bool is_clear(const Pose& pose, const Aabb& box) { return has_shortcuts && (pose.flags & pose_alone) != 0 && contains(surroundings_of(pose), box); }
+
+// True if something at rest is near a shape in motion, so that the two may be a new pair.
+bool is_near_rest(const Core& core, const MovingShape& shape) {
+    const Aabb box = box_along_way(core, shape);
+    return !is_clear(core.poses[shape.body], box) && TreeWalk(Tree{&core.state->tree, core.tree}, box).next() != null_index;
+}
+
+FilterSum filters_of(const Core& core, const BitSet& bodies) {
     FilterSum filters;
-    core.awake_bodies.for_each([&](std::uint32_t body) {
+    bodies.for_each([&](std::uint32_t body) {
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) filters.add(core.shapes[s].filter);
     });
     return filters;
@@ -244,21 +255,21 @@ inline constexpr std::uint32_t box_grain = 512;  // boxes that are worth a task
 Moving sorted_columns(Core& core, Arena& arena, float dt) {
     const std::uint32_t room = core.state->shape_pool.count;
     MovingShape* shapes = arena.take<MovingShape>(room);
-    std::uint32_t n = 0, single_count = 0;
+    std::uint32_t n = 0;
     Aabb bounds{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
-    // Of all shapes in motion, whichever are sorted: so the order of pairs is the same.
-    const FilterSum filters = filters_in_motion(core);
     BitSet bodies = core.awake_bodies;
     if constexpr (has_shortcuts) {
         const BitSet near_changed{arena.take<std::uint64_t>(bodies.word_count), bodies.word_count};
         if (find_near_changed(core, dt, near_changed)) bodies = near_changed;
     }
+    const FilterSum filters = filters_of(core, bodies);
     bodies.for_each([&](std::uint32_t body) {
         const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
         const Way way = leaves ? way_of(core, body, dt) : Way{};
         for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            shapes[filters.may_agree(core.shapes[s].filter) ? n++ : room - ++single_count] = {core.boxes[s], way, body, s, leaves};
             if (core.moved_shapes.test(s)) bounds = both(bounds, core.boxes[s]);
+            const MovingShape shape = {core.boxes[s], way, body, s, leaves};
+            if (filters.may_agree(core.shapes[s].filter) || is_near_rest(core, shape)) shapes[n++] = shape;
         }
     });
 
@@ -275,7 +286,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     });
     const KeyedItem* sorted = sort_by_key(keys, spare, n, counts);
 
-    Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, shapes + room, single_count, along_x, dt, fall_in(core, dt)};
+    Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, along_x, dt, fall_in(core, dt)};
     for_ranges(core, n, box_grain, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t i = first; i < end; ++i) {
             const MovingShape& moving_shape = shapes[number_of(sorted[i])];
@@ -353,11 +364,6 @@ inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are w
 inline constexpr float leave_way = 0.5f * speculative_distance + 0.4f * linear_slop;
 inline constexpr float alone_fraction = 0.5f;  // of its smallest half-thickness: if a body moves farther in a step, it pays to know whether it is alone
 
-Aabb surroundings_of(const Pose& pose) {
-    const float reach = pose.max_extent + surroundings(pose);
-    return expand({pose.center, pose.center}, reach);
-}
-
 // Notes whether the body is fast, and whether it is alone, which saves up to three queries of the tree.
 void note_fast(Core& core, std::uint32_t body, float dt) {
     Pose& pose = core.poses[body];
@@ -372,9 +378,6 @@ void note_fast(Core& core, std::uint32_t body, float dt) {
         pose.flags |= pose_alone;
 }
 
-// True if it is known that nothing at rest overlaps a box near the body.
-bool is_clear(const Pose& pose, const Aabb& box) { return has_shortcuts && (pose.flags & pose_alone) != 0 && contains(surroundings_of(pose), box); }
-
 // True if it is known that nothing at rest overlaps any box ahead of the body. (A fat box is at most two extents, two margins and the speculative distance
 // wide, and begins within one extent of the centre, as its shape does. The last term allows for rounding far from the origin.)
 bool stays_alone(const Core& core, std::uint32_t body, float dt) {
@@ -385,15 +388,14 @@ bool stays_alone(const Core& core, std::uint32_t body, float dt) {
     return (pose.flags & pose_alone) != 0 && reach <= pose.max_extent + surroundings(pose);
 }
 
-// The pairs of changed boxes [begin, end) with shapes at rest; the singles count on from the others.
+// The pairs of changed boxes [begin, end) with shapes at rest.
 template <class Out>
 void query_tree(Out& out, const Moving& m, std::uint32_t begin, std::uint32_t end) {
     const Core& core = out.sink.core;
     for (std::uint32_t i = begin; i < end && !out.is_over(); ++i) {
-        const bool is_single = i >= m.moved.count;
-        const MovingShape& shape = is_single ? m.single(i - m.moved.count) : m.in_place(m.moved.place[i]);
+        const MovingShape& shape = m.in_place(m.moved.place[i]);
         const Aabb box = box_along_way(core, shape);
-        if ((is_single && !core.moved_shapes.test(shape.shape)) || is_clear(core.poses[shape.body], box)) continue;
+        if (is_clear(core.poses[shape.body], box)) continue;
         tree_query({&core.state->tree, core.tree}, box, [&](std::uint32_t other) {
             if (!shape.leaves || meet(shape.box, core.boxes[other]) || may_meet_on(core.boxes[other], {}, shape.box, shape.way, m.fall))
                 out.push(shape.shape, other);
@@ -404,10 +406,7 @@ void query_tree(Out& out, const Moving& m, std::uint32_t begin, std::uint32_t en
 /// The search for pairs with shapes in motion has three parts; each is a loop over items.
 inline constexpr std::uint32_t search_parts = 3;
 
-std::uint32_t items_of(const Moving& m, std::uint32_t part) {
-    if (part == 1) return m.all.count;
-    return part == 0 ? m.moved.count : m.moved.count + m.single_count;
-}
+std::uint32_t items_of(const Moving& m, std::uint32_t part) { return part == 1 ? m.all.count : m.moved.count; }
 
 template <class Out>
 void search(Out& out, const Scan& how, const Moving& m, std::uint32_t part, std::uint32_t begin, std::uint32_t end) {
@@ -500,8 +499,8 @@ void find_moved_pairs(Core& core, float dt) {
     core.moved_shapes.for_each([&](std::uint32_t shape) {
         if (core.is_awake(core.shapes[shape].body) || is_over(core)) return;
         // Shapes in motion whose boxes changed have found it in the tree.
-        for (std::uint32_t i = moving.moved.count == moving.all.count ? moving.all.count : 0; i < moving.all.count + moving.single_count; ++i) {
-            const std::uint32_t other = i < moving.all.count ? moving.all.shape[i] : moving.single(i - moving.all.count).shape;
+        for (std::uint32_t i = 0; moving.moved.count != moving.all.count && i < moving.all.count; ++i) {
+            const std::uint32_t other = moving.all.shape[i];
             if (meet(core.boxes[other], core.boxes[shape]) && !core.moved_shapes.test(other)) out.push(shape, other);
         }
         tree_query(tree, core.boxes[shape], [&](std::uint32_t other) {
