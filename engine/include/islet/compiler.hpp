@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "islet/standard.hpp"
+
 #if defined(_MSC_VER) && !defined(__clang__)
 #define ISLET_FOR_MSVC 1
 #include <intrin.h>
