@@ -17,6 +17,7 @@ complain() {
 version=$(sed -n 's/.*ISLET_VERSION_STRING "\(.*\)".*/\1/p' "$islet/engine/include/islet/version.hpp")
 grep -q "\"version\": \"$version\"" "$recipes/vcpkg/islet/vcpkg.json" || complain "vcpkg.json is not of version $version"
 grep -q "find_package(Islet ${version%.*} " "$recipes/vcpkg/islet/usage" || complain "the usage of vcpkg asks for another version than ${version%.*}"
+grep -q "^  \"$version\":$" "$recipes/conan/config.yml" || complain "config.yml is not of version $version"
 head -n 1 "$islet/LICENSE" | grep -q '^MIT ' || complain "the recipes say MIT, LICENSE does not"
 
 mapfile -t options < <(grep -rhoE 'ISLET_[A-Z]+(_[A-Z]+)*' "$recipes" --include=portfile.cmake --include=conanfile.py | grep -v VERSION | sort -u)
@@ -34,7 +35,7 @@ for component in "${components[@]}"; do
 done
 
 if command -v python3 >/dev/null; then
-    for file in "$recipes"/conan/conanfile.py "$recipes"/conan/test_package/conanfile.py; do
+    for file in "$recipes"/conan/all/conanfile.py "$recipes"/conan/all/test_package/conanfile.py; do
         python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "$file" || complain "$file is no Python"
     done
     python3 -c 'import json, sys; json.load(open(sys.argv[1]))' "$recipes/vcpkg/islet/vcpkg.json" || complain "vcpkg.json is no JSON"
@@ -43,7 +44,7 @@ fi
 # conan WANTED_COMPONENTS [OPTION=VALUE...]: with C++17, which Conan's default profile for GCC asks for, and libraries in lib/, as Conan always has them.
 conan() {
     rm -rf "$scratch/conan" "$scratch/conan-build"
-    if ! python3 "$islet/tests/package/conan_recipe.py" "$recipes/conan/conanfile.py" "$scratch/conan" "${@:2}" >"$scratch/conan.txt"; then
+    if ! python3 "$islet/tests/package/conan_recipe.py" "$recipes/conan/all/conanfile.py" "$scratch/conan" "${@:2}" >"$scratch/conan.txt"; then
         complain "conanfile.py $*: fails"
         return
     fi
@@ -69,7 +70,7 @@ if command -v python3 >/dev/null; then
     conan 'c engine lcp' shared=True prefabs=False
 fi
 
-"$compiler" -std=c++20 -I "$islet/engine/include" "$recipes/conan/test_package/drop.cpp" "$library" -o "$scratch/drop"
+"$compiler" -std=c++20 -I "$islet/engine/include" "$recipes/conan/all/test_package/drop.cpp" "$library" -o "$scratch/drop"
 "$scratch/drop" || complain "the package's test program fails"
 
 if $failed; then exit 1; fi

@@ -1,4 +1,4 @@
-"""Conan 2 recipe. It exports the tree that it lies in: `conan create tools/recipes/conan`."""
+"""Conan 2 recipe. It exports the tree that it lies in: `conan create tools/recipes/conan/all`."""
 
 import os
 import re
@@ -8,7 +8,7 @@ from conan.tools.build import check_min_cppstd
 from conan.tools.cmake import CMake, CMakeToolchain, cmake_layout
 from conan.tools.files import copy, load
 
-TREE = os.path.join("..", "..", "..")
+TREE = os.path.join("..", "..", "..", "..")
 
 
 class IsletConan(ConanFile):
