@@ -173,6 +173,26 @@ TEST_F(Attack, TwoWordsMayBeExchangedAndRecordsRepeated) {
     EXPECT_GT(refused_, 1000);
 }
 
+// A ball touches at one point. The impulse of the other, which is not there, may be any finite number. Shock propagation turns all impulses into those of
+// lighter bodies and back; rounded up, the largest number would overflow.
+TEST(Attacks, AnImpulseAtAPointThatIsNotThereStaysFiniteUnderShock) {
+    for (int shock = 1; shock <= 50; ++shock) {
+        WorldDef def;
+        def.solver.shock = 0.01f * static_cast<float>(shock);
+        def.enable_sleep = false;
+        TestWorld source(roomy, def);
+        source.add_ground();
+        for (int i = 0; i < 4; ++i) source.add_circle({0, 0.5f + static_cast<float>(i)});
+        for (int i = 0; i < 30; ++i) source->step(1.0f / 60);
+        ASSERT_EQ(source->contact_count(), 4u);
+        for (std::uint32_t i = 0; i < 4; ++i) detail::Core::of(*source).manifolds[i].normal_impulse[1] = 3.402823466e38f;
+        TestWorld victim(roomy, def);
+        ASSERT_TRUE(victim->load(save(*source).bytes()));
+        for (int i = 0; i < 10; ++i) victim->step(1.0f / 60);
+        EXPECT_EQ(victim->validate(), nullptr) << def.solver.shock;
+    }
+}
+
 // No few words make this one: a box asleep on a kinematic floor that is awake. Such a box has no batch, so nothing may touch it and want to be solved.
 TEST(Attacks, NothingSleepsOnWhatIsAwake) {
     TestWorld source;

@@ -2,6 +2,8 @@
 
 #include "../island/height_order.hpp"
 
+#include "../constraint/solver_body.hpp"
+
 #include "../math/key_sort.hpp"
 #include "../math/scalar.hpp"
 
@@ -82,7 +84,10 @@ ISLET_NEVER_INLINE void turn_impulses(const Core& core, const PlannedConstraint*
         float factor = max(lightness[m.body_a], lightness[m.body_b]);
         if (s.level >= least_level) factor = max(factor, loads[s.above].factor());
         if (from == Impulses::real) factor = 1 / factor;
-        for (float* impulse : {m.normal_impulse, m.normal_impulse + 1, m.tangent_impulse, m.tangent_impulse + 1, &m.load}) *impulse *= factor;
+        for (float* impulse : {m.normal_impulse, m.normal_impulse + 1, m.tangent_impulse, m.tangent_impulse + 1, &m.load}) {
+            *impulse *= factor;
+            if (!(abs(*impulse) < unsound_impulse)) *impulse = 0;  // of a point that is not there, which no kernel forgets: an image may hold any number
+        }
     }
 }
 
