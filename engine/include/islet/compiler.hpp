@@ -19,6 +19,8 @@
 #define ISLET_ALWAYS_INLINE [[msvc::forceinline]]
 /// Before a function: one copy, which its callers call.
 #define ISLET_NEVER_INLINE [[msvc::noinline]]
+/// Before a function: hardly ever called.
+#define ISLET_COLD
 /// Behind the parameters of a lambda expression: copied into every caller.
 #define ISLET_INLINED_LAMBDA
 /// Behind the name of a type that is defined by typedef: its objects may lie where others do.
@@ -34,6 +36,7 @@
 #else
 #define ISLET_ALWAYS_INLINE [[gnu::always_inline]]
 #define ISLET_NEVER_INLINE [[gnu::noinline]]
+#define ISLET_COLD [[gnu::cold]]
 #define ISLET_INLINED_LAMBDA __attribute__((always_inline))
 #define ISLET_MAY_ALIAS __attribute__((may_alias))
 #define ISLET_UNREACHABLE() __builtin_unreachable()

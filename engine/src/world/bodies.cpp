@@ -45,7 +45,7 @@ static_assert(are_pushes<Call::apply_linear_impulse, Vec2, Vec2> && are_pushes<C
               are_pushes<Call::apply_angular_impulse, float>);
 static_assert(without_waking(Call::apply_angular_impulse) == Call::apply_angular_impulse_no_wake);
 
-[[maybe_unused, gnu::noinline, gnu::cold]] void note_push(Core& core, Call call, BodyId id, Vec2 push, float turn, const Vec2* point, bool wake) {
+[[maybe_unused]] ISLET_NEVER_INLINE ISLET_COLD void note_push(Core& core, Call call, BodyId id, Vec2 push, float turn, const Vec2* point, bool wake) {
     const void* const pushed = is_turn(call) ? static_cast<const void*>(&turn) : &push;
     const void* const arguments[] = {&id, pushed, point != nullptr ? static_cast<const void*>(point) : &wake, &wake};
     write_call(core, wake ? call : without_waking(call), arguments);
