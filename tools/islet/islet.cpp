@@ -321,13 +321,12 @@ int run_bench(const BenchCommand& command) {
         options.most_steps = quick_steps;
     }
     if (command.span) return run_span_bench(command, options);
-    if (const double seconds = estimate_seconds(options); seconds >= 5)
-        fmt::print(stderr, "islet: this takes about {}; Ctrl-C ends it and prints what there is{}\n", duration(seconds), command.quick ? "" : ", --quick gives a first impression");
-
     std::signal(SIGINT, [](int) {
         is_interrupted = 1;
         std::signal(SIGINT, SIG_DFL);  // the second time it ends at once
     });
+    if (const double seconds = estimate_seconds(options); seconds >= 5)
+        fmt::print(stderr, "islet: this takes about {}; Ctrl-C ends it and prints what there is{}\n", duration(seconds), command.quick ? "" : ", --quick gives a first impression");
     std::vector<std::string> scenes, engines;
     for (const SceneInfo* info : options.scenes) scenes.emplace_back(info->name);
     for (const islet::engines::EngineInfo* info : options.engines) engines.emplace_back(info->name);
