@@ -65,5 +65,20 @@ TEST(Crowds, PilesOfMixedPolygonsOverlapByMillimetres) {
     }
 }
 
+/// m, by which two boxes of 1 m overlap a step after they overlapped by 3 cm, with the normal of their faces turned by `angle` from the vertical.
+double overlap_after_a_step(float angle) {
+    TestWorld world({.bodies = 8, .shapes = 8, .contacts = 16}, sleepless());
+    const Rot q = make_rot(angle);
+    const BodyId below = world.add(make_box(0.5f, 0.5f), dynamic_at({0, 50}, angle));
+    const BodyId above = world.add(make_box(0.5f, 0.5f), dynamic_at(Vec2{0, 50} + rotate(q, {0, 0.97f}), angle));
+    world.step(1);
+    return 1 - double(inv_rotate(q, world->center_of_mass(above) - world->center_of_mass(below)).y);
+}
+
+TEST(Crowds, DeepOverlapsOfTiltedFacesAreGoneAfterAStepAndLevelOnesLater) {
+    for (const float degrees : {2.0f, 20.0f, 45.0f, 70.0f, 90.0f, 135.0f, 178.0f, -30.0f}) EXPECT_LT(overlap_after_a_step(degrees * pi / 180), 0.01) << degrees;
+    for (const float degrees : {0.0f, 1.0f, -1.0f, 180.0f}) EXPECT_GT(overlap_after_a_step(degrees * pi / 180), 0.02) << degrees;
+}
+
 }  // namespace
 }  // namespace islet::test

@@ -279,9 +279,9 @@ private:
             on_edge = on_edge || (n.mass_scale < 1 && std::abs(s[i]) < 1e-6);
         }
         // A contact's two points take turns in being first, from one unbiased sweep to the next. What decays of their impulses is the mean, and of each one's
-        // distance from it two fifths.
+        // distance from it three tenths.
         const double mean = m.count() == 2 ? 0.5 * (lambda.n[0] + lambda.n[1]) : lambda.n[0];
-        const double decaying[2] = {mean + 0.4 * (lambda.n[0] - mean), mean + 0.4 * (lambda.n[1] - mean)};
+        const double decaying[2] = {mean + 0.3 * (lambda.n[0] - mean), mean + 0.3 * (lambda.n[1] - mean)};
         for (std::uint32_t k = 0; k < m.count(); ++k) {
             const std::uint32_t i = m.count() == 2 ? (k + relaxed_) % 2 : k;
             double bias = s[i] * wide(n.inv_h), mass_scale = 1, impulse_scale = 0;

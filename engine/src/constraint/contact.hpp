@@ -24,8 +24,8 @@ inline constexpr float settled_share = 0.003f;  // of a contact's impulses: a pa
 /// Softness lets the impulses of a contact decay a little in each biased sweep. Of its two points the mean decays at the full rate, and the difference at
 /// 1 - 2 lean_share of it: a contact is stiffer against leaning than against weight. Equally soft contacts let columns buckle as Euler's do: 300 kg brings
 /// down five boxes of 1 kg. The weight needs its softness: with 0.6 of it pyramids of 30 rows never rest, since one sweep a substep is too few to damp the slow
-/// motions of a large pile. Leaning bears less: down to a quarter columns of 30 stand, at a fifth they begin to swing.
-inline constexpr float lean_share = 0.3f;
+/// motions of a large pile. Leaning bears less: columns of 60 stand down to a fifth of it, and at a seventh they swing.
+inline constexpr float lean_share = 0.35f;
 
 /// How one sweep treats contacts, in all lanes.
 template <class L>

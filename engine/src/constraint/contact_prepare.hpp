@@ -24,8 +24,11 @@ inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
 /// steps in which to correct what they do to each other.
 inline constexpr std::uint8_t landing_passes = 5;
 
-inline constexpr float deep_corner_from = 0.004f;  // m, of a contact with one point; a corner sinks in easily, and rarely bears a column
-inline constexpr float deep_face_from = 0.02f;     // m, of a contact with two
+/// Columns stand on level faces: contacts with two points whose normal is nearly along gravity. Undone fast, their overlaps would pump up the sway of a column.
+/// Corners and tilted faces sink in easily, and rarely bear a column.
+inline constexpr float level_tilt = 0.02f;       // sine of the angle between the normal and gravity; a level face has less
+inline constexpr float deep_level_from = 0.02f;  // m; what overlaps by more, on average of its two points, is deep
+inline constexpr float deep_from = 0.004f;       // m, of all other contacts, at the deeper point
 
 inline constexpr float most_give = 0.05f;  // m; boxes under hundreds of their own mass stand only because they give way
 
@@ -250,21 +253,24 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
 /// Lets the shapes of two moving bodies count as overlapping by more than they do. A soft contact gives way by its load, so loaded shapes would overlap for
 /// good. Most of what the load of the last seconds accounts for is undone; since that load is slow, the contact answers to motion as before. Where the shapes
 /// overlap deeply, as in a crowd, more is undone in each step than by the spring alone. Both points get the same: a contact that is stiffer against leaning
-/// lets columns swing. Floors are stiff enough, and a contact with rolling resistance does not know its load.
+/// lets columns swing. Floors are stiff enough, and a contact with rolling resistance does not know its load. Without gravity all faces are level.
 template <class L>
 ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, typename L::F load, const BodyPair<L>& s) {
     using F = typename L::F;
     const F zero = L::splat(0.0f), half = L::splat(0.5f);
     F depth = zero - L::load(r.points[0].separation);
     F give = L::splat(n.give_back) * load / L::load(r.points[0].normal_mass);
-    F from = L::splat(deep_corner_from), share = L::splat(n.deep_corner);
+    F from = L::splat(deep_from), share = L::splat(n.deep);
     if (r.is_special()) give = select(L::load(r.rolling_resistance) > zero, zero, give);
     if (r.two_points) {
         const auto two = L::load(lanes.has_point[1]) > zero;
-        depth = select(two, half * (depth - L::load(r.points[1].separation)), depth);
+        const F tilt = L::load(normal_x(r)) * L::splat(n.up.y) - L::load(normal_y(r)) * L::splat(n.up.x);
+        const auto level = two & (L::abs(tilt) < L::splat(level_tilt));
+        const F other = zero - L::load(r.points[1].separation);
+        depth = select(level, half * (depth + other), select(two, max(depth, other), depth));
         give = select(two, half * give, give);
-        from = select(two, L::splat(deep_face_from), from);
-        share = select(two, L::splat(n.deep_face), share);
+        from = select(level, L::splat(deep_level_from), from);
+        share = select(level, L::splat(n.deep_level), share);
     }
     const F most = min(L::splat(8.0f) * max(depth, zero), L::splat(most_give));  // a load that is gone pushes no shapes apart
     const F deep = max(min(depth - from, L::splat(1.0f)), zero);

@@ -52,9 +52,10 @@ struct StepNumbers {
     float warm = 1;   // share of the last step's impulses to start from; 0: none
     float restitution_threshold = 0;
     float max_speed = 0, max_turn = 0;
-    float give_back = 0;                   // kg m/N: see undo_overlap in contact_prepare.hpp
-    float deep_corner = 0, deep_face = 0;  // of deep overlaps of contacts with one point and with two
-    bool lightens = false;                 // shock propagation takes bodies for lighter than they are: a harder blow to one would add energy
+    float give_back = 0;             // kg m/N: see undo_overlap in contact_prepare.hpp
+    Vec2 up = {};                    // against gravity, unit; zero if there is none
+    float deep = 0, deep_level = 0;  // of deep overlaps, of level faces apart
+    bool lightens = false;           // shock propagation takes bodies for lighter than they are: a harder blow to one would add energy
 };
 
 }  // namespace islet::detail

@@ -121,8 +121,8 @@ inline void forget_residuals(Core& core) {
 }
 
 /// Against gravity, unit; zero if there is none.
-inline Vec2 up_of(const Core& core) {
-    const Vec2 g = core.state->gravity;
+inline Vec2 up_of(const State& state) {
+    const Vec2 g = state.gravity;
     const float strength = length(g);
     return strength > 0 && strength < 1.0e18f ? (-1 / strength) * g : Vec2{0, 0};
 }

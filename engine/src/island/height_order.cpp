@@ -76,7 +76,7 @@ const Load* weigh_loads(const Core& core, Vec2 up, const PlannedConstraint* cont
 // its lighter body does at least. (With less, a contact that turns to the side would throw up what is light.)
 ISLET_NEVER_INLINE void turn_impulses(const Core& core, const PlannedConstraint* contacts, std::uint32_t count, const float* lightness, Impulses from,
                                       Arena temporary) {
-    const Vec2 up = up_of(core);
+    const Vec2 up = up_of(*core.state);
     const Load* const loads = weigh_loads(core, up, contacts, count, lightness, from, temporary);
     for (std::uint32_t k = 0; k < count; ++k) {
         ContactManifold& m = core.manifolds[contacts[k].index];
@@ -95,12 +95,12 @@ ISLET_NEVER_INLINE void turn_impulses(const Core& core, const PlannedConstraint*
 
 void put_in_order(const Core& core, PlannedConstraint* contacts, std::uint32_t count) {
     const auto order = static_cast<SweepOrder>(core.state->solver.sweep_order);
-    if (order != SweepOrder::as_found) sort_along(core, order == SweepOrder::upward ? up_of(core) : -up_of(core), contacts, count);
+    if (order != SweepOrder::as_found) sort_along(core, order == SweepOrder::upward ? up_of(*core.state) : -up_of(*core.state), contacts, count);
     for (std::uint32_t k = 0; k < count; ++k) contacts[k].color = no_color;
 }
 
 void lighten_by_height(const Core& core, PlannedConstraint* contacts, std::uint32_t count, float* lightness, Arena temporary) {
-    const Vec2 up = up_of(core);
+    const Vec2 up = up_of(*core.state);
     const float mobility = 1 - core.state->solver.shock;
     for (std::uint32_t i = 0; i < core.state->body_pool.high_water; ++i) lightness[i] = 1;
     sort_along(core, up, contacts, count);
@@ -122,7 +122,7 @@ void restore_impulses(const Core& core, const float* lightness, Arena temporary)
     core.awake_contacts.for_each([&](std::uint32_t i) {
         if ((core.manifolds[i].flags & contact_touching) != 0) contacts[count++].index = i;
     });
-    sort_along(core, up_of(core), contacts, count);
+    sort_along(core, up_of(*core.state), contacts, count);
     turn_impulses(core, contacts, count, lightness, Impulses::taken, temporary);
 }
 

@@ -35,8 +35,8 @@ inline SweepNumbers soft_sweep(float hertz, float damping_ratio, float push_spee
 
 // Of the overlap of moving bodies under a steady load, the share that contacts undo slowly; and the shares of deep overlaps that they undo in a step.
 inline constexpr float load_share = 0.8f;
-inline constexpr float corner_share = 0.95f;
-inline constexpr float face_share = 0.55f;
+inline constexpr float deep_share = 0.95f;
+inline constexpr float level_share = 0.55f;
 
 ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
     SolveNumbers s;
@@ -62,8 +62,9 @@ ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
         s.ground = soft_sweep(2.0f * hertz, def.contact_damping_ratio, def.contact_push_speed, n.h);
         if (const float undone = s.biased.bias_rate * dt; undone > 1.0e-3f) {
             n.give_back = load_share * n.omega * n.h * s.biased.impulse_scale / s.biased.bias_rate;
-            n.deep_corner = max(corner_share / undone - 1.0f, 0.0f);
-            n.deep_face = max(face_share / undone - 1.0f, 0.0f);
+            n.up = up_of(state);
+            n.deep = max(deep_share / undone - 1.0f, 0.0f);
+            n.deep_level = max(level_share / undone - 1.0f, 0.0f);
         }
         s.biased.impulse_scale *= n.omega;
         s.ground.impulse_scale *= n.omega;

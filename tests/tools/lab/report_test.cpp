@@ -139,14 +139,14 @@ TEST(LabReport, ThePictureIsWellFormedAndNamesItsMethods) {
 
 TEST(LabReport, ASceneIsMeasuredFromItsOwnIslands) {
     lab::LabOptions options;
-    options.step = 60;
+    options.step = 300;
     options.measure.iterations = 400;
     options.measure.timing_seconds = 0;
     options.methods = {lab::find_method("pgs")};
     std::vector<lab::Island> islands = lab::take_islands(*samples::find_scene("mass_ratio"), options, [](int) {});
     ASSERT_EQ(islands.size(), 1u);
     EXPECT_EQ(islands[0].scene, "mass_ratio");
-    EXPECT_EQ(islands[0].step, 60);
+    EXPECT_EQ(islands[0].step, 300);
     EXPECT_NEAR(islands[0].h, 1.0 / 240, 1e-6);
     const lab::IslandReport report = lab::examine(islands[0], options, [] {});
     EXPECT_TRUE(report.reference.exact());
