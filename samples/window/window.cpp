@@ -11,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cstring>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -135,7 +136,8 @@ public:
             SDL_RenderPresent(renderer_);
             if (const Uint32 now = SDL_GetTicks(); now < due) SDL_Delay(due - now);
         }
-        std::cout << catalogue()[place_].name << ": " << playground_->steps() << " steps, hash " << std::hex << playground_->world().hash() << '\n';
+        std::cout << catalogue()[place_].name << ": " << playground_->steps() << " steps, hash " << std::hex << std::setw(16) << std::setfill('0')
+                  << playground_->world().hash() << '\n';
     }
 
 private:
