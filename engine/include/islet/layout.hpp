@@ -266,6 +266,12 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     return max_of(motions + plan + max_of(planning, solve), max_of(pairs, collide));
 }
 
+/// Worlds of a fleet that a worker steps side by side, so that their contacts share lanes. Larger worlds fill the lanes by themselves.
+constexpr std::uint32_t worlds_together(const Capacity& c, std::uint32_t worlds) {
+    const std::uint32_t most = c.contacts <= 512 ? layout_lanes : 1;
+    return worlds < most ? worlds : most;
+}
+
 constexpr Layout layout_of(const Capacity& c) {
     Layout l{};
     std::size_t at = host_bytes;
@@ -277,6 +283,13 @@ constexpr Layout layout_of(const Capacity& c) {
     l.scratch = at;
     l.end = align_up(at + scratch_bytes(c));
     return l;
+}
+
+/// Bytes from a world of a fleet to the next: worlds of a group count contacts and bodies from the first world's, so it is a multiple of their records.
+constexpr std::size_t fleet_stride(const Capacity& c) {
+    constexpr std::size_t unit = layout_lanes > 1 ? 192 : line_bytes;
+    static_assert(layout_lanes == 1 || (unit % manifold_bytes == 0 && unit % pose_bytes == 0 && unit % line_bytes == 0));
+    return (layout_of(c).scratch + unit - 1) / unit * unit;
 }
 
 }  // namespace detail

@@ -5,6 +5,7 @@
 
 #include "../calls/checks.hpp"
 #include "../fleet/fleet_columns.hpp"
+#include "../fleet/group_step.hpp"
 #include "../math/float_mode.hpp"
 #include "../memory/place.hpp"
 #include "../state/world_copy.hpp"
@@ -68,9 +69,10 @@ Error check_step(const Fleet& fleet, const FleetStep& what) {
 }
 
 /// Worlds that a worker takes at a time.
-constexpr std::uint32_t worlds_at_a_time = 4;
+constexpr std::uint32_t worlds_at_a_time = max_lanes > 4 ? max_lanes : 4;
 
-/// Calls work(k, worker) for each world k < count. Each worker takes the next worlds until none are left, so none waits for another.
+/// Calls work(first, end, worker) for ranges that together are the worlds k < count. Each worker takes the next worlds until none are left, so none waits for
+/// another.
 template <class Work>
 void for_worlds(const TaskSystem& tasks, std::uint32_t count, Work&& work) {
     struct Queue {
@@ -82,7 +84,7 @@ void for_worlds(const TaskSystem& tasks, std::uint32_t count, Work&& work) {
             for (;;) {
                 const std::uint32_t first = __atomic_fetch_add(&queue.next, worlds_at_a_time, __ATOMIC_RELAXED);
                 if (first >= queue.count) return;
-                for (std::uint32_t k = first; k < queue.count && k < first + worlds_at_a_time; ++k) queue.work(k, worker);
+                queue.work(first, queue.count - first < worlds_at_a_time ? queue.count : first + worlds_at_a_time, worker);
             }
         }
     } queue{work, count, 0};
@@ -116,9 +118,9 @@ Fleet* Fleet::create(span<std::byte> block, const World& prototype, std::uint32_
     fleet.size_ = worlds;
     fleet.tasks_ = tasks;
     fleet.scratch_ = block.data() + head_bytes;
-    fleet.scratch_bytes_ = align_up(scratch_bytes(from.capacity, true));
+    fleet.scratch_bytes_ = worker_bytes(worlds, from.capacity);
     fleet.worlds_ = fleet.scratch_ + tasks.workers * fleet.scratch_bytes_;
-    fleet.stride_ = layout.scratch;
+    fleet.stride_ = fleet_stride(from.capacity);
     WorldDef def = host_settings(from);
     def.tasks = {};
     def.clock = nullptr;
@@ -141,20 +143,41 @@ void Fleet::lend_scratch(std::uint32_t k, std::uint32_t worker) {
     core.scratch_end = core.scratch + scratch_bytes_;
 }
 
+// Steps and observes worlds first <= k < end.
+void Fleet::step_worlds(const FleetStep& what, std::uint32_t first, std::uint32_t end, std::uint32_t worker) {
+    World* chosen[worlds_at_a_time];
+    std::uint32_t place[worlds_at_a_time], count = 0;
+    for (std::uint32_t k = first; k < end; ++k) {
+        if (!is_chosen(what.mask, k)) continue;
+        lend_scratch(k, worker);
+        chosen[count] = &(*this)[k];
+        place[count++] = k;
+    }
+    const auto act_on = [&](std::uint32_t i) { act(*chosen[i], what.drives, what.actions.data() + place[i] * what.drives.size()); };
+    bool stepped = false;
+    if constexpr (max_lanes > 1) {
+        stepped = count > 1 && worlds_together(chosen[0]->capacity(), size_) > 1;
+        const Arena arena = stepped ? Core::of(*chosen[0]).arena() : Arena{};
+        for (std::uint32_t step = 0; stepped && step < what.repeat; ++step) {
+            for (std::uint32_t i = 0; i < count; ++i) act_on(i);
+            step_group(chosen, count, arena, what.dt);
+            for (std::uint32_t i = 0; i < count; ++i) lend_scratch(place[i], worker);
+        }
+    }
+    for (std::uint32_t i = 0; !stepped && i < count; ++i) {
+        for (std::uint32_t step = 0; step < what.repeat; ++step) {
+            act_on(i);
+            chosen[i]->step(what.dt);
+        }
+    }
+    const std::size_t wide = columns(what.senses);
+    for (std::uint32_t i = 0; i < count; ++i) detail::observe(*chosen[i], what.senses, what.observations.data() + place[i] * wide);
+}
+
 Error Fleet::step(const FleetStep& what) {
     const Error error = check_step(*this, what);
     if (error != Error::none) return error;
-    const std::size_t wide = columns(what.senses);
-    for_worlds(tasks_, size_, [&](std::uint32_t k, std::uint32_t worker) {
-        if (!is_chosen(what.mask, k)) return;
-        World& world = (*this)[k];
-        lend_scratch(k, worker);
-        for (std::uint32_t i = 0; i < what.repeat; ++i) {
-            act(world, what.drives, what.actions.data() + k * what.drives.size());
-            world.step(what.dt);
-        }
-        detail::observe(world, what.senses, what.observations.data() + k * wide);
-    });
+    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t worker) { step_worlds(what, first, end, worker); });
     return Error::none;
 }
 
@@ -162,8 +185,9 @@ Error Fleet::observe(span<const Sense> senses, span<float> observations, span<co
     const Error error = check_senses(*this, senses, observations, mask);
     if (error != Error::none) return error;
     const std::size_t wide = columns(senses);
-    for_worlds(tasks_, size_, [&](std::uint32_t k, std::uint32_t) {
-        if (is_chosen(mask, k)) detail::observe((*this)[k], senses, observations.data() + k * wide);
+    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t) {
+        for (std::uint32_t k = first; k < end; ++k)
+            if (is_chosen(mask, k)) detail::observe((*this)[k], senses, observations.data() + k * wide);
     });
     return Error::none;
 }
@@ -188,7 +212,9 @@ Error Fleet::fork(span<const std::uint32_t> parents) {
     if (parents.size() != size_) return Error::out_of_range;
     for (const std::uint32_t parent : parents)
         if (parent >= size_ || parents[parent] != parent) return Error::out_of_range;
-    for_worlds(tasks_, size_, [&](std::uint32_t k, std::uint32_t) { copy(parents[k], k); });
+    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t) {
+        for (std::uint32_t k = first; k < end; ++k) copy(parents[k], k);
+    });
     return Error::none;
 }
 

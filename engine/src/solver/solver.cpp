@@ -303,18 +303,6 @@ void solve_batches(Solve& s) {
     });
 }
 
-// Takes room for the rows of every run of joints, and notes where each run's begin.
-std::byte* place_joint_rows(const Plan& plan, std::uint32_t lanes, Arena& arena) {
-    std::size_t bytes = 0;
-    for (std::uint32_t i = 0; i < plan.run_count; ++i) {
-        JointRun& r = plan.runs[i];
-        r.offset = bytes;
-        bytes += joint_run_bytes_of(r, lanes);
-        bytes = (bytes + 63) / 64 * 64;
-    }
-    return arena.take<std::byte>(bytes);
-}
-
 // Reports to each body its island's residual; bodies that were not solved have none.
 void report_residuals(Core& core, const Plan& plan, const float* residuals) {
     core.report.residual = 0;
