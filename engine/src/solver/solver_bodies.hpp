@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../math/inlining.hpp"
+#include "../math/lanes.hpp"
 #include "../math/scalar.hpp"
 #include "../solver/free_motion.hpp"
 #include "../solver/solve_context.hpp"
@@ -35,42 +36,89 @@ ISLET_PART void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t 
 ///
 /// Within a step anchors and normals do not change. So the warm start of a later substep, M^-1 J^T lambda summed over a body's rows, is what the sweeps of the
 /// substep before added to the body's velocity, v - v_free: one addition a body instead of a pass over all rows.
+ISLET_SHARED void integrate_velocity(SolverBody& b, SolverMotion& m, float max_speed, float max_turn, bool first) {
+    Vec2 dv = b.v - m.v_free;
+    float dw = b.w - m.w_free;
+    if (first) {
+        dv = b.warm_v;
+        dw = b.warm_w;
+        b.dp = {0, 0};
+        b.dq = 0;
+    }
+    const Vec2 v = free_velocity(m, b.v, max_speed);
+    const float w = free_turn(m, b.w, max_turn);
+    m.v_free = v;
+    m.w_free = w;
+    b.v = v + dv;
+    b.w = w + dw;
+}
+
+/// Adds up how far the velocities move a body in a substep.
+ISLET_SHARED void integrate_position(SolverBody& b, float h, float max_speed, float max_turn) {
+    if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
+    b.w = within(b.w, max_turn);
+    b.dp += h * b.v;
+    b.dq += h * b.w;
+}
+
+#if ISLET_MAX_LANES >= 4 && !ISLET_FOR_MSVC
+
+/// A velocity as one vector: x, y and the turn; the fourth lane is another number of the same record.
+struct SpeedLimits {
+    f4 most;
+    SpeedLimits(float max_speed, float max_turn) : most{0.7f * max_speed, 0.7f * max_speed, max_turn, 0} {}
+
+    /// True only if nothing limits the velocity.
+    ISLET_LANE bool allow(f4 v) const { return (mask_bits(Lane4::abs(v) <= most) & 7u) == 7u; }
+};
+inline constexpr i4 velocity_lanes = {-1, -1, -1, 0};
+
 ISLET_PART void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot, bool first) {
-    const float max_speed = s.numbers.step.max_speed;
-    const float max_turn = s.numbers.step.max_turn;
+    const float max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
+    const SpeedLimits limits(max_speed, max_turn);
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        SolverBody& b = s.bodies[slot];
-        SolverMotion& m = s.motions[slot];
-        Vec2 dv = b.v - m.v_free;
-        float dw = b.w - m.w_free;
-        if (first) {
-            dv = b.warm_v;
-            dw = b.warm_w;
-            b.dp = {0, 0};
-            b.dq = 0;
+        auto* const body = reinterpret_cast<float*>(s.bodies + slot);
+        auto* const motion = reinterpret_cast<float*>(s.motions + slot);
+        const f4 v = load4(body), way = load4(body + 4), v_free = load4(motion), a = load4(motion + 4);
+        const f4 free = __builtin_shufflevector(a, v_free, 3, 3, 7, 7) * (v + a);
+        if (!limits.allow(free)) {
+            integrate_velocity(s.bodies[slot], s.motions[slot], max_speed, max_turn, first);
+            continue;
         }
-        const Vec2 v = free_velocity(m, b.v, max_speed);
-        const float w = free_turn(m, b.w, max_turn);
-        m.v_free = v;
-        m.w_free = w;
-        b.v = v + dv;
-        b.w = w + dw;
+        const f4 now = free + f4{};
+        store4(motion, select(velocity_lanes, now, v_free));
+        store4(body, select(velocity_lanes, now + (first ? way : v - v_free), v));
+        if (first) store4(body + 4, select(velocity_lanes, f4{}, way));
     }
 }
 
-/// Adds up how far the velocities move the bodies in a substep.
 ISLET_PART void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
-    const float h = s.numbers.step.h;
-    const float max_speed = s.numbers.step.max_speed;
-    const float max_turn = s.numbers.step.max_turn;
+    const float h = s.numbers.step.h, max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
+    const SpeedLimits limits(max_speed, max_turn);
     for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        SolverBody& b = s.bodies[slot];
-        if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
-        b.w = within(b.w, max_turn);
-        b.dp += h * b.v;
-        b.dq += h * b.w;
+        auto* const body = reinterpret_cast<float*>(s.bodies + slot);
+        const f4 v = load4(body), way = load4(body + 4);
+        if (!limits.allow(v)) {
+            integrate_position(s.bodies[slot], h, max_speed, max_turn);
+            continue;
+        }
+        store4(body + 4, select(velocity_lanes, way + Lane4::splat(h) * v, way));
     }
 }
+
+#else
+
+ISLET_PART void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot, bool first) {
+    const float max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
+    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) integrate_velocity(s.bodies[slot], s.motions[slot], max_speed, max_turn, first);
+}
+
+ISLET_PART void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
+    const float h = s.numbers.step.h, max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
+    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) integrate_position(s.bodies[slot], h, max_speed, max_turn);
+}
+
+#endif
 
 /// A lock is a row like any other, v . axis = 0, solved last in each sweep. (Later warm starts hold its impulses of the substeps before.)
 ISLET_PART void hold_locked(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
