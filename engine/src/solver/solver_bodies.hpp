@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../math/inlining.hpp"
-#include "../math/lanes.hpp"
 #include "../math/scalar.hpp"
+#include "../solver/body_vectors.hpp"
 #include "../solver/free_motion.hpp"
 #include "../solver/solve_context.hpp"
 
@@ -61,64 +61,40 @@ ISLET_SHARED void integrate_position(SolverBody& b, float h, float max_speed, fl
     b.dq += h * b.w;
 }
 
-#if ISLET_MAX_LANES >= 4 && !ISLET_FOR_MSVC
-
-/// A velocity as one vector: x, y and the turn; the fourth lane is another number of the same record.
-struct SpeedLimits {
-    f4 most;
-    SpeedLimits(float max_speed, float max_turn) : most{0.7f * max_speed, 0.7f * max_speed, max_turn, 0} {}
-
-    /// True only if nothing limits the velocity.
-    ISLET_LANE bool allow(f4 v) const { return (mask_bits(Lane4::abs(v) <= most) & 7u) == 7u; }
-};
-inline constexpr i4 velocity_lanes = {-1, -1, -1, 0};
+/// Calls one(slot) for each slot, except where `many` (body_vectors.hpp) has done it.
+template <class Many, class One>
+ISLET_PART void over_slots(std::uint32_t slot, std::uint32_t end_slot, Many&& many, One&& one) {
+    for (; slot < end_slot; ++slot) {
+        slot = many(slot);
+        if (slot < end_slot) one(slot);
+    }
+}
 
 ISLET_PART void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot, bool first) {
     const float max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
-    const SpeedLimits limits(max_speed, max_turn);
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        auto* const body = reinterpret_cast<float*>(s.bodies + slot);
-        auto* const motion = reinterpret_cast<float*>(s.motions + slot);
-        const f4 v = load4(body), way = load4(body + 4), v_free = load4(motion), a = load4(motion + 4);
-        const f4 free = __builtin_shufflevector(a, v_free, 3, 3, 7, 7) * (v + a);
-        if (!limits.allow(free)) {
-            integrate_velocity(s.bodies[slot], s.motions[slot], max_speed, max_turn, first);
-            continue;
-        }
-        const f4 now = free + f4{};
-        store4(motion, select(velocity_lanes, now, v_free));
-        store4(body, select(velocity_lanes, now + (first ? way : v - v_free), v));
-        if (first) store4(body + 4, select(velocity_lanes, f4{}, way));
-    }
-}
-
-ISLET_PART void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
-    const float h = s.numbers.step.h, max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
-    const SpeedLimits limits(max_speed, max_turn);
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        auto* const body = reinterpret_cast<float*>(s.bodies + slot);
-        const f4 v = load4(body), way = load4(body + 4);
-        if (!limits.allow(v)) {
-            integrate_position(s.bodies[slot], h, max_speed, max_turn);
-            continue;
-        }
-        store4(body + 4, select(velocity_lanes, way + Lane4::splat(h) * v, way));
-    }
-}
-
+    const auto many = [&](std::uint32_t slot) {
+        [[maybe_unused]] const VelocityVectors all{s.bodies, s.motions, 0.7f * max_speed, max_turn, first};
+#if ISLET_BODY_VECTORS
+        return ISLET_MAX_LANES == 8 && s.core.lanes == 8 ? integrate_velocities_8(all, slot, end_slot) : integrate_vectors<OneBody>(all, slot, end_slot);
 #else
-
-ISLET_PART void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot, bool first) {
-    const float max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) integrate_velocity(s.bodies[slot], s.motions[slot], max_speed, max_turn, first);
+        return slot;
+#endif
+    };
+    over_slots(first_slot, end_slot, many, [&](std::uint32_t slot) { integrate_velocity(s.bodies[slot], s.motions[slot], max_speed, max_turn, first); });
 }
 
 ISLET_PART void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
     const float h = s.numbers.step.h, max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) integrate_position(s.bodies[slot], h, max_speed, max_turn);
-}
-
+    const auto many = [&](std::uint32_t slot) {
+        [[maybe_unused]] const WayVectors all{s.bodies, 0.7f * max_speed, max_turn, h};
+#if ISLET_BODY_VECTORS
+        return ISLET_MAX_LANES == 8 && s.core.lanes == 8 ? integrate_positions_8(all, slot, end_slot) : integrate_vectors<OneBody>(all, slot, end_slot);
+#else
+        return slot;
 #endif
+    };
+    over_slots(first_slot, end_slot, many, [&](std::uint32_t slot) { integrate_position(s.bodies[slot], h, max_speed, max_turn); });
+}
 
 /// A lock is a row like any other, v . axis = 0, solved last in each sweep. (Later warm starts hold its impulses of the substeps before.)
 ISLET_PART void hold_locked(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
