@@ -102,7 +102,7 @@ public:
     /// Bytes of memory that a fleet needs; 0 if the capacity is not valid, or there is no world or no worker, or more than max_worlds or max_workers.
     static constexpr std::size_t bytes(std::uint32_t worlds, const Capacity& capacity, std::uint32_t workers = 1) {
         if (!is_valid(capacity) || worlds == 0 || worlds > max_worlds || workers == 0 || workers > max_workers) return 0;
-        return head_bytes + std::size_t{workers} * worker_bytes(worlds, capacity) + std::size_t{worlds} * detail::fleet_stride(capacity);
+        return head_bytes + std::size_t{workers} * worker_bytes(worlds, capacity) + std::size_t{worlds} * detail::fleet_stride(detail::layout_of(capacity));
     }
     static constexpr std::uint32_t max_worlds = 1u << 20;
 

@@ -286,10 +286,11 @@ constexpr Layout layout_of(const Capacity& c) {
 }
 
 /// Bytes from a world of a fleet to the next: worlds of a group count contacts and bodies from the first world's, so it is a multiple of their records.
-constexpr std::size_t fleet_stride(const Capacity& c) {
-    constexpr std::size_t unit = layout_lanes > 1 ? 192 : line_bytes;
-    static_assert(layout_lanes == 1 || (unit % manifold_bytes == 0 && unit % pose_bytes == 0 && unit % line_bytes == 0));
-    return (layout_of(c).scratch + unit - 1) / unit * unit;
+ISLET_ALWAYS_INLINE constexpr std::size_t fleet_stride(const Layout& layout) {
+    if constexpr (layout_lanes == 1) return layout.scratch;
+    constexpr std::size_t unit = 192;
+    static_assert(unit % manifold_bytes == 0 && unit % pose_bytes == 0 && unit % 64 == 0);
+    return (layout.scratch + unit - 1) / unit * unit;
 }
 
 }  // namespace detail

@@ -120,7 +120,7 @@ Fleet* Fleet::create(span<std::byte> block, const World& prototype, std::uint32_
     fleet.scratch_ = block.data() + head_bytes;
     fleet.scratch_bytes_ = worker_bytes(worlds, from.capacity);
     fleet.worlds_ = fleet.scratch_ + tasks.workers * fleet.scratch_bytes_;
-    fleet.stride_ = fleet_stride(from.capacity);
+    fleet.stride_ = fleet_stride(layout);
     WorldDef def = host_settings(from);
     def.tasks = {};
     def.clock = nullptr;
@@ -145,39 +145,44 @@ void Fleet::lend_scratch(std::uint32_t k, std::uint32_t worker) {
 
 // Steps and observes worlds first <= k < end.
 void Fleet::step_worlds(const FleetStep& what, std::uint32_t first, std::uint32_t end, std::uint32_t worker) {
-    World* chosen[worlds_at_a_time];
-    std::uint32_t place[worlds_at_a_time], count = 0;
-    for (std::uint32_t k = first; k < end; ++k) {
-        if (!is_chosen(what.mask, k)) continue;
-        lend_scratch(k, worker);
-        chosen[count] = &(*this)[k];
-        place[count++] = k;
-    }
-    const auto act_on = [&](std::uint32_t i) { act(*chosen[i], what.drives, what.actions.data() + place[i] * what.drives.size()); };
-    bool stepped = false;
+    const auto act_on = [&](std::uint32_t k) ISLET_INLINED_LAMBDA { act((*this)[k], what.drives, what.actions.data() + k * what.drives.size()); };
+    bool grouped = false;
     if constexpr (max_lanes > 1) {
-        stepped = count > 1 && worlds_together(chosen[0]->capacity(), size_) > 1;
-        const Arena arena = stepped ? Core::of(*chosen[0]).arena() : Arena{};
-        for (std::uint32_t step = 0; stepped && step < what.repeat; ++step) {
-            for (std::uint32_t i = 0; i < count; ++i) act_on(i);
-            step_group(chosen, count, arena, what.dt);
-            for (std::uint32_t i = 0; i < count; ++i) lend_scratch(place[i], worker);
+        World* chosen[worlds_at_a_time];
+        std::uint32_t place[worlds_at_a_time], count = 0;
+        for (std::uint32_t k = first; k < end; ++k) {
+            if (!is_chosen(what.mask, k)) continue;
+            chosen[count] = &(*this)[k];
+            place[count++] = k;
         }
-    }
-    for (std::uint32_t i = 0; !stepped && i < count; ++i) {
-        for (std::uint32_t step = 0; step < what.repeat; ++step) {
-            act_on(i);
-            chosen[i]->step(what.dt);
+        grouped = count > 1 && worlds_together(chosen[0]->capacity(), size_) > 1;
+        const Arena arena{scratch_ + worker * scratch_bytes_, scratch_ + (worker + 1) * scratch_bytes_};
+        for (std::uint32_t step = 0; grouped && step < what.repeat; ++step) {
+            for (std::uint32_t i = 0; i < count; ++i) {
+                lend_scratch(place[i], worker);
+                act_on(place[i]);
+            }
+            step_group(chosen, count, arena, what.dt);
         }
     }
     const std::size_t wide = columns(what.senses);
-    for (std::uint32_t i = 0; i < count; ++i) detail::observe(*chosen[i], what.senses, what.observations.data() + place[i] * wide);
+    for (std::uint32_t k = first; k < end; ++k) {
+        if (!is_chosen(what.mask, k)) continue;
+        World& world = (*this)[k];
+        lend_scratch(k, worker);
+        for (std::uint32_t step = 0; !grouped && step < what.repeat; ++step) {
+            act_on(k);
+            world.step(what.dt);
+        }
+        detail::observe(world, what.senses, what.observations.data() + k * wide);
+    }
 }
 
 Error Fleet::step(const FleetStep& what) {
     const Error error = check_step(*this, what);
     if (error != Error::none) return error;
-    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t worker) { step_worlds(what, first, end, worker); });
+    for_worlds(tasks_, size_,
+               [&](std::uint32_t first, std::uint32_t end, std::uint32_t worker) ISLET_INLINED_LAMBDA { step_worlds(what, first, end, worker); });
     return Error::none;
 }
 
@@ -185,7 +190,7 @@ Error Fleet::observe(span<const Sense> senses, span<float> observations, span<co
     const Error error = check_senses(*this, senses, observations, mask);
     if (error != Error::none) return error;
     const std::size_t wide = columns(senses);
-    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t) {
+    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t) ISLET_INLINED_LAMBDA {
         for (std::uint32_t k = first; k < end; ++k)
             if (is_chosen(mask, k)) detail::observe((*this)[k], senses, observations.data() + k * wide);
     });
@@ -212,7 +217,7 @@ Error Fleet::fork(span<const std::uint32_t> parents) {
     if (parents.size() != size_) return Error::out_of_range;
     for (const std::uint32_t parent : parents)
         if (parent >= size_ || parents[parent] != parent) return Error::out_of_range;
-    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t) {
+    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t) ISLET_INLINED_LAMBDA {
         for (std::uint32_t k = first; k < end; ++k) copy(parents[k], k);
     });
     return Error::none;

@@ -250,7 +250,7 @@ void BatchSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, cons
 
 template <class K>
 void BatchSolve<K>::store() {
-    const auto store_rows = [&](auto kernel, auto* rows, std::uint32_t count) {
+    const auto store_rows = [&](auto kernel, auto* rows, std::uint32_t count) ISLET_INLINED_LAMBDA {
         decltype(kernel)::store(s.core.manifolds, rows, count);
         if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, rows, count, s.hits);
     };
