@@ -44,6 +44,7 @@ inline constexpr std::uint32_t layout_lanes = 4;
 inline constexpr std::uint32_t layout_lanes = 1;
 #endif
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
+inline constexpr std::uint32_t min_lanes = ISLET_MIN_LANES < ISLET_MAX_LANES ? ISLET_MIN_LANES : ISLET_MAX_LANES;
 static_assert(max_lanes <= layout_lanes, "this processor has no such ISLET_MAX_LANES");
 
 // Sizes of the records. data/arrays.hpp checks those of the arrays below; the others are checked beside each struct.

@@ -58,14 +58,14 @@ struct Width {
     constexpr operator std::uint32_t() const { return lanes; }
 };
 
-/// Calls visit(Width) for a number of lanes that this build has.
-template <class Visit>
+/// Calls visit(Width) for a number of lanes that this build has, and that is not below `least`.
+template <std::uint32_t least = 1, class Visit>
 ISLET_LANE auto with_lanes(std::uint32_t lanes, Visit&& visit) {
     if constexpr (max_lanes >= 8)
         if (lanes == 8) return visit(Width<8>{});
-    if constexpr (max_lanes >= 4)
+    if constexpr (max_lanes >= 4 && least < 4)
         if (lanes == 4) return visit(Width<4>{});
-    return visit(Width<1>{});
+    return visit(Width<least>{});
 }
 
 }  // namespace islet::detail

@@ -352,7 +352,7 @@ SolverBody* solve(Core& core, const Plan& plan, SolverMotion* motions, Arena& ar
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
     s.joint_rows = place_joint_rows(plan, core.lanes, rows);
     s.links = rows.take<TreeLink>(plan.link_count);
-    with_lanes(core.lanes, [&](auto lanes) { solve_batches<ContactKernel<lanes>>(s); });
+    with_lanes<min_lanes>(core.lanes, [&](auto lanes) { solve_batches<ContactKernel<lanes>>(s); });
     core.state->last_substep = s.numbers.step.h;
     if (has_shock(core.state->solver)) restore_impulses(core, plan.lightness, arena);
     core.has_residuals = s.residuals != nullptr;
