@@ -6,7 +6,8 @@ llvm=/usr/lib/llvm-16
 # wasm_compile FLAG...
 wasm_compile() {
     clang++-16 --target=wasm32-wasi -std=c++20 -fno-fast-math -ffp-contract=off -fno-math-errno -fno-exceptions -fno-rtti -fno-threadsafe-statics \
-        -mbulk-memory -msign-ext -mnontrapping-fptoint -ffunction-sections -fdata-sections -DISLET_THREADS=0 -cxx-isystem "$llvm/include/wasm32-wasi/c++/v1" -I"$root/engine/include" -I"$root/engine/src" \
+        -mbulk-memory -msign-ext -mnontrapping-fptoint -ffunction-sections -fdata-sections -DISLET_THREADS=0 \
+        -cxx-isystem "$llvm/include/wasm32-wasi/c++/v1" -I"$root/engine/include" -I"$root/engine/src" \
         -I"$root/bindings/c/include" -I"$root/bindings/c/src" -Wno-undefined-internal "$@"
 }
 
