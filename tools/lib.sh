@@ -79,6 +79,7 @@ need_wasm_tools() {
     need wasi-libc path_exists /usr/include/wasm32-wasi
     need libc++-16-dev-wasm32 path_exists /usr/lib/llvm-16/lib/wasm32-wasi
     need libclang-rt-16-dev-wasm32 path_exists /usr/lib/llvm-16/lib/clang/16/lib/wasi
+    need binaryen command_exists wasm-opt
     need python3 command_exists python3
     need nodejs command_exists node
     need npm command_exists npm

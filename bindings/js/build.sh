@@ -2,7 +2,7 @@
 # Builds the package @islet/engine in bindings/js/dist: the engine and the C interface as WebAssembly, with SIMD and without, and the JavaScript for it.
 #   bindings/js/build.sh
 # What was compiled stays in build/js, for programs that add code of their own (samples/sandbox).
-# Needs clang-16, lld-16, wasi-libc, libc++-16-dev-wasm32, Python and Node.js; tools/lib.sh installs them (need_wasm_tools).
+# Needs clang-16, lld-16, wasi-libc, libc++-16-dev-wasm32, binaryen, Python and Node.js; tools/lib.sh installs them (need_wasm_tools).
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -23,12 +23,13 @@ mkdir -p "$dist" "$work"
 touch "$work/began"
 "$here/generate.py" "$work/made"
 
-# What every step runs is compiled for speed, the rest for size and at the link: as fast as all for speed, and a quarter smaller. Without SIMD all is for size.
-hot='/src/(math|geometry|collide|broadphase|constraint|island|solver|step)/'
+# Where most of a step's time goes is compiled for speed, the rest for size and at the link. Without SIMD all is for size.
+hot='/src/(solver/(kernel_scalar|solver|joint_solve|tree_solve)|broadphase/pairs|step/contact_update|island/batches|collide/box|bodies/bounds)\.cpp'
+for_speed='-O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize'
 sources=$(find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp' | sort)
 grep -E "$hot" <<<"$sources" | as_one "$work/hot.cpp"
 grep -vE "$hot" <<<"$sources" | as_one "$work/cold.cpp"
-find "$root/bindings/c/src" "$here/src" "$work/made" -name '*.cpp' ! -name 'layouts.cpp' | sort | as_one "$work/c.cpp"
+find "$root/bindings/c/src" "$here/src" "$work/made" -name '*.cpp' ! -name 'layouts.cpp' ! -name 'allocator.cpp' | sort | as_one "$work/c.cpp"
 # make_one NAME HOT FLAG...: HOT holds the flags of what every step runs.
 make_one() {
     local name=$1 folder=$work/$1 hot=()
@@ -38,13 +39,15 @@ make_one() {
     wasm_compile "$@" "${hot[@]}" -c "$work/hot.cpp" -o "$folder/hot.o"
     wasm_compile "$@" -Oz -flto -c "$work/cold.cpp" -o "$folder/cold.o"
     wasm_compile "$@" -Oz -flto -c "$work/c.cpp" -o "$folder/c.o"
-    wasm_link "$work/made/exports.txt" -nostartfiles "$folder"/{hot,cold,c}.o -o "$folder/islet.wasm"
+    wasm_compile -Oz -fno-builtin -c "$here/src/allocator.cpp" -o "$folder/allocator.o"
+    wasm_link "$work/made/exports.txt" -nostartfiles "$folder"/{hot,cold,c,allocator}.o -o "$folder/linked.wasm"
+    wasm_shrink "$folder/linked.wasm" "$folder/islet.wasm"
 }
 wasm_compile -fsyntax-only "$work/made/layouts.cpp"
 wasm_compile -fsyntax-only "$root/bindings/c/src/layouts.cpp"
 make_one plain '-Oz -flto' &
 plain=$!
-make_one simd -O2 -msimd128
+make_one simd "$for_speed" -msimd128 -DISLET_MIN_LANES=4
 wait "$plain"
 
 cp "$work/plain/islet.wasm" "$dist/islet.wasm"

@@ -160,4 +160,22 @@ describe('the sandbox', {concurrency: 2}, () => {
         assert.deepEqual(errors, []);
         await context.close();
     });
+
+    test('opens with a network where the storage has no room for the engine', async () => {
+        const context = await browser.newContext(desktop);
+        const page = await context.newPage();
+        const errors = [];
+        page.on('pageerror', (error) => errors.push(error.stack));
+        const session = await context.newCDPSession(page);
+        await session.send('Storage.overrideQuotaForOrigin', {origin: new URL(server.address).origin, quotaSize: 1_000_000});
+        await page.goto(`${server.address}#arch`);
+        await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+        await page.reload();
+        await page.waitForFunction(() => Number(document.documentElement.dataset.step) > 5);
+        assert.notEqual(await page.evaluate(() => navigator.serviceWorker.controller), null);
+        const kept = await page.evaluate(async () => (await (await caches.open((await caches.keys())[0])).keys()).map(({url}) => url));
+        assert.ok(kept.length > 0 && !kept.some((url) => url.endsWith('.wasm')), kept.join(' '));
+        assert.deepEqual(errors, []);
+        await context.close();
+    });
 });

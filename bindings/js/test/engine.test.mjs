@@ -362,3 +362,37 @@ test('every function has its comment in the types', () => {
     assert.ok(methods.length > 180, `${methods.length} methods`);
     for (const name of methods) assert.match(types, new RegExp(`^    ${name}\\(`, 'm'));
 });
+
+test('blocks of memory do not overlap, and what is freed is used again', async () => {
+    const stubs = new Proxy({}, {get: () => () => 0, has: () => true});
+    const {exports} = (await WebAssembly.instantiate(readFileSync(new URL('islet.wasm', dist)), {islet: stubs})).instance;
+    const {malloc, free, memory} = exports;
+    let state = 1;
+    const below = (count) => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) % count;
+    const run = () => {
+        const blocks = [];
+        for (let turn = 1; turn <= 2000; ++turn) {
+            if (blocks.length < 40 || below(2) === 0) {
+                const bytes = below(8) === 0 ? below(300000) : below(200);
+                const at = malloc(bytes) >>> 0;
+                assert.ok(at !== 0 && at % 16 === 0);
+                new Uint8Array(memory.buffer, at, bytes).fill(turn & 255);
+                blocks.push({at, bytes, mark: turn & 255});
+            } else {
+                const [{at, bytes, mark}] = blocks.splice(below(blocks.length), 1);
+                assert.ok(new Uint8Array(memory.buffer, at, bytes).every((byte) => byte === mark));
+                free(at);
+            }
+        }
+        for (const {at} of blocks) free(at);
+    };
+    run();
+    const most = memory.buffer.byteLength;
+    free(malloc(most - 2 * 262144)); // all is one block again but for the stack and the data
+    assert.equal(memory.buffer.byteLength, most);
+    for (let again = 0; again < 5; ++again) run();
+    assert.ok(memory.buffer.byteLength < 1.5 * most);
+    assert.equal(malloc(0xffffffff), 0);
+    assert.equal(malloc(0xfff00000), 0);
+    free(0);
+});

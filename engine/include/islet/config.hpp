@@ -26,6 +26,12 @@
 #endif
 #endif
 
+/// The fewest lanes that constraints with a colour are solved in, where the engine has as many: 1 or 4. Default 1. A world that wants fewer gets the most that
+/// there are. 4 makes the engine smaller, and does not change results.
+#if !defined(ISLET_MIN_LANES)
+#define ISLET_MIN_LANES 1
+#endif
+
 /// 1: the small profile, for boards with 64 kB of flash and 16 to 20 kB of memory: boxes and other polygons, balls, restitution and queries. It leaves out all
 /// else (the features marked `full` below, and all joints), but for what ISLET_WITH_<name> puts back. The engine and the program must both be compiled with it:
 /// a world takes less memory, so they do not link otherwise. (In CMake, ISLET_PROFILE=small and the list ISLET_WITH.)

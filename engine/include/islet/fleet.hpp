@@ -102,8 +102,7 @@ public:
     /// Bytes of memory that a fleet needs; 0 if the capacity is not valid, or there is no world or no worker, or more than max_worlds or max_workers.
     static constexpr std::size_t bytes(std::uint32_t worlds, const Capacity& capacity, std::uint32_t workers = 1) {
         if (!is_valid(capacity) || worlds == 0 || worlds > max_worlds || workers == 0 || workers > max_workers) return 0;
-        const detail::Layout layout = detail::layout_of(capacity);
-        return head_bytes + std::size_t{workers} * detail::align_up(detail::scratch_bytes(capacity, true)) + std::size_t{worlds} * layout.scratch;
+        return head_bytes + std::size_t{workers} * worker_bytes(worlds, capacity) + std::size_t{worlds} * detail::fleet_stride(detail::layout_of(capacity));
     }
     static constexpr std::uint32_t max_worlds = 1u << 20;
 
@@ -147,7 +146,11 @@ private:
     Fleet() = default;
     friend bool detail::is_fleet(const Fleet& fleet);
     static constexpr std::size_t head_bytes = 128;
+    static constexpr std::size_t worker_bytes(std::uint32_t worlds, const Capacity& capacity) {
+        return detail::worlds_together(capacity, worlds) * detail::align_up(detail::scratch_bytes(capacity, true));
+    }
     void lend_scratch(std::uint32_t k, std::uint32_t worker);
+    void step_worlds(const FleetStep& what, std::uint32_t first, std::uint32_t end, std::uint32_t worker);
 
     const Fleet* self_ = nullptr;  // where the fleet is, by which a fleet is known
     std::uint32_t size_ = 0;

@@ -44,6 +44,7 @@ inline constexpr std::uint32_t layout_lanes = 4;
 inline constexpr std::uint32_t layout_lanes = 1;
 #endif
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
+inline constexpr std::uint32_t min_lanes = ISLET_MIN_LANES < ISLET_MAX_LANES ? ISLET_MIN_LANES : ISLET_MAX_LANES;
 static_assert(max_lanes <= layout_lanes, "this processor has no such ISLET_MAX_LANES");
 
 // Sizes of the records. data/arrays.hpp checks those of the arrays below; the others are checked beside each struct.
@@ -266,6 +267,12 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     return max_of(motions + plan + max_of(planning, solve), max_of(pairs, collide));
 }
 
+/// Worlds of a fleet that a worker steps side by side, so that their contacts share lanes. Larger worlds fill the lanes by themselves.
+constexpr std::uint32_t worlds_together(const Capacity& c, std::uint32_t worlds) {
+    const std::uint32_t most = c.contacts <= 512 ? layout_lanes : 1;
+    return worlds < most ? worlds : most;
+}
+
 constexpr Layout layout_of(const Capacity& c) {
     Layout l{};
     std::size_t at = host_bytes;
@@ -277,6 +284,14 @@ constexpr Layout layout_of(const Capacity& c) {
     l.scratch = at;
     l.end = align_up(at + scratch_bytes(c));
     return l;
+}
+
+/// Bytes from a world of a fleet to the next: worlds of a group count contacts and bodies from the first world's, so it is a multiple of their records.
+ISLET_ALWAYS_INLINE constexpr std::size_t fleet_stride(const Layout& layout) {
+    if constexpr (layout_lanes == 1) return layout.scratch;
+    constexpr std::size_t unit = 192;
+    static_assert(unit % manifold_bytes == 0 && unit % pose_bytes == 0 && unit % 64 == 0);
+    return (layout.scratch + unit - 1) / unit * unit;
 }
 
 }  // namespace detail

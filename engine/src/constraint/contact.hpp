@@ -93,7 +93,7 @@ struct ContactBlock : BodyPair<L> {
 /// Calls row(point, index) for a block's points, the one with the index `first` first. In a build for size there is one copy of the row.
 template <class Rows, class Row>
 ISLET_PART void for_points(Rows& r, std::uint32_t first, Row&& row) {
-#if defined(__OPTIMIZE_SIZE__)
+#if defined(__OPTIMIZE_SIZE__) || defined(__wasm__)
     std::uint32_t i = first;
     for (std::uint32_t left = r.two_points ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i);
 #else
@@ -237,7 +237,7 @@ ISLET_PART void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint
 template <std::uint32_t W>
 void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
     const bool biased = numbers.bias_rate > 0;
-#if defined(__OPTIMIZE_SIZE__)
+#if defined(__OPTIMIZE_SIZE__) || defined(__wasm__)
     sweep_blocks<W>(bodies, rows, count, numbers, biased);
 #else
     // Each kind of sweep has a loop of its own, which asks for the kind no more.

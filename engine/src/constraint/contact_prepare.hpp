@@ -20,10 +20,6 @@ inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
 inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
 inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
 
-/// In each sweep a contact whose shapes come together fast is solved up to so many more times: the blow takes one step, so the rows of a contact have no later
-/// steps in which to correct what they do to each other.
-inline constexpr std::uint8_t landing_passes = 5;
-
 /// Columns stand on level faces: contacts with two points whose normal is nearly along gravity. Undone fast, their overlaps would pump up the sway of a column.
 /// Corners and tilted faces sink in easily, and rarely bear a column.
 inline constexpr float level_tilt = 0.02f;       // sine of the angle between the normal and gravity; a level face has less
@@ -31,13 +27,6 @@ inline constexpr float deep_level_from = 0.02f;  // m; what overlaps by more, on
 inline constexpr float deep_from = 0.004f;       // m, of all other contacts, at the deeper point
 
 inline constexpr float most_give = 0.05f;  // m; boxes under hundreds of their own mass stand only because they give way
-
-/// The contacts of a block, their bodies and which points they have. A lane of the padding reads the first lane's contact; it acts on slot 0 with no impulse.
-template <std::uint32_t W>
-struct ContactLanes {
-    std::uint32_t contact[W], body_a[W], body_b[W];
-    float has_point[2][W];  // 1 or 0
-};
 
 /// The next block's manifolds may be anywhere in memory.
 template <std::uint32_t W>
@@ -49,8 +38,6 @@ ISLET_PART void prefetch_manifolds(const PrepareInput& in, const ContactRows<W>&
         ISLET_PREFETCH(&soon.rolling_impulse);
     }
 }
-
-inline constexpr std::uint32_t two_point_flag = 2u << contact_count_shift;  // a contact has no more
 
 /// Says which lanes land: those whose shapes come together fast. Bodies that shock propagation takes for lighter land on floors alone.
 template <std::uint32_t W>
@@ -279,28 +266,39 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
     if (r.two_points) L::store(r.points[1].separation, L::load(r.points[1].separation) - more);
 }
 
+/// Fills the rows of one block whose bodies and flags are known, and adds its warm start. `manifolds` and `poses` are what `lanes` counts from.
 template <std::uint32_t W>
-void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
+ISLET_PART void prepare_block(const PrepareInput& in, const ContactManifold* manifolds, const ContactLanes<W>& lanes, ContactRows<W>& r) {
     using L = LaneOf<W>;
     using F = typename L::F;
+    const LaneManifolds<L> m(manifolds, lanes.contact);
+    const MotionSince<L> since(m, in.poses, lanes.body_a, lanes.body_b);
+    BodyPair<L> s;
+    s.gather(in.bodies, r.body_a, r.body_b);
+    WarmStartSum<F> start = prepare_points<L>(in, r, lanes, m, since, s);
+    undo_overlap<L>(in.numbers, r, lanes, m.load(), s);
+    if (r.is_special()) {
+        const F rolling = prepare_rolling<L>(r, s, in.numbers, m.rolling_impulse());
+        start.turning_a = start.turning_a + rolling;
+        start.turning_b = start.turning_b + rolling;
+    }
+    s.add_warm_start(in.bodies, r.body_a, r.body_b, in_world(m.normal(), start.along_n, start.along_t), start.turning_a, start.turning_b);
+}
+
+template <std::uint32_t W>
+void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
         ContactLanes<W> lanes;
         if (W > 1 && block + 1 < count) prefetch_manifolds(in, rows[block + 1]);
         name_bodies(in, r, lanes);
-        const LaneManifolds<L> m(&manifold_of(r, 0, in.manifolds) - lanes.contact[0], lanes.contact);
-        const MotionSince<L> since(m, in.poses, lanes.body_a, lanes.body_b);
-        BodyPair<L> s;
-        s.gather(in.bodies, r.body_a, r.body_b);
-        WarmStartSum<F> start = prepare_points<L>(in, r, lanes, m, since, s);
-        undo_overlap<L>(in.numbers, r, lanes, m.load(), s);
-        if (r.is_special()) {
-            const F rolling = prepare_rolling<L>(r, s, in.numbers, m.rolling_impulse());
-            start.turning_a = start.turning_a + rolling;
-            start.turning_b = start.turning_b + rolling;
-        }
-        s.add_warm_start(in.bodies, r.body_a, r.body_b, in_world(m.normal(), start.along_n, start.along_t), start.turning_a, start.turning_b);
+        prepare_block<W>(in, &manifold_of(r, 0, in.manifolds) - lanes.contact[0], lanes, r);
     }
+}
+
+template <std::uint32_t W>
+void ContactKernel<W>::prepare_named(const PrepareInput& in, const ContactLanes<W>& lanes, Rows& r) {
+    if constexpr (W > 1) prepare_block<W>(in, in.manifolds, lanes, r);
 }
 
 }  // namespace islet::detail

@@ -3,6 +3,7 @@
 
 #include "../constraint/joint_kinds.hpp"
 #include "../constraint/kernels.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 
@@ -55,11 +56,6 @@ ISLET_LANE std::uint32_t known_lane(std::uint32_t lane) {
     return W > 1 ? lane : 0;
 }
 
-#ifdef __wasm__
-inline constexpr bool short_loops = true;  // in a page each byte is loaded, and these loops run once a step, not once a sweep
-#else
-inline constexpr bool short_loops = false;
-#endif
 /// Calls body(with_row), where with_row(row, visit) calls visit with a row of the kernel. Of lanes side by side the kernel is picked once, so that the loop in
 /// `body` is compiled for it; of single joints, or for the web, row by row, so that the loop stands there once.
 template <std::uint32_t W, class Body>
@@ -101,7 +97,7 @@ void prepare_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, c
 template <std::uint32_t W>
 void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep) {
     using L = LaneOf<W>;
-    if constexpr (W > 1) {
+    if constexpr (W > 1 && !short_loops) {
         visit_rows<W>(kernel, rows, [&](auto* r) {
             for (std::uint32_t i = 0; i < blocks; ++i) {
                 if constexpr (rows_have_applied<std::remove_pointer_t<decltype(r)>>) {
@@ -114,18 +110,19 @@ void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::
             }
         });
     } else {
-        // One by one, speed matters less than that the way there and back is not repeated for every kernel.
+        // One by one, speed matters less than that the way there and back is not repeated for every kernel; and for the web it is loaded once.
         const std::size_t block_bytes = joint_block_bytes<W>(kernel);
         for (; blocks-- > 0; rows += block_bytes) {
             if (!has_applied(kernel)) {
                 visit_rows<W>(kernel, rows, [&](auto* r) {
-                    if constexpr (!rows_have_applied<std::remove_pointer_t<decltype(r)>>) solve<L>(bodies, *r, sweep);
+                    using Rows = std::remove_pointer_t<decltype(r)>;
+                    if constexpr (!rows_have_applied<Rows> && (W == 1 || !std::is_same_v<Rows, GearRows<1>>)) solve<L>(bodies, *r, sweep);
                 });
                 continue;
             }
             JointBodies<L> s = gather<L>(bodies, ends_of<W>(rows), applied_of<W>(rows));
             const JointArms<L> arms(ends_of<W>(rows), s);
-            visit_rows<W>(kernel, rows, [&](auto* r) {
+            visit_rows<W>(kernel, rows, [&](auto* r) ISLET_IN_ONE_LOOP {
                 if constexpr (rows_have_applied<std::remove_pointer_t<decltype(r)>>) solve<L>(s, arms, *r, sweep);
             });
             scatter<L>(bodies, ends_of<W>(rows), applied_of<W>(rows), s);

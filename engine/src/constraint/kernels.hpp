@@ -24,15 +24,31 @@ struct PrepareInput {
     StepNumbers numbers;
 };
 
+/// In each sweep a contact whose shapes come together fast is solved up to so many more times: the blow takes one step, so the rows of a contact have no later
+/// steps in which to correct what they do to each other.
+inline constexpr std::uint8_t landing_passes = 5;
+
+inline constexpr std::uint32_t two_point_flag = 2u << contact_count_shift;  // of ContactManifold::flags; a contact has no more
+
+/// The contacts of a block, their bodies and which points they have. A lane of the padding reads the first lane's contact; it acts on slot 0 with no impulse.
+template <std::uint32_t W>
+struct ContactLanes {
+    std::uint32_t contact[W], body_a[W], body_b[W];
+    float has_point[2][W];  // 1 or 0
+};
+
 /// The contacts' kernel, W contacts at a time.
-template <std::uint32_t lanes>
+template <std::uint32_t width>
 struct ContactKernel {
-    static constexpr std::uint32_t W = lanes;
+    static constexpr std::uint32_t W = width;
     using Rows = ContactRows<W>;
 
     /// Fills the rows of blocks, and adds the warm start to the bodies' warm_v and warm_w. The caller has filled in the `contact` entries, and the material
     /// of special and bouncy contacts.
     static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
+    /// The same for one block whose contacts may be of several worlds: the caller has filled in all but the frame, the points and the rolling row. The lanes
+    /// count contacts from in.manifolds, and bodies from in.poses.
+    static void prepare_named(const PrepareInput& in, const ContactLanes<W>& lanes, Rows& r);
     /// One sweep.
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
     /// Solves those lanes of a block again that land and that the last pass changed. `changed`: a bit a lane.
@@ -58,14 +74,14 @@ struct Width {
     constexpr operator std::uint32_t() const { return lanes; }
 };
 
-/// Calls visit(Width) for a number of lanes that this build has.
-template <class Visit>
+/// Calls visit(Width) for a number of lanes that this build has, and that is not below `least`.
+template <std::uint32_t least = 1, class Visit>
 ISLET_LANE auto with_lanes(std::uint32_t lanes, Visit&& visit) {
     if constexpr (max_lanes >= 8)
         if (lanes == 8) return visit(Width<8>{});
-    if constexpr (max_lanes >= 4)
+    if constexpr (max_lanes >= 4 && least < 4)
         if (lanes == 4) return visit(Width<4>{});
-    return visit(Width<1>{});
+    return visit(Width<least>{});
 }
 
 }  // namespace islet::detail

@@ -5,6 +5,7 @@
 
 #include "../calls/checks.hpp"
 #include "../fleet/fleet_columns.hpp"
+#include "../fleet/group_step.hpp"
 #include "../math/float_mode.hpp"
 #include "../memory/place.hpp"
 #include "../state/world_copy.hpp"
@@ -68,9 +69,10 @@ Error check_step(const Fleet& fleet, const FleetStep& what) {
 }
 
 /// Worlds that a worker takes at a time.
-constexpr std::uint32_t worlds_at_a_time = 4;
+constexpr std::uint32_t worlds_at_a_time = max_lanes > 4 ? max_lanes : 4;
 
-/// Calls work(k, worker) for each world k < count. Each worker takes the next worlds until none are left, so none waits for another.
+/// Calls work(first, end, worker) for ranges that together are the worlds k < count. Each worker takes the next worlds until none are left, so none waits for
+/// another.
 template <class Work>
 void for_worlds(const TaskSystem& tasks, std::uint32_t count, Work&& work) {
     struct Queue {
@@ -82,7 +84,7 @@ void for_worlds(const TaskSystem& tasks, std::uint32_t count, Work&& work) {
             for (;;) {
                 const std::uint32_t first = __atomic_fetch_add(&queue.next, worlds_at_a_time, __ATOMIC_RELAXED);
                 if (first >= queue.count) return;
-                for (std::uint32_t k = first; k < queue.count && k < first + worlds_at_a_time; ++k) queue.work(k, worker);
+                queue.work(first, queue.count - first < worlds_at_a_time ? queue.count : first + worlds_at_a_time, worker);
             }
         }
     } queue{work, count, 0};
@@ -116,9 +118,9 @@ Fleet* Fleet::create(span<std::byte> block, const World& prototype, std::uint32_
     fleet.size_ = worlds;
     fleet.tasks_ = tasks;
     fleet.scratch_ = block.data() + head_bytes;
-    fleet.scratch_bytes_ = align_up(scratch_bytes(from.capacity, true));
+    fleet.scratch_bytes_ = worker_bytes(worlds, from.capacity);
     fleet.worlds_ = fleet.scratch_ + tasks.workers * fleet.scratch_bytes_;
-    fleet.stride_ = layout.scratch;
+    fleet.stride_ = fleet_stride(layout);
     WorldDef def = host_settings(from);
     def.tasks = {};
     def.clock = nullptr;
@@ -141,20 +143,46 @@ void Fleet::lend_scratch(std::uint32_t k, std::uint32_t worker) {
     core.scratch_end = core.scratch + scratch_bytes_;
 }
 
-Error Fleet::step(const FleetStep& what) {
-    const Error error = check_step(*this, what);
-    if (error != Error::none) return error;
+// Steps and observes worlds first <= k < end.
+void Fleet::step_worlds(const FleetStep& what, std::uint32_t first, std::uint32_t end, std::uint32_t worker) {
+    const auto act_on = [&](std::uint32_t k) ISLET_INLINED_LAMBDA { act((*this)[k], what.drives, what.actions.data() + k * what.drives.size()); };
+    bool grouped = false;
+    if constexpr (max_lanes > 1) {
+        World* chosen[worlds_at_a_time];
+        std::uint32_t place[worlds_at_a_time], count = 0;
+        for (std::uint32_t k = first; k < end; ++k) {
+            if (!is_chosen(what.mask, k)) continue;
+            chosen[count] = &(*this)[k];
+            place[count++] = k;
+        }
+        grouped = count > 1 && worlds_together(chosen[0]->capacity(), size_) > 1;
+        const Arena arena{scratch_ + worker * scratch_bytes_, scratch_ + (worker + 1) * scratch_bytes_};
+        for (std::uint32_t step = 0; grouped && step < what.repeat; ++step) {
+            for (std::uint32_t i = 0; i < count; ++i) {
+                lend_scratch(place[i], worker);
+                act_on(place[i]);
+            }
+            step_group(chosen, count, arena, what.dt);
+        }
+    }
     const std::size_t wide = columns(what.senses);
-    for_worlds(tasks_, size_, [&](std::uint32_t k, std::uint32_t worker) {
-        if (!is_chosen(what.mask, k)) return;
+    for (std::uint32_t k = first; k < end; ++k) {
+        if (!is_chosen(what.mask, k)) continue;
         World& world = (*this)[k];
         lend_scratch(k, worker);
-        for (std::uint32_t i = 0; i < what.repeat; ++i) {
-            act(world, what.drives, what.actions.data() + k * what.drives.size());
+        for (std::uint32_t step = 0; !grouped && step < what.repeat; ++step) {
+            act_on(k);
             world.step(what.dt);
         }
         detail::observe(world, what.senses, what.observations.data() + k * wide);
-    });
+    }
+}
+
+Error Fleet::step(const FleetStep& what) {
+    const Error error = check_step(*this, what);
+    if (error != Error::none) return error;
+    for_worlds(tasks_, size_,
+               [&](std::uint32_t first, std::uint32_t end, std::uint32_t worker) ISLET_INLINED_LAMBDA { step_worlds(what, first, end, worker); });
     return Error::none;
 }
 
@@ -162,8 +190,9 @@ Error Fleet::observe(span<const Sense> senses, span<float> observations, span<co
     const Error error = check_senses(*this, senses, observations, mask);
     if (error != Error::none) return error;
     const std::size_t wide = columns(senses);
-    for_worlds(tasks_, size_, [&](std::uint32_t k, std::uint32_t) {
-        if (is_chosen(mask, k)) detail::observe((*this)[k], senses, observations.data() + k * wide);
+    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t) ISLET_INLINED_LAMBDA {
+        for (std::uint32_t k = first; k < end; ++k)
+            if (is_chosen(mask, k)) detail::observe((*this)[k], senses, observations.data() + k * wide);
     });
     return Error::none;
 }
@@ -188,7 +217,9 @@ Error Fleet::fork(span<const std::uint32_t> parents) {
     if (parents.size() != size_) return Error::out_of_range;
     for (const std::uint32_t parent : parents)
         if (parent >= size_ || parents[parent] != parent) return Error::out_of_range;
-    for_worlds(tasks_, size_, [&](std::uint32_t k, std::uint32_t) { copy(parents[k], k); });
+    for_worlds(tasks_, size_, [&](std::uint32_t first, std::uint32_t end, std::uint32_t) ISLET_INLINED_LAMBDA {
+        for (std::uint32_t k = first; k < end; ++k) copy(parents[k], k);
+    });
     return Error::none;
 }
 

@@ -22,3 +22,16 @@
 
 /// Before a named part of a long function that has no other caller: copied into it in every build.
 #define ISLET_PART ISLET_ALWAYS_INLINE inline
+
+namespace islet::detail {
+
+/// The loops of the kernels stand once, and ask in each turn for what is known before: a page loads each byte.
+#ifdef __wasm__
+inline constexpr bool short_loops = true;
+#define ISLET_IN_ONE_LOOP ISLET_INLINED_LAMBDA
+#else
+inline constexpr bool short_loops = false;
+#define ISLET_IN_ONE_LOOP
+#endif
+
+}  // namespace islet::detail

@@ -13,6 +13,8 @@
 
 #if defined(__SSE2__)
 #include <immintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #if ISLET_MAX_LANES == 1
@@ -66,6 +68,10 @@ ISLET_LANE f4 select(i4 mask, f4 a, f4 b) { return reinterpret_cast<f4>((mask & 
 #if defined(__SSE2__)
 ISLET_LANE f4 min(f4 a, f4 b) { return _mm_min_ps(a, b); }  // a < b ? a : b, as for one lane
 ISLET_LANE f4 max(f4 a, f4 b) { return _mm_max_ps(a, b); }
+#elif defined(__wasm_simd128__)
+// pmin(x, y) is y < x ? y : x, and pmax(x, y) is x < y ? y : x. (f32x4.min and f32x4.max order zeros and keep NaN, as one lane does not.)
+ISLET_LANE f4 min(f4 a, f4 b) { return reinterpret_cast<f4>(wasm_f32x4_pmin(reinterpret_cast<v128_t>(b), reinterpret_cast<v128_t>(a))); }
+ISLET_LANE f4 max(f4 a, f4 b) { return reinterpret_cast<f4>(wasm_f32x4_pmax(reinterpret_cast<v128_t>(b), reinterpret_cast<v128_t>(a))); }
 #else
 ISLET_LANE f4 min(f4 a, f4 b) { return select(a < b, a, b); }
 ISLET_LANE f4 max(f4 a, f4 b) { return select(a > b, a, b); }
@@ -82,6 +88,8 @@ ISLET_LANE void store4(float* p, f4 a) { std::memcpy(p, &a, 16); }
 ISLET_LANE std::uint32_t mask_bits(i4 mask) {
 #if defined(__SSE2__)
     return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<f4>(mask)));
+#elif defined(__wasm_simd128__)
+    return static_cast<std::uint32_t>(wasm_i32x4_bitmask(reinterpret_cast<v128_t>(mask)));
 #else
     std::uint32_t bits = 0;
     for (std::uint32_t i = 0; i < 4; ++i) bits |= mask[i] != 0 ? 1u << i : 0u;
@@ -109,6 +117,8 @@ struct Lane4 {
     ISLET_LANE static F sqrt(F a) {
 #if defined(__SSE2__)
         return _mm_sqrt_ps(a);
+#elif defined(__wasm_simd128__)
+        return reinterpret_cast<F>(wasm_f32x4_sqrt(reinterpret_cast<v128_t>(a)));
 #else
         return F{detail::sqrt(a[0]), detail::sqrt(a[1]), detail::sqrt(a[2]), detail::sqrt(a[3])};
 #endif

@@ -4,8 +4,19 @@
 #include "../constraint/contact_rows.hpp"
 #include "../data/core.hpp"
 #include "../graph/mixing.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
+
+/// Fills in the material of one lane of a block that has special or bouncy contacts. `flags` are its own contact's.
+template <std::uint32_t W>
+ISLET_PART void set_surface(ContactRows<W>& r, std::uint32_t lane, std::uint32_t flags, const MixedSurface& surface) {
+    const bool special = W == 1 || (flags & contact_special) != 0;  // a block of one contact is read only if it is special
+    r.restitution[lane] = (flags & contact_bouncy) != 0 ? surface.restitution : 0;
+    if (!has_surfaces) return;
+    r.rolling_resistance[lane] = special ? surface.rolling_resistance : 0;
+    r.tangent_speed[lane] = special ? surface.tangent_speed : 0;
+}
 
 /// Fills in the contacts of each block, and the materials of those that are special or bouncy.
 template <std::uint32_t W>
@@ -29,12 +40,7 @@ void name_contacts(Core& core, ContactRows<W>* rows, std::uint32_t count, const 
             const std::uint32_t c = contacts[block * W + i];
             const bool is_live = W == 1 || c != null_index;
             const std::uint32_t own = W == 1 ? any : is_live ? core.manifolds[c].flags : 0;
-            const MixedSurface surface = is_live ? surface_of(core, c) : MixedSurface{};
-            const bool special = W == 1 || (own & contact_special) != 0;  // a block of one contact is read only if it is special
-            r.restitution[i] = (own & contact_bouncy) != 0 ? surface.restitution : 0;
-            if (!has_surfaces) continue;
-            r.rolling_resistance[i] = special ? surface.rolling_resistance : 0;
-            r.tangent_speed[i] = special ? surface.tangent_speed : 0;
+            set_surface(r, i, own, is_live ? surface_of(core, c) : MixedSurface{});
         }
     }
 }

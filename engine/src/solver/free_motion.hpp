@@ -36,6 +36,9 @@ ISLET_SHARED float within(float a, float bound) { return a == a ? within_bounds(
 inline Vec2 limit_speed(Vec2 v, float max_speed) {
     constexpr float huge = 1.0e18f;  // its square is still a number
     v = {within(v.x, huge), within(v.y, huge)};
+#if !defined(__OPTIMIZE_SIZE__)
+    if (dot(v, v) < 0.9f * max_speed * max_speed) return {v.x + 0.0f, v.y + 0.0f};  // slow enough, without a root
+#endif
     const float speed = length(v);
     if (speed > max_speed) v = (max_speed / speed) * v;
     return {v.x + 0.0f, v.y + 0.0f};  // a product that underflows may be -0, which the 0 that an idle lane adds would turn into +0

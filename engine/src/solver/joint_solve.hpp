@@ -7,6 +7,7 @@
 
 #include "../constraint/joint_rows.hpp"
 #include "../island/batches.hpp"
+#include "../math/inlining.hpp"
 
 namespace islet::detail {
 
@@ -18,6 +19,18 @@ ISLET_OPTIONAL void prepare_joint_run(const JointRun& run, std::uint32_t lanes, 
 ISLET_OPTIONAL void solve_joint_run(const JointRun& run, std::uint32_t lanes, SolverBody* bodies, std::byte* rows, const JointSweep& sweep);
 /// Writes the impulses back to the joints, for the next step.
 ISLET_OPTIONAL void store_joint_run(const JointRun& run, std::uint32_t lanes, std::byte* rows, const JointOutput& out);
+
+/// Takes room for the rows of every run of joints, and notes where each run's begin.
+ISLET_PART std::byte* place_joint_rows(const Plan& plan, std::uint32_t lanes, Arena& arena) {
+    std::size_t bytes = 0;
+    for (std::uint32_t i = 0; i < plan.run_count; ++i) {
+        JointRun& r = plan.runs[i];
+        r.offset = bytes;
+        bytes += joint_run_bytes_of(r, lanes);
+        bytes = (bytes + 63) / 64 * 64;
+    }
+    return arena.take<std::byte>(bytes);
+}
 
 /// Does nothing. A program that refers to it links the functions above.
 void link_joint_solve();

@@ -5,12 +5,24 @@
 
 #include "../constraint/contact.hpp"
 #include "../constraint/joint_runs.hpp"
+#include "../solver/body_vectors.hpp"
 
 namespace islet::detail {
 
 #if defined(ISLET_AVX2)
 template struct ContactKernel<8>;
 template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+
+#if ISLET_BODY_VECTORS
+std::uint32_t integrate_velocities_8(const VelocityVectors& all, std::uint32_t slot, std::uint32_t end_slot) {
+    slot = integrate_vectors<TwoBodies>(all, slot, end_slot);
+    return slot + 1 == end_slot ? integrate_vectors<OneBody>(all, slot, end_slot) : slot;
+}
+std::uint32_t integrate_positions_8(const WayVectors& all, std::uint32_t slot, std::uint32_t end_slot) {
+    slot = integrate_vectors<TwoBodies>(all, slot, end_slot);
+    return slot + 1 == end_slot ? integrate_vectors<OneBody>(all, slot, end_slot) : slot;
+}
+#endif
 #endif
 
 }  // namespace islet::detail

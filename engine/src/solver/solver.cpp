@@ -39,8 +39,21 @@ struct BatchSolve {
     Rows* first_row;  // of the batch's first block
     ContactRows<1>* overflow = s.overflow + batch.first_overflow;
     std::uint32_t overflow_count = batch.end_overflow - batch.first_overflow;
+    std::uint32_t lone_colors = 0;  // bits of those with one contact, which has a row by itself: it costs less than a block that is mostly padding
 
     Rows* row(std::uint32_t block) const { return first_row + (block - batch.first_block[0]); }
+    // In place of the block.
+    ContactRows<1>* lone_row(std::uint32_t block) const { return reinterpret_cast<ContactRows<1>*>(row(block)); }
+    bool is_lone(std::uint32_t color) const { return W > 1 && (lone_colors >> color & 1) != 0; }
+    void find_lone_colors();
+
+    /// Calls work(kernel, its rows, how many) for some of a colour's blocks.
+    template <class Work>
+    void with_rows(std::uint32_t color, std::uint32_t first, std::uint32_t end, Work&& work) {
+        if constexpr (W > 1)
+            if (is_lone(color)) return work(ContactKernel<1>{}, lone_row(first), 1u);
+        work(K{}, row(first), end - first);
+    }
 
     template <class Work>
     void over(std::uint32_t count, std::uint32_t grain, Work&& work) {
@@ -102,12 +115,25 @@ struct BatchSolve {
 };
 
 template <class K>
+void BatchSolve<K>::find_lone_colors() {
+    if (W == 1 || s.residuals != nullptr) return;  // a measure tries whole blocks
+    for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
+        const auto c = trailing_zeros(left);
+        const std::uint32_t begin = batch.first_block[c];
+        if (batch.first_block[c + 1] - begin == 1 && s.plan.contacts[std::size_t{begin} * W + 1] == null_index) lone_colors |= 1u << c;
+    }
+}
+
+template <class K>
 void BatchSolve<K>::prepare() {
     over_bodies([&](std::uint32_t first, std::uint32_t end) { gather_bodies(s, first, end); });
     const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers.step};
-    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) {
-        name_contacts(s.core, row(first), end - first, s.plan.contacts + std::size_t{first} * W);
-        K::prepare(in, row(first), end - first);
+    find_lone_colors();
+    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) {
+        with_rows(c, first, end, [&](auto kernel, auto* rows, std::uint32_t count) {
+            name_contacts(s.core, rows, count, s.plan.contacts + std::size_t{first} * W);
+            decltype(kernel)::prepare(in, rows, count);
+        });
     });
     name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
     ContactKernel<1>::prepare(in, overflow, overflow_count);
@@ -141,6 +167,10 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const std::uint32_t count = batch.first_block[c + 1] - begin;
         if (count == 0) continue;
         const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
+        if (is_lone(c)) {
+            ContactKernel<1>::solve(s.bodies, lone_row(begin), 1, numbers);
+            continue;
+        }
         over(count, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, row(begin + first), end - first, numbers); });
     }
     if (has_tuning && s.numbers.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
@@ -220,11 +250,17 @@ void BatchSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, cons
 
 template <class K>
 void BatchSolve<K>::store() {
+    const auto store_rows = [&](auto kernel, auto* rows, std::uint32_t count) ISLET_INLINED_LAMBDA {
+        decltype(kernel)::store(s.core.manifolds, rows, count);
+        if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, rows, count, s.hits);
+    };
     const std::uint32_t begin = batch.first_block[0];
-    over(batch.first_block[color_count] - begin, 4 * contact_grain / W, [&](std::uint32_t first, std::uint32_t end) {
-        K::store(s.core.manifolds, row(begin + first), end - first);
-        if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, row(begin + first), end - first, s.hits);
-    });
+    if (lone_colors == 0) {
+        over(batch.first_block[color_count] - begin, 4 * contact_grain / W,
+             [&](std::uint32_t first, std::uint32_t end) { store_rows(K{}, row(begin + first), end - first); });
+    } else {
+        over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) { with_rows(c, first, end, store_rows); });
+    }
     ContactKernel<1>::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
@@ -254,7 +290,9 @@ void BatchSolve<K>::run() {
     }
     const float threshold = s.numbers.step.restitution_threshold;
     ContactKernel<1>::restitute(s.bodies, overflow, overflow_count, threshold);
-    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t) { K::restitute(s.bodies, row(first), end - first, threshold); });
+    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) {
+        with_rows(c, first, end, [&](auto kernel, auto* rows, std::uint32_t count) { decltype(kernel)::restitute(s.bodies, rows, count, threshold); });
+    });
     hold();
     store();
 }
@@ -303,18 +341,6 @@ void solve_batches(Solve& s) {
     });
 }
 
-// Takes room for the rows of every run of joints, and notes where each run's begin.
-std::byte* place_joint_rows(const Plan& plan, std::uint32_t lanes, Arena& arena) {
-    std::size_t bytes = 0;
-    for (std::uint32_t i = 0; i < plan.run_count; ++i) {
-        JointRun& r = plan.runs[i];
-        r.offset = bytes;
-        bytes += joint_run_bytes_of(r, lanes);
-        bytes = (bytes + 63) / 64 * 64;
-    }
-    return arena.take<std::byte>(bytes);
-}
-
 // Reports to each body its island's residual; bodies that were not solved have none.
 void report_residuals(Core& core, const Plan& plan, const float* residuals) {
     core.report.residual = 0;
@@ -352,7 +378,7 @@ SolverBody* solve(Core& core, const Plan& plan, SolverMotion* motions, Arena& ar
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
     s.joint_rows = place_joint_rows(plan, core.lanes, rows);
     s.links = rows.take<TreeLink>(plan.link_count);
-    with_lanes(core.lanes, [&](auto lanes) { solve_batches<ContactKernel<lanes>>(s); });
+    with_lanes<min_lanes>(core.lanes, [&](auto lanes) { solve_batches<ContactKernel<lanes>>(s); });
     core.state->last_substep = s.numbers.step.h;
     if (has_shock(core.state->solver)) restore_impulses(core, plan.lightness, arena);
     core.has_residuals = s.residuals != nullptr;

@@ -3,6 +3,7 @@
 
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
+#include "../solver/body_vectors.hpp"
 #include "../solver/free_motion.hpp"
 #include "../solver/solve_context.hpp"
 
@@ -35,41 +36,65 @@ ISLET_PART void gather_bodies(Solve& s, std::uint32_t first_slot, std::uint32_t 
 ///
 /// Within a step anchors and normals do not change. So the warm start of a later substep, M^-1 J^T lambda summed over a body's rows, is what the sweeps of the
 /// substep before added to the body's velocity, v - v_free: one addition a body instead of a pass over all rows.
-ISLET_PART void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot, bool first) {
-    const float max_speed = s.numbers.step.max_speed;
-    const float max_turn = s.numbers.step.max_turn;
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        SolverBody& b = s.bodies[slot];
-        SolverMotion& m = s.motions[slot];
-        Vec2 dv = b.v - m.v_free;
-        float dw = b.w - m.w_free;
-        if (first) {
-            dv = b.warm_v;
-            dw = b.warm_w;
-            b.dp = {0, 0};
-            b.dq = 0;
-        }
-        const Vec2 v = free_velocity(m, b.v, max_speed);
-        const float w = free_turn(m, b.w, max_turn);
-        m.v_free = v;
-        m.w_free = w;
-        b.v = v + dv;
-        b.w = w + dw;
+ISLET_PART void integrate_velocity(SolverBody& b, SolverMotion& m, float max_speed, float max_turn, bool first) {
+    Vec2 dv = b.v - m.v_free;
+    float dw = b.w - m.w_free;
+    if (first) {
+        dv = b.warm_v;
+        dw = b.warm_w;
+        b.dp = {0, 0};
+        b.dq = 0;
+    }
+    const Vec2 v = free_velocity(m, b.v, max_speed);
+    const float w = free_turn(m, b.w, max_turn);
+    m.v_free = v;
+    m.w_free = w;
+    b.v = v + dv;
+    b.w = w + dw;
+}
+
+/// Adds up how far the velocities move a body in a substep.
+ISLET_PART void integrate_position(SolverBody& b, float h, float max_speed, float max_turn) {
+    if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
+    b.w = within(b.w, max_turn);
+    b.dp += h * b.v;
+    b.dq += h * b.w;
+}
+
+/// Calls one(slot) for each slot, except where `many` (body_vectors.hpp) has done it.
+template <class Many, class One>
+ISLET_PART void over_slots(std::uint32_t slot, std::uint32_t end_slot, Many&& many, One&& one) {
+    for (; slot < end_slot; ++slot) {
+        slot = many(slot);
+        if (slot < end_slot) one(slot);
     }
 }
 
-/// Adds up how far the velocities move the bodies in a substep.
+ISLET_PART void integrate_velocities(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot, bool first) {
+    const float max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
+    const auto many = [&](std::uint32_t slot) ISLET_INLINED_LAMBDA {
+        [[maybe_unused]] const VelocityVectors all{s.bodies, s.motions, 0.7f * max_speed, max_turn, first};
+#if ISLET_BODY_VECTORS
+        return ISLET_MAX_LANES == 8 && s.core.lanes == 8 ? integrate_velocities_8(all, slot, end_slot) : integrate_vectors<OneBody>(all, slot, end_slot);
+#else
+        return slot;
+#endif
+    };
+    over_slots(first_slot, end_slot, many,
+               [&](std::uint32_t slot) ISLET_INLINED_LAMBDA { integrate_velocity(s.bodies[slot], s.motions[slot], max_speed, max_turn, first); });
+}
+
 ISLET_PART void integrate_positions(Solve& s, std::uint32_t first_slot, std::uint32_t end_slot) {
-    const float h = s.numbers.step.h;
-    const float max_speed = s.numbers.step.max_speed;
-    const float max_turn = s.numbers.step.max_turn;
-    for (std::uint32_t slot = first_slot; slot < end_slot; ++slot) {
-        SolverBody& b = s.bodies[slot];
-        if (!(dot(b.v, b.v) <= max_speed * max_speed)) b.v = limit_speed(b.v, max_speed);
-        b.w = within(b.w, max_turn);
-        b.dp += h * b.v;
-        b.dq += h * b.w;
-    }
+    const float h = s.numbers.step.h, max_speed = s.numbers.step.max_speed, max_turn = s.numbers.step.max_turn;
+    const auto many = [&](std::uint32_t slot) ISLET_INLINED_LAMBDA {
+        [[maybe_unused]] const WayVectors all{s.bodies, 0.7f * max_speed, max_turn, h};
+#if ISLET_BODY_VECTORS
+        return ISLET_MAX_LANES == 8 && s.core.lanes == 8 ? integrate_positions_8(all, slot, end_slot) : integrate_vectors<OneBody>(all, slot, end_slot);
+#else
+        return slot;
+#endif
+    };
+    over_slots(first_slot, end_slot, many, [&](std::uint32_t slot) ISLET_INLINED_LAMBDA { integrate_position(s.bodies[slot], h, max_speed, max_turn); });
 }
 
 /// A lock is a row like any other, v . axis = 0, solved last in each sweep. (Later warm starts hold its impulses of the substeps before.)

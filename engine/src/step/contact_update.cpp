@@ -83,18 +83,8 @@ ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return !(min(a.inv_m
 
 bool comes_fast(const Approach& approach) { return approach.most() > 2.0f * fast_way; }
 
-bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
-    if ((m.flags & (contact_posed | contact_ahead)) != contact_posed) return false;
-    const Rot turn_a = inv_mul(m.rotation_a, a.q);
-    const Rot turn_b = inv_mul(m.rotation_b, b.q);
-    if (min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn) return false;
-    const std::uint32_t count = m.count();
-    if (count == 0) {
-        // Nothing touches yet. The bound of the relative motion of any two points must stay well within the speculative distance.
-        const Vec2 shift = b.center - a.center - m.offset;
-        const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
-        return reach > 0 && length_squared(shift) < reach * reach;
-    }
+// True if the surfaces have slipped little at the points of a contact that has `count` of them, 1 or 2.
+ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const Pose& b, std::uint32_t count, Rot turn_a, Rot turn_b) {
     // As one body turns against the other, points that are not in the manifold may come near, by at most the smaller body's size times the turn. They were
     // apart by more than the speculative distance.
     const float turn = abs(turn_b.s * turn_a.c - turn_b.c * turn_a.s);
@@ -111,6 +101,35 @@ bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
         if (count != 2 || has_floor(a, b) || length_squared(slip) - sunk * sunk > reach * reach) return false;
     }
     return true;
+}
+
+// True if neither body has turned far since the manifold was made.
+ISLET_PART bool have_turned_little(Rot turn_a, Rot turn_b) { return !(min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn); }
+
+bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
+    if ((m.flags & (contact_posed | contact_ahead)) != contact_posed) return false;
+    const Rot turn_a = inv_mul(m.rotation_a, a.q);
+    const Rot turn_b = inv_mul(m.rotation_b, b.q);
+    if (!have_turned_little(turn_a, turn_b)) return false;
+    const std::uint32_t count = m.count();
+    if (count == 0) {
+        // Nothing touches yet. The bound of the relative motion of any two points must stay well within the speculative distance.
+        const Vec2 shift = b.center - a.center - m.offset;
+        const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
+        return reach > 0 && length_squared(shift) < reach * reach;
+    }
+    return has_kept_points(m, a, b, count, turn_a, turn_b);
+}
+
+// True if the contact touches as before, and all that an update does is to keep its manifold. Of most contacts of a pile two tests tell that. (False says
+// nothing.)
+ISLET_PART bool is_settled(const ContactManifold& m, const Pose& a, const Pose& b) {
+    constexpr std::uint32_t asked = contact_touching | contact_posed | contact_sensor | contact_asks | contact_one_way | contact_ahead | contact_untold;
+    if ((m.flags & asked) != (contact_touching | contact_posed) || ((a.flags | b.flags) & (pose_moved | pose_fast | pose_learns)) != 0) return false;
+    const std::uint32_t count = m.count();
+    if (count == 0) return false;
+    const Rot turn_a = inv_mul(m.rotation_a, a.q), turn_b = inv_mul(m.rotation_b, b.q);
+    return have_turned_little(turn_a, turn_b) && has_kept_points(m, a, b, count, turn_a, turn_b);
 }
 
 // How the bodies of a contact come together in this step. Two bodies that fall together do not look ahead for each other: each goes at least a quarter of the
@@ -223,6 +242,13 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     ContactManifold& m = core.manifolds[index];
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
+#if !defined(__OPTIMIZE_SIZE__)
+    if (is_settled(m, a, b)) {
+        loads.follow(m);
+        ++recycled;
+        return is_continuous(core) && is_deep(core, m) ? Change::changes : Change::none;
+    }
+#endif
     if (((a.flags | b.flags) & pose_moved) != 0) {
         const Contact& c = core.contacts[index];
         if (!meet(core.boxes[c.shape_a], core.boxes[c.shape_b]) && !may_meet(core, c.shape_a, c.shape_b, dt)) return Change::parts;

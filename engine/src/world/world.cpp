@@ -61,7 +61,7 @@ Error check_def(const WorldDef& def) {
 std::uint32_t choose_lanes(std::uint32_t wanted) {
     std::uint32_t widest = max_lanes;
     if (widest == 8 && !cpu_has_avx2()) widest = 4;
-    return wanted == 0 || wanted > widest ? widest : wanted;
+    return wanted == 0 || wanted > widest || wanted < min_lanes ? widest : wanted;
 }
 
 template <class T>

@@ -11,6 +11,7 @@ export async function keepOffline() {
             await controlled;
             const {name} = performance.getEntriesByType('resource').find((entry) => entry.name.endsWith('.wasm'))!;
             await (await fetch(name, {cache: 'force-cache'})).arrayBuffer();
+            if (await caches.match(name) === undefined) return; // the storage is full
         }
         document.documentElement.dataset.offline = 'ready';
     } catch {

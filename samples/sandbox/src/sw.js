@@ -33,7 +33,7 @@ async function answer(request) {
     if (kept !== undefined && !page) return kept;
     try {
         const response = await fetch(request);
-        if (response.ok && !page) await cache.put(request, response.clone());
+        if (response.ok && !page) await cache.put(request, response.clone()).catch(() => {}); // if the storage is full, the page needs its network
         return response;
     } catch (error) {
         if (kept !== undefined) return kept;
