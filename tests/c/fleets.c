@@ -8,7 +8,7 @@
 #include "check.h"
 
 static _Alignas(ISLET_WORLD_ALIGNMENT) char prototype_block[200000];
-static _Alignas(ISLET_WORLD_ALIGNMENT) char fleet_block[700000];
+static _Alignas(ISLET_WORLD_ALIGNMENT) char fleet_block[3000000];
 static uint64_t image[1 << 13];
 
 void fleet_actions(unsigned round, float* actions) {
@@ -115,8 +115,8 @@ bool tell_fleet_story(struct FleetStory* story) {
     fill_senses(&yard, senses);
     if (islet_sense_columns(senses, sense_count) != fleet_columns) return false;
     float actions[fleet_worlds * fleet_drives];
-    const uint8_t mask[fleet_worlds] = {1, 1, 0, 1, 0, 1, 1};
-    const uint32_t parents[fleet_worlds] = {0, 0, 2, 2, 2, 5, 5};
+    const uint8_t mask[fleet_worlds] = {1, 1, 0, 1, 0, 1, 1, 0, 1, 1, 1, 0, 0, 1, 1, 1, 0, 1, 0};
+    const uint32_t parents[fleet_worlds] = {0, 0, 2, 2, 2, 5, 5, 7, 8, 2, 0, 11, 11, 8, 14, 15, 14, 5, 18};
     IsletVariation variation = {0};
     variation.body = yard.box;
     variation.position.x = 0.5f;

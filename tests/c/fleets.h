@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-enum { fleet_worlds = 7, fleet_drives = 3, fleet_columns = 11, fleet_rounds = 40 };
+enum { fleet_worlds = 19, fleet_drives = 3, fleet_columns = 11, fleet_rounds = 40 };
 
 /// What a fleet came to: every world's hash and all observations after each round.
 struct FleetStory {

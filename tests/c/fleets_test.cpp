@@ -59,8 +59,8 @@ TEST(Fleets, ComeToTheSameBitsFromCAndFromCpp) {
                             {.kind = SenseKind::touching, .body = yard.pole},
                             {.kind = SenseKind::ray, .body = yard.box, .translation = {0, -4}}};
     const Variation variation[] = {{.body = yard.box, .position = {0.5f, 0}, .velocity = {0, 2}, .angular_velocity = 1}};
-    const std::uint8_t mask[fleet_worlds] = {1, 1, 0, 1, 0, 1, 1};
-    const std::uint32_t parents[fleet_worlds] = {0, 0, 2, 2, 2, 5, 5};
+    const std::uint8_t mask[fleet_worlds] = {1, 1, 0, 1, 0, 1, 1, 0, 1, 1, 1, 0, 0, 1, 1, 1, 0, 1, 0};
+    const std::uint32_t parents[fleet_worlds] = {0, 0, 2, 2, 2, 5, 5, 7, 8, 2, 0, 11, 11, 8, 14, 15, 14, 5, 18};
     alignas(8) static std::byte image[1 << 16];
     const std::span<const std::byte> saved(image, yard.world.save(image));
     float actions[fleet_worlds * fleet_drives], observations[fleet_worlds * fleet_columns];

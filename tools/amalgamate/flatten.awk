@@ -29,7 +29,7 @@ function resolved(name, from) {
 function specialised(name, line, text) {
     text = class_text[name]
     if (text == "") fail("there is no class " name " to specialise")
-    gsub(/ = lanes;/, " = 8;", text)
+    gsub(/ = width;/, " = 8;", text)
     return "template <>\n" text
 }
 
