@@ -216,9 +216,15 @@ describe('the sandbox', {concurrency: 2}, () => {
             assert.equal(await page.locator('#scene').inputValue(), 'gears');
             await page.selectOption('#scene', 'arch');
             assert.equal(await page.evaluate(() => location.hash), '#arch');
-            await page.evaluate(() => (location.hash = '#no_such_scene'));
-            await settle(page);
-            assert.equal(await page.locator('#scene').inputValue(), 'mixer');
+            // What no scene is called is said, and the one that is there goes on.
+            for (const name of ['no_such_scene', '%', '%E0%A4%A', '<img src=x>', 'x'.repeat(3000)]) {
+                const step = await stepOf(page);
+                await page.evaluate((to) => (location.hash = to), name);
+                const sentence = `There is no scene “${name.slice(0, 4)}`;
+                await page.waitForFunction((start) => document.getElementById('message').textContent.startsWith(start), sentence);
+                assert.equal(await page.locator('#scene').inputValue(), 'arch');
+                await reach(page, step + 1);
+            }
             await page.selectOption('#scene', 'platformer');
             await settle(page);
             assert.ok(await page.locator('#timeline').isDisabled(), 'a script does not go back');
@@ -276,14 +282,33 @@ describe('the sandbox', {concurrency: 2}, () => {
         }
     });
 
-    test('says what is missing where there is no WebAssembly', async () => {
-        const context = await browser.newContext(desktop);
-        const page = await context.newPage();
-        await page.addInitScript(() => delete globalThis.WebAssembly);
-        await page.goto(server.address);
-        await page.waitForSelector('#message:visible');
-        assert.equal(await page.locator('#message').textContent(), 'The engine did not start. There is no WebAssembly here, which the engine needs.');
-        await context.close();
+    test('says what is missing where the engine cannot start, and nothing else fails then', async () => {
+        const noWebAssembly = () => delete globalThis.WebAssembly;
+        for (const [init, blocked, sentence] of [
+            [noWebAssembly, undefined, /^The engine did not start\. There is no WebAssembly here, which the engine needs\.$/],
+            [() => {}, /\.wasm$/, /^The engine did not start\. .*\.wasm cannot be loaded: is there a network\?$/],
+        ]) {
+            const context = await browser.newContext(desktop);
+            const page = await context.newPage();
+            const errors = [];
+            page.on('pageerror', (error) => errors.push(error.stack));
+            await page.addInitScript(init);
+            if (blocked) await context.route(blocked, (route) => route.abort());
+            await page.goto(server.address);
+            await page.waitForSelector('#message:visible');
+            assert.match(await page.locator('#message').textContent(), sentence);
+            for (const key of ['r', ' ', 'ArrowRight', 'ArrowLeft', '2', 'Enter', '0', 'Tab', 'Enter']) await page.keyboard.press(key);
+            await page.mouse.click(500, 300);
+            for (const id of ['gallery', 'again']) {
+                const {x, y} = await page.locator(`#${id}`).boundingBox();
+                await page.mouse.click(x + 9, y + 9);
+            }
+            await page.evaluate(() => (location.hash = 'car'));
+            await settle(page);
+            assert.match(await page.locator('#message').textContent(), sentence);
+            assert.deepEqual(errors, []);
+            await context.close();
+        }
     });
 
     test('is dark where the system is, and still where motion is not wanted', async () => {

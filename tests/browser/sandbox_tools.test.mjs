@@ -465,6 +465,44 @@ describe('files', () => {
         });
     });
 
+    test('a file that cannot be read, a scene of a long name, and addresses that the browser refuses', async () => {
+        await withPage('hello', async (page) => {
+            await page.evaluate(() => {
+                const file = new File(['{}'], 'gone.json');
+                file.text = () => Promise.reject(new DOMException('it was removed', 'NotFoundError'));
+                dispatchEvent(Object.assign(new Event('drop'), {dataTransfer: {files: [file]}}));
+            });
+            await until(page, async () => /^gone\.json cannot be read/.test(await message(page)));
+            await openText(page, JSON.stringify({name: `${'long '.repeat(1e5)}`}));
+            assert.match((await downloaded(page, '#save')).name, /^(long_){12}\.json$/);
+            await page.evaluate(() => {
+                history.replaceState = () => {
+                    throw new DOMException('too many', 'SecurityError');
+                };
+                navigator.clipboard.writeText = () => {
+                    throw new DOMException('not here', 'NotAllowedError');
+                };
+            });
+            await page.selectOption('#scene', 'car');
+            assert.equal(await page.evaluate(() => document.documentElement.dataset.scene), 'car');
+            await page.click('#share');
+            await until(page, async () => /takes no new address now/.test(await message(page)));
+        });
+    });
+
+    test('where the browser cannot pack and unpack, addresses with scenes are refused with a sentence', async () => {
+        await withPage('scene=AAAA', async (page) => {
+            await until(page, async () => /This browser cannot unpack/.test(await message(page)));
+            assert.equal(await page.evaluate(() => document.documentElement.dataset.scene), 'mixer');
+            await openPanel(page);
+            await page.click('#share');
+            await until(page, async () => /This browser cannot pack/.test(await message(page)));
+        }, {...desktop, init: () => {
+            delete globalThis.CompressionStream;
+            delete globalThis.DecompressionStream;
+        }});
+    });
+
     test('plays without SIMD, with the same bits', async () => {
         await withPage('hello', async (page) => {
             await openPanel(page);

@@ -62,7 +62,9 @@ export async function start() {
 }
 
 async function compile(url: URL): Promise<WebAssembly.Module> {
-    const response = await fetch(url);
+    const response = await fetch(url).catch(() => {
+        throw new Error(`${url} cannot be loaded: is there a network?`);
+    });
     if (!response.ok) throw new Error(`${url} cannot be loaded: ${response.status} ${response.statusText}`);
     // A server that does not know the type of .wasm files is no hindrance.
     const streams = response.headers.get('Content-Type')?.startsWith('application/wasm');

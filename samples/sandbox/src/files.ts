@@ -2,7 +2,7 @@
 import {drawn, native} from './native';
 import {hex} from './see';
 import {most_text, pack, unpack} from './scene_text';
-import {find, make, type Stage} from './stage';
+import {find, make, setAddress, type Stage} from './stage';
 
 const most_recording = 200e6; // bytes
 
@@ -24,8 +24,17 @@ function download(what: BlobPart, name: string, type: string) {
     setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
+async function copy(text: string): Promise<boolean> {
+    try {
+        await navigator.clipboard.writeText(text);
+        return true;
+    } catch {
+        return false; // there is no clipboard, or the page may not use it
+    }
+}
+
 export function makeFiles(stage: Stage): Files {
-    const name = () => stage.running.scene.name.replace(/[^\w-]/g, '_') || 'scene';
+    const name = () => stage.running.scene.name.replace(/[^\w-]/g, '_').slice(0, 60) || 'scene';
     const chooser = make('input', {type: 'file', id: 'open-file', accept: '.json,application/json', hidden: true, tabIndex: -1});
     chooser.setAttribute('aria-label', 'Scene file');
     const link = make('output', {id: 'link'});
@@ -40,8 +49,11 @@ export function makeFiles(stage: Stage): Files {
 
     async function openFile(file: File) {
         if (file.size > most_text) return stage.say(`${file.name} is too large: it has ${(file.size / 1e6).toFixed(0)} MB, and ${most_text / 1e6} MB are read.`);
-        const text = await file.text();
-        stage.open(text);
+        try {
+            stage.open(await file.text());
+        } catch {
+            stage.say(`${file.name} cannot be read: it is a folder, or has changed or gone.`);
+        }
         const {dataset} = document.documentElement;
         dataset.opened = String(Number(dataset.opened ?? 0) + 1);
     }
@@ -66,8 +78,9 @@ export function makeFiles(stage: Stage): Files {
         link.textContent = '';
         try {
             const address = `${location.href.split('#')[0]}#scene=${await pack(stage.saveScene())}`;
-            window.history.replaceState(null, '', address);
-            const copied = await navigator.clipboard?.writeText(address).then(() => true, () => false);
+            const taken = setAddress(address);
+            const copied = await copy(address);
+            if (!copied && !taken) return stage.say('This browser takes no new address now. Try again in a minute, or save the scene as a file.');
             link.textContent = `${copied ? 'Copied' : 'The page now has the address'}: ${(address.length / 1000).toFixed(1)} kB hold the whole scene.`;
         } catch (error) {
             stage.say((error as Error).message);
@@ -110,15 +123,17 @@ export function makeFiles(stage: Stage): Files {
     add('png', 'PNG', 'A picture of this moment', () => (wantsPicture = true));
     add('svg', 'SVG', 'A drawing of this moment, without limits of size', () => download(makeSvg(), `${name()}.svg`, 'image/svg+xml'));
 
-    /// All that is drawn, one over the other, on one canvas.
+    /// All that is drawn, where it stands on the page, on one canvas.
     const composed = make('canvas');
     function compose() {
-        const {canvas} = stage;
-        if (composed.width !== canvas.width || composed.height !== canvas.height) Object.assign(composed, {width: canvas.width, height: canvas.height});
+        const {canvas} = stage, ratio = canvas.width / canvas.clientWidth;
+        const layers = [...canvas.parentElement!.querySelectorAll('canvas')].filter((layer) => !layer.hidden && layer.width > 0);
+        const places = layers.map((layer) => layer.getBoundingClientRect());
+        const width = Math.round(ratio * Math.max(...places.map(({right}) => right))), height = Math.round(ratio * Math.max(...places.map(({bottom}) => bottom)));
+        if (composed.width !== width || composed.height !== height) Object.assign(composed, {width, height});
         const context = composed.getContext('2d')!;
-        for (const layer of canvas.parentElement!.querySelectorAll('canvas')) {
-            if (!layer.hidden && layer.width > 0) context.drawImage(layer, 0, 0, composed.width, composed.height);
-        }
+        context.clearRect(0, 0, width, height);
+        places.forEach((at, i) => context.drawImage(layers[i]!, ratio * at.left, ratio * at.top, ratio * at.width, ratio * at.height));
     }
 
     function makeSvg(): string {

@@ -14,7 +14,7 @@ import {makePlayer} from './play';
 import {wrongWith} from './scene_text';
 import {makeNumbers, makeOverlay} from './see';
 import {makeSolverKnobs, type Knob} from './settings';
-import type {Stage} from './stage';
+import {setAddress, type Stage} from './stage';
 
 const first_scene = 'mixer';
 const more_bodies = 300; // to throw in
@@ -61,7 +61,7 @@ function load(scene: SceneInfo) {
     say('');
     document.documentElement.dataset.scene = scene.name;
     if (scene.text !== undefined) return;
-    if (location.hash.slice(1) !== scene.name) window.history.replaceState(null, '', `#${scene.name}`);
+    if (location.hash.slice(1) !== scene.name) setAddress(`#${scene.name}`);
 }
 
 function listScenes() {
@@ -95,6 +95,7 @@ function open(text: string): boolean {
 }
 const nameIn = (text: string) => String((JSON.parse(text) as {name?: unknown}).name ?? '') || 'scene';
 
+let hasFailed = false; // the engine did not start
 let asked = 0; // how often an address or a scene was asked for
 
 /// What the address names. If that cannot be, the scene that is there already goes on, and the page says why.
@@ -103,7 +104,7 @@ async function openAddress() {
     try {
         const text = await files.fromAddress();
         if (mine !== asked) return; // something newer was asked for while this was unpacked
-        if (text === undefined) load(sceneOfAddress());
+        if (text === undefined) loadOfAddress();
         else if (!open(text) && !hasOpened()) load(firstScene());
     } catch (error) {
         if (mine !== asked) return;
@@ -114,9 +115,16 @@ async function openAddress() {
 
 const hasOpened = () => running !== undefined;
 const firstScene = () => scenes.find(({name}) => name === first_scene)!;
-function sceneOfAddress(): SceneInfo {
-    const name = decodeURIComponent(location.hash.slice(1)) || first_scene;
-    return scenes.find((scene) => scene.name === name) ?? firstScene();
+function loadOfAddress() {
+    let name = location.hash.slice(1);
+    try {
+        name = decodeURIComponent(name);
+    } catch {
+        // No escapes, but a sign like %: there is no such scene.
+    }
+    const named = scenes.find((scene) => scene.name === (name || first_scene));
+    if (named !== undefined || !hasOpened()) load(named ?? firstScene());
+    if (named === undefined) say(`There is no scene “${name.length > 40 ? `${name.slice(0, 40)}…` : name}”.`);
 }
 
 // -- time -------------------------------------------------------------------------------------------------------------------------------
@@ -483,8 +491,11 @@ document.querySelectorAll<HTMLInputElement>('input[name=tool]').forEach((input) 
     input.addEventListener('change', () => choose(input.value));
     input.addEventListener('pointerup', () => input.blur());
 });
-addEventListener('hashchange', () => void openAddress());
+addEventListener('hashchange', () => {
+    if (!hasFailed) void openAddress();
+});
 addEventListener('keydown', (event) => {
+    if (!hasOpened()) return;
     const at = event.target as HTMLElement;
     // Controls keep the keys that they know themselves.
     if (event.ctrlKey || event.altKey || event.metaKey || at.matches('select')) return;
@@ -570,7 +581,8 @@ try {
     });
     void keepOffline();
 } catch (error) {
+    hasFailed = true;
     say(`The engine did not start. ${(error as Error).message}`);
     clearTimeout(silence);
-    throw error;
+    for (const part of document.querySelectorAll<HTMLElement>('header, main, aside, footer')) part.inert = true;
 }

@@ -70,6 +70,7 @@ async function through(bytes: BlobPart, stream: CompressionStream | Decompressio
 
 /// A scene as the end of an address: packed, in letters that need no escapes.
 export async function pack(text: string): Promise<string> {
+    if (typeof CompressionStream === 'undefined') throw new Error('This browser cannot pack a scene into an address. Save it as a file instead.');
     const bytes = (await through(text, new CompressionStream('deflate-raw'), Infinity))!;
     let letters = '';
     for (const byte of bytes) letters += String.fromCharCode(byte);
@@ -80,6 +81,7 @@ export async function pack(text: string): Promise<string> {
 
 /// The scene in such an end. Throws a sentence if there is none.
 export async function unpack(packed: string): Promise<string> {
+    if (typeof DecompressionStream === 'undefined') throw new Error('This browser cannot unpack the scene in the address.');
     if (packed.length > most_link) throw new Error(`The scene in the address is too large: ${(packed.length / 1000).toFixed(0)} kB.`);
     try {
         const bytes = Uint8Array.from(atob(packed.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));

@@ -26,6 +26,16 @@ export interface Stage {
 
 export const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
+/// Whether the browser took the address: some take no more than a hundred in half a minute.
+export function setAddress(address: string): boolean {
+    try {
+        window.history.replaceState(null, '', address);
+        return true;
+    } catch {
+        return false;
+    }
+}
+
 /// Makes an element.
 export function make<K extends keyof HTMLElementTagNameMap>(
     tag: K, properties: Partial<Omit<HTMLElementTagNameMap[K], 'dataset' | 'style'>> = {}, ...children: (Node | string)[]): HTMLElementTagNameMap[K] {

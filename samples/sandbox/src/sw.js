@@ -26,7 +26,8 @@ self.addEventListener('fetch', (event) => {
 });
 
 async function answer(request) {
-    const cache = await caches.open(cache_name);
+    const cache = await caches.open(cache_name).catch(() => undefined);
+    if (cache === undefined) return fetch(request); // the storage is broken or gone
     // The page itself comes from the network where there is one: so a new build is seen at once.
     const page = request.mode === 'navigate';
     const kept = await cache.match(page ? './' : request, {ignoreSearch: page});
