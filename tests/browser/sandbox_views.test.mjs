@@ -1,6 +1,7 @@
-// How the sandbox shows the world, and other engines beside it: WebGL, the gallery, Box2D in a second pane, and the page without a network.
+// How the sandbox shows the world, and other engines beside it: WebGL, the gallery, Box2D in a second pane or over Islet, and the page without a network.
 // Environment: CHROMIUM, the browser; SANDBOX, the built folder.
 import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
 import {describe, test} from 'node:test';
 import {axeFindings, browser, hideProcessor, server, settle, useBrowser, visit} from './browser.mjs';
 
@@ -132,6 +133,11 @@ describe('the sandbox', {concurrency: 2}, () => {
                 return new Set(new Uint32Array(other.getContext('2d').getImageData(0, 0, other.width, other.height).data.buffer)).size;
             });
             assert.ok(seen > 5, 'it is drawn');
+            // A picture has both panes.
+            await page.click('#settings');
+            const [download] = await Promise.all([page.waitForEvent('download'), page.click('#png')]);
+            assert.equal(readFileSync(await download.path()).readUInt32BE(16), desktop.viewport.width);
+            await page.click('#settings');
 
             // Cards stand in both, nearly in the same places.
             await page.selectOption('#scene', 'card_house');
@@ -142,6 +148,63 @@ describe('the sandbox', {concurrency: 2}, () => {
             await told('^A script');
             await page.click('#settings');
             await page.click('#beside-box2d');
+            await page.waitForSelector('#other', {state: 'hidden'});
+        });
+    });
+
+    test('Box2D is drawn over Islet, half transparent, by keys alone; Islet is still the one that is played with', async () => {
+        await withPage('chain_ball', {reducedMotion: 'reduce'}, async (page) => {
+            await page.focus('#settings');
+            await page.keyboard.press('Enter');
+            const pressed = () => page.evaluate(() => (
+                ['beside-box2d', 'over-box2d'].map((id) => document.getElementById(id).getAttribute('aria-pressed')).join()));
+            assert.equal(await page.getByRole('button', {name: 'One over the other', pressed: false}).count(), 1);
+            await page.focus('#over-box2d');
+            await page.keyboard.press('Enter');
+            await page.waitForSelector('#other:visible');
+            assert.equal(await pressed(), 'false,true');
+            await page.click('#settings');
+            assert.deepEqual(await page.locator('#other').boundingBox(), await page.locator('#world').boundingBox());
+
+            // What is drawn has one colour, and Islet's bodies shine through. After a second and a half the ropes are metres apart.
+            const drawn = () => page.evaluate(() => {
+                const other = document.getElementById('other');
+                const {data} = other.getContext('2d').getImageData(0, 0, other.width, other.height);
+                const wanted = parseInt(getComputedStyle(document.documentElement).getPropertyValue('--over').trim().slice(1), 16);
+                let count = 0, solid = 0, off = 0;
+                for (let i = 0; i < data.length; i += 4) {
+                    if (data[i + 3] < 100) continue; // a hint of a colour has few bits of it
+                    count += 1;
+                    if (data[i + 3] > 240) solid += 1;
+                    for (let k = 0; k < 3; ++k) off = Math.max(off, Math.abs(data[i + k] - (wanted >> (16 - 8 * k) & 255)));
+                }
+                return {count, solid, off};
+            });
+            await page.click('#play');
+            await page.waitForFunction(() => Number(document.documentElement.dataset.step) > 90);
+            await page.click('#play');
+            await settle(page);
+            const {count, solid, off} = await drawn();
+            assert.ok(count > 400 && solid < count / 20 && off < 8, JSON.stringify({count, solid, off}));
+            assert.match(await page.locator('#versus').textContent(), /Islet \d.* [\d.]+ m apart · Box2D \d/);
+
+            // A click goes through to Islet's world.
+            const bodies = async () => parseInt(await page.locator('#status').textContent(), 10);
+            const before = await bodies();
+            await page.keyboard.press('2');
+            await page.mouse.click(450, 400);
+            await settle(page);
+            assert.equal(await bodies(), before + 1);
+
+            // From one to the other, and to Islet alone.
+            await page.click('#settings');
+            await page.click('#beside-box2d');
+            assert.equal(await pressed(), 'true,false');
+            assert.equal((await page.locator('#other').boundingBox()).width, desktop.viewport.width / 2);
+            await page.click('#over-box2d');
+            assert.equal((await page.locator('#other').boundingBox()).width, desktop.viewport.width);
+            await page.click('#over-box2d');
+            assert.equal(await pressed(), 'false,false');
             await page.waitForSelector('#other', {state: 'hidden'});
         });
     });
@@ -175,6 +238,22 @@ describe('the sandbox', {concurrency: 2}, () => {
         assert.notEqual(await page.evaluate(() => navigator.serviceWorker.controller), null);
         const kept = await page.evaluate(async () => (await (await caches.open((await caches.keys())[0])).keys()).map(({url}) => url));
         assert.ok(kept.length > 0 && !kept.some((url) => url.endsWith('.wasm')), kept.join(' '));
+        assert.deepEqual(errors, []);
+        await context.close();
+    });
+
+    test('opens with a network where the storage breaks after the first visit', async () => {
+        const context = await browser.newContext(desktop);
+        const page = await context.newPage();
+        const errors = [];
+        page.on('pageerror', (error) => errors.push(error.stack));
+        await page.goto(`${server.address}#arch`);
+        await page.waitForFunction(() => document.documentElement.dataset.offline === 'ready');
+        const [worker] = context.serviceWorkers();
+        await worker.evaluate(() => (caches.open = () => Promise.reject(new DOMException('broken', 'UnknownError'))));
+        await page.reload();
+        await page.waitForFunction(() => Number(document.documentElement.dataset.step) > 5);
+        assert.notEqual(await page.evaluate(() => navigator.serviceWorker.controller), null);
         assert.deepEqual(errors, []);
         await context.close();
     });

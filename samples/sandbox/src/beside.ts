@@ -1,4 +1,4 @@
-// The same scene in Box2D, in a pane beside Islet's. Box2D is a package of its own, which is loaded when somebody asks for it.
+// The same scene in Box2D, in a pane beside Islet's or drawn over it. Box2D is a package of its own, which is loaded when somebody asks for it.
 import type {Box2dWorld, SceneText} from '../../../bindings/js/bench/box2d';
 import {describe, scenes, type Running} from './engine';
 import type {Camera} from './camera';
@@ -20,6 +20,9 @@ async function loadBox2d(): Promise<Box2d> {
     return {make: (scene) => new Box2dWorld(module, scene), lacks: box2dLacks};
 }
 
+/// How the two engines are shown.
+type Way = 'panes' | 'over';
+
 interface Host {
     running(): Running;
     again(): void;
@@ -28,7 +31,7 @@ interface Host {
 }
 
 export class Beside {
-    private readonly button = document.createElement('button');
+    private readonly buttons: Record<Way, HTMLButtonElement>;
     private readonly canvas = document.createElement('canvas');
     private readonly figures = document.createElement('p');
     private painter: Painter | undefined;
@@ -40,24 +43,31 @@ export class Beside {
     private steps = 0;
     private time = 0; // ms a step, a running mean
     private told = 0; // ms, when the figures were
-    open = false;
+    private way: Way | undefined; // undefined: Islet alone
 
     constructor(section: HTMLElement, private readonly main: HTMLCanvasElement, private readonly host: Host) {
         const heading = Object.assign(document.createElement('h2'), {textContent: 'Beside Box2D'});
-        const text = 'The same scene in Box2D 3, in a second pane. Its package is loaded when you ask for it, and runs without SIMD, which it offers only together with threads.';
+        const text = 'The same scene in Box2D 3, in a second pane or drawn over Islet. Its package is loaded when you ask for it, and runs without SIMD, '
+            + 'which it offers only together with threads.';
         const about = Object.assign(document.createElement('p'), {textContent: text});
-        this.button.id = 'beside-box2d';
-        this.button.addEventListener('click', () => void this.toggle());
+        const button = (way: Way, id: string, textContent: string) => {
+            const made = Object.assign(document.createElement('button'), {id, textContent});
+            made.addEventListener('click', () => void this.toggle(way));
+            return made;
+        };
+        this.buttons = {panes: button('panes', 'beside-box2d', 'Two panes'), over: button('over', 'over-box2d', 'One over the other')};
+        const ways = Object.assign(document.createElement('div'), {className: 'row'});
+        ways.append(this.buttons.panes, this.buttons.over);
         const row = Object.assign(document.createElement('div'), {className: 'row offered'});
         for (const name of offered.filter((wanted) => scenes.some(({name}) => name === wanted))) {
             const choice = Object.assign(document.createElement('button'), {textContent: name.replaceAll('_', ' ')});
             choice.addEventListener('click', () => {
                 this.host.choose(name);
-                if (!this.open) void this.toggle();
+                if (!this.open) void this.toggle('panes');
             });
             row.append(choice);
         }
-        section.append(heading, about, this.button, row);
+        section.append(heading, about, ways, row);
         Object.assign(this.canvas, {id: 'other', hidden: true});
         this.canvas.setAttribute('role', 'img');
         this.canvas.setAttribute('aria-label', 'The same scene in Box2D');
@@ -66,28 +76,35 @@ export class Beside {
         this.show();
     }
 
+    get open() {
+        return this.way !== undefined;
+    }
+
     private show() {
-        this.button.textContent = this.open ? 'Islet alone' : 'Two panes';
-        this.button.setAttribute('aria-pressed', String(this.open));
-        document.body.classList.toggle('beside', this.open);
-        this.canvas.hidden = this.figures.hidden = !this.open;
+        const {way} = this;
+        for (const [name, button] of Object.entries(this.buttons)) button.setAttribute('aria-pressed', String(name === way));
+        document.body.classList.toggle('beside', way === 'panes');
+        document.body.classList.toggle('over', way === 'over');
+        this.canvas.hidden = this.figures.hidden = way === undefined;
         for (const below of this.main.parentElement!.querySelectorAll<HTMLElement>('.below')) {
-            if (below.nextElementSibling === this.canvas) below.hidden = !this.open;
+            if (below.nextElementSibling === this.canvas) below.hidden = way !== 'panes';
         }
     }
 
-    private async toggle() {
+    /// Shows both engines this way, or Islet alone if they are shown so.
+    private async toggle(way: Way) {
         if (this.open) {
-            this.end();
-            this.open = false;
+            this.way = this.way === way ? undefined : way;
+            if (!this.open) this.end();
             this.show();
             return;
         }
-        this.button.disabled = true;
+        const buttons = Object.values(this.buttons);
+        for (const button of buttons) button.disabled = true;
         try {
             this.box2d ??= loadBox2d();
             await this.box2d;
-            this.open = true;
+            this.way = way;
             this.painter ??= new Painter(this.canvas);
             this.show();
             this.host.again();
@@ -95,7 +112,7 @@ export class Beside {
             this.box2d = undefined;
             this.host.say(`Box2D could not be loaded. ${(error as Error).message}`);
         } finally {
-            this.button.disabled = false;
+            for (const button of buttons) button.disabled = false;
         }
     }
 
@@ -149,7 +166,8 @@ export class Beside {
         for (let i = 0; i < this.bodies; ++i) {
             if ((states[i]! & 7) === 3) states[i] = world.isAwake(i) ? states[i]! | 8 : states[i]! & ~8;
         }
-        painter.draw(running.world, camera, {poses, states});
+        if (this.way === 'over') painter.drawOver(running.world, camera, {poses, states});
+        else painter.draw(running.world, camera, {poses, states});
         if (performance.now() < this.told + 250) return;
         this.told = performance.now();
         const distance = this.distance(running);

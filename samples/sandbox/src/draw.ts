@@ -10,7 +10,7 @@ import {Outlines} from './outlines';
 const kinds = 6;
 const awake = ['awake-1', 'awake-2', 'awake-3', 'awake-4', 'awake-5', 'awake-6'] as const;
 const asleep = ['asleep-1', 'asleep-2', 'asleep-3', 'asleep-4', 'asleep-5', 'asleep-6'] as const;
-const names = ['paper', 'static', 'kinematic', ...awake, ...asleep, 'bullet', 'edge', 'joint', 'contact'] as const;
+const names = ['paper', 'static', 'kinematic', ...awake, ...asleep, 'bullet', 'edge', 'joint', 'contact', 'over'] as const;
 type Color = (typeof names)[number];
 
 /// Where bodies are, if not where a world has them.
@@ -54,12 +54,8 @@ export class Painter {
     }
 
     draw(world: World, camera: Pick<Camera, 'x' | 'y' | 'scale'>, elsewhere?: Poses) {
-        const {canvas, context, colors} = this;
-        const ratio = window.devicePixelRatio || 1;
-        const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
-        if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-        const scale = camera.scale * ratio;
-        const left = width / 2 - camera.x * scale, bottom = height / 2 + camera.y * scale;
+        const {context, colors} = this;
+        const {ratio, width, height, scale, left, bottom} = this.place(camera);
         context.setTransform(1, 0, 0, 1, 0, 0);
         let poses = world.readPoses(), {states} = world;
         if (elsewhere !== undefined) ({poses, states} = elsewhere);
@@ -76,6 +72,39 @@ export class Painter {
         if (elsewhere !== undefined) return;
         if (this.showJoints) this.drawJoints(world, left, bottom, scale, ratio, layered);
         if (this.showContacts) this.drawContacts(world, left, bottom, scale, ratio);
+    }
+
+    /// Draws bodies that move, in one colour and half transparent, on a canvas that lies over another one.
+    drawOver(world: World, camera: Pick<Camera, 'x' | 'y' | 'scale'>, {poses, states}: Poses) {
+        const {context, colors} = this;
+        const {ratio, width, height, scale, left, bottom} = this.place(camera);
+        context.setTransform(1, 0, 0, 1, 0, 0);
+        context.clearRect(0, 0, width, height);
+        this.empty = false;
+        context.fillStyle = context.strokeStyle = colors.over;
+        context.lineWidth = 1.2 * ratio / scale;
+        for (let slot = 0; slot < world.slotCount; ++slot) {
+            if ((states[slot]! & 7) < 2) continue; // none there, or static
+            const outline = this.outlines.of(world, slot);
+            const at = 4 * slot, c = poses[at + 2]! * scale, s = poses[at + 3]! * scale;
+            context.setTransform(c, -s, s, c, left + poses[at]! * scale, bottom - poses[at + 1]! * scale);
+            context.globalAlpha = 0.2;
+            context.fill(outline.solid);
+            context.globalAlpha = 0.7;
+            context.stroke(outline.solid);
+            if (outline.hasLines) context.stroke(outline.lines);
+        }
+        context.globalAlpha = 1;
+    }
+
+    /// Where the world's origin is on the canvas and how large a metre is, in pixels of the canvas, which gets the size that it has on the page.
+    private place(camera: Pick<Camera, 'x' | 'y' | 'scale'>) {
+        const {canvas} = this;
+        const ratio = window.devicePixelRatio || 1;
+        const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
+        if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
+        const scale = camera.scale * ratio;
+        return {ratio, width, height, scale, left: width / 2 - camera.x * scale, bottom: height / 2 + camera.y * scale};
     }
 
     /// What is shown, on one canvas.

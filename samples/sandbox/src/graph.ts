@@ -70,7 +70,10 @@ export function makeGraph(stage: Stage): Graph {
                 context.strokeStyle = style.getPropertyValue(color);
                 context.lineWidth = 1.5 * ratio;
                 context.stroke();
-                const last = shown > 0 ? at(shown - 1) : 0;
+                // A clock that counts in tenths of milliseconds, or in whole ones, tells a step's time only in the mean of many.
+                const told = Math.min(shown, name === 'step' ? length : 1);
+                let last = 0;
+                for (let k = shown - told; k < shown; ++k) last += at(k) / told;
                 texts[i]!.textContent = `${name} ${last === 0 ? '0' : Math.abs(last) >= 0.01 && Math.abs(last) < 1e5 ? last.toPrecision(3) : last.toExponential(1)} ${unit}`;
             });
         },
