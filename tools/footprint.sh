@@ -27,7 +27,7 @@ targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 ris
 # and by 0.3 kB with tilted faces that undo deep overlaps. Every function rose by 2.8 kB with find_fault
 # of what setters take, ranges of one body, and the recording of pushes that do not wake; all by 0.15 kB with shapes that can meet none in motion.)
 declare -A most_flash=(
-    [cortex-m3]='223200 94700 54300' [cortex-m4f]='205300 81000 46500' [cortex-m4f-lto]='- 76000 44600' [cortex-m7]='204900 80800 46300'
+    [cortex-m3]='223200 94700 54300' [cortex-m4f]='205300 81000 46500' [cortex-m4f-lto]='- 75900 44500' [cortex-m7]='204900 80800 46300'
     [cortex-m33]='204900 80800 46300' [cortex-m55]='205400 80900 46400' [riscv32]='217800 85900 50000'
 )
 most_stack=4096          # bytes
@@ -102,23 +102,24 @@ if [ "$mode" = options ]; then
 fi
 
 if [ "$mode" = c ]; then
-    # ten_calls PRINTED NAME [OPTION...]: both programs, which must print the same.
+    # ten_calls PRINTED MOST NAME [OPTION...]: both programs, which must print the same. MOST: bytes that C may take more.
     ten_calls() {
-        local printed=$1 folder=$root/build/firmware/$2 program in_flash=()
-        shift 2
+        local printed=$1 most=$2 folder=$root/build/firmware/$3 program in_flash=()
+        shift 3
         build_firmware "${folder##*/}" cortex-m4f -DISLET_C=ON -DISLET_TRIMMED=OFF "$@"
         ctest --test-dir "$folder" --tests-regex calls --verbose >"$folder/calls.log" 2>&1 || die "the programs fail: $folder/calls.log"
         diff <(sed -n 's/^1: \([0-9]\)/\1/p' "$folder/calls.log") <(sed -n 's/^2: \([0-9]\)/\1/p' "$folder/calls.log") ||
             die "C and C++ do not come to the same"
         for program in calls_cpp calls_c; do in_flash+=("$(arm-none-eabi-size -A "$folder/$program.elf" | awk '/^\.(text|rodata|data|ARM)/ { sum += $2 } END { print sum }')"); done
         printf '%-48s %8d %8d %6d\n' "$printed" "${in_flash[@]}" $((in_flash[1] - in_flash[0]))
-        [ $((in_flash[1] - in_flash[0])) -le 500 ] || die "$printed, the C interface adds more than 500 bytes"
+        [ $((in_flash[1] - in_flash[0])) -le "$most" ] || die "$printed, the C interface adds more than $most bytes"
     }
     only=(calls_c calls_cpp)
     printf '%-48s %8s %8s %6s\n' 'flash, bytes' 'in C++' 'in C' 'more'
-    ten_calls 'file by file' c
-    ten_calls 'Islet optimised as a whole (ISLET_LTO)' c-lto -DISLET_LTO=ON
-    ten_calls 'Islet and the program optimised as a whole' c-lto-program -DISLET_LTO=ON -DISLET_LTO_PROGRAM=ON
+    # Where the link optimises, other functions of the engine are inlined in one program and not in the other, which is more than C's own.
+    ten_calls 'file by file' 500 c
+    ten_calls 'Islet optimised as a whole (ISLET_LTO)' 700 c-lto -DISLET_LTO=ON
+    ten_calls 'Islet and the program optimised as a whole' 500 c-lto-program -DISLET_LTO=ON -DISLET_LTO_PROGRAM=ON
     exit 0
 fi
 
@@ -275,7 +276,7 @@ done
 # The smallest program in the small profile; both folders were built above.
 profile=("$(flash "$root/build/firmware/cortex-m4f" small)" "$(flash "$root/build/firmware/cortex-m4f-lto" small)")
 at_most cortex-m4f 'flash of the small profile' "${profile[0]}" 39400
-at_most cortex-m4f-lto 'flash of the small profile' "${profile[1]}" 37900
+at_most cortex-m4f-lto 'flash of the small profile' "${profile[1]}" 37800
 
 say "a Cortex-M4F without what can be left out"
 only=()

@@ -11,10 +11,8 @@ IsletWorld* islet_create_world(void* block, size_t block_bytes, const IsletCapac
     int refused = ISLET_ERROR_NULL_POINTER;
     if (block != nullptr && capacity != nullptr) refused = copy(capacity, size);
     const WorldDef def = world_def_of(given, refused);
-    if (refused == ISLET_ERROR_NONE) return cast<IsletWorld>(World::create(span_of<std::byte>(block, block_bytes), size, def, cast<Error>(error)));
-    if (error != nullptr) *error = static_cast<IsletError>(refused);
-    if (def.error_hook != nullptr) def.error_hook(static_cast<Error>(refused), def.error_context);
-    return nullptr;
+    if (refused != ISLET_ERROR_NONE) return cast<IsletWorld>(detail::refuse_creation(static_cast<Error>(refused), def, cast<Error>(error)));
+    return cast<IsletWorld>(World::create(span_of<std::byte>(block, block_bytes), size, def, cast<Error>(error)));
 }
 
 IsletError islet_world_last_error(const IsletWorld* world) {

@@ -28,6 +28,8 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
 // For interfaces of other languages, which refuse arguments themselves, and return the error of each call that changes a world.
 /// Records an error and calls the error hook, as the world does, unless `world` is null. Returns the error.
 Error refuse_call(const World* world, Error error);
+/// Tells that no world was made, and why: `error` gets `problem`, if it is given, and the hook of `def` is called. Returns null.
+World* refuse_creation(Error problem, const WorldDef& def, Error* error);
 /// Before a call: no error is known, until end_call. False if `world` is null.
 bool begin_call(World* world);
 /// After it: its error. If it had none, the last error is again that before begin_call. If `world` is null, returns `without`.

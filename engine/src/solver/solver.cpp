@@ -255,7 +255,7 @@ void BatchSolve<K>::store() {
         if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, rows, count, s.hits);
     };
     const std::uint32_t begin = batch.first_block[0];
-    if (lone_colors == 0) {
+    if (W == 1 || lone_colors == 0) {
         over(batch.first_block[color_count] - begin, 4 * contact_grain / W,
              [&](std::uint32_t first, std::uint32_t end) { store_rows(K{}, row(begin + first), end - first); });
     } else {

@@ -89,13 +89,18 @@ World* World::create(span<std::byte> block, const Capacity& capacity, const Worl
         problem = check_block(block, l.end);
     }
     if (problem == Error::none) problem = check_def(def);
+    if (problem != Error::none) return detail::refuse_creation(problem, def, error);
     if (error != nullptr) *error = problem;
-    if (problem == Error::none) return &create_static(block.data(), capacity, l, def);
-    if (def.error_hook != nullptr) def.error_hook(problem, def.error_context);
-    return nullptr;
+    return &create_static(block.data(), capacity, l, def);
 }
 
 namespace detail {
+
+World* refuse_creation(Error problem, const WorldDef& def, Error* error) {
+    if (error != nullptr) *error = problem;
+    if (def.error_hook != nullptr) def.error_hook(problem, def.error_context);
+    return nullptr;
+}
 
 static_assert(sizeof(World) <= host_bytes);
 
