@@ -4,13 +4,13 @@
 
 #include <iterator>
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include "islet/fleet.hpp"
 #include "islet/recording.hpp"
 #include "islet/snapshot.hpp"
 #include "support/random.hpp"
+#include "support/task_threads.hpp"
 #include "support/test_world.hpp"
 
 namespace {
@@ -20,16 +20,6 @@ using namespace islet::test;
 
 constexpr float dt = 1.0f / 60;
 constexpr Capacity capacity{.bodies = 64, .shapes = 64, .contacts = 384, .joints = 16, .geometries = 16};
-
-/// Starts a thread for each task.
-TaskSystem threads(std::uint32_t workers) {
-    const auto run = [](void*, std::uint32_t count, void (*task)(void*, std::uint32_t), void* data) {
-        std::vector<std::thread> all;
-        for (std::uint32_t i = 0; i < count; ++i) all.emplace_back(task, data, i);
-        for (std::thread& one : all) one.join();
-    };
-    return {run, nullptr, workers};
-}
 
 BodyId add(World& world, Vec2 at, float radius, const ShapeDef& shape, BodyType type = BodyType::dynamic) {
     BodyDef def;

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include "islet/fleet.hpp"
 #include "islet/snapshot.hpp"
 #include "support/random.hpp"
+#include "support/task_threads.hpp"
 #include "support/test_world.hpp"
 
 namespace {
@@ -71,16 +71,6 @@ struct Yard {
                 {.kind = SenseKind::ray, .body = ball, .translation = {0, -4}}};
     }
 };
-
-/// Starts a thread for each task.
-TaskSystem threads(std::uint32_t workers) {
-    const auto run = [](void*, std::uint32_t count, void (*task)(void*, std::uint32_t), void* data) {
-        std::vector<std::thread> all;
-        for (std::uint32_t i = 0; i < count; ++i) all.emplace_back(task, data, i);
-        for (std::thread& one : all) one.join();
-    };
-    return {run, nullptr, workers};
-}
 
 /// A fleet and its memory.
 struct TestFleet {
