@@ -46,24 +46,10 @@ Aabb shape_aabb(const Core& core, std::uint32_t shape) {
     return aabb_of(core.geometries[s.geometry], body_transform(core, s.body));
 }
 
-namespace {
-
-// Contacts are made a little before surfaces meet; each of the two boxes has room for half of that distance.
 Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g, t), 0.5f * speculative_distance); }
 
-// How far the inner box may move before it leaves the outer box.
-ISLET_SHARED float room_in(const Aabb& outer, const Aabb& inner) {
+float room_in(const Aabb& outer, const Aabb& inner) {
     return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
-}
-
-}  // namespace
-
-float slack_of(const Core& core, std::uint32_t body) {
-    const Transform t = body_transform(core, body);
-    float slack = 3.0e38f;
-    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
-        slack = min(slack, room_in(core.boxes[s], tight_box(core.geometries[core.shapes[s].geometry], t)));
-    return slack;
 }
 
 void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
@@ -88,9 +74,7 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
         }
         slack = min(slack, room_in(fat, tight));
     }
-    // If the body is beyond max_position, the next step puts it back, which does not count as its way.
-    const Vec2 center = core.poses[body].center;
-    core.motions[body].slack = max(abs(center.x), abs(center.y)) > max_position ? -1.0f : slack;
+    core.motions[body].slack = is_beyond(core.poses[body].center) ? -1.0f : slack;
 }
 
 void update_boxes(Core& core, std::uint32_t body, bool force) { fit_boxes(core, body, force, nullptr); }

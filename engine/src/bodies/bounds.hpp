@@ -15,6 +15,12 @@ inline constexpr float max_mass = 1.0e30f;      // kg; the largest inertia too, 
 Transform body_transform(const Core& core, std::uint32_t body);
 /// Tight box of a shape in the world.
 Aabb shape_aabb(const Core& core, std::uint32_t shape);
+/// The box that a shape's fat box has to hold. Contacts are made a little before surfaces meet; each of the two boxes has room for half of that distance.
+Aabb tight_box(const Geometry& g, const Transform& t);
+/// How far the inner box may move before it leaves the outer box, m; negative if it is not inside.
+float room_in(const Aabb& outer, const Aabb& inner);
+/// True if a body with this centre will be put back by the next step, which does not count as its way.
+inline bool is_beyond(Vec2 center) { return max(abs(center.x), abs(center.y)) > max_position; }
 /// Updates the body's fat boxes, marks those that changed, and sets the slack. Unless `force` is set, a shape keeps a fat box that still holds it.
 void update_boxes(Core& core, std::uint32_t body, bool force);
 /// The same, but if `changed` is given, writes to it, by shape, whether the box changed, instead of marking it. Marks are shared, so if bodies are moved in
@@ -33,7 +39,5 @@ struct Extent {
 /// The extent of the body's shapes about its centre of mass.
 Extent body_extent(const Core& core, std::uint32_t body);
 void update_extent(Core& core, std::uint32_t body);
-/// How far the body may now move before one of its shapes could leave its fat box, m.
-float slack_of(const Core& core, std::uint32_t body);
 
 }  // namespace islet::detail
