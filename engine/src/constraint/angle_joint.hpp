@@ -85,7 +85,6 @@ void store(const AngleRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
     j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
     if (j.length == 0) return;
     if ((j.flags & joint_limit) == 0) keep_load(r.free.low[lane] - r.free.high[lane], j, out);
-    if (!(abs(j.limit_load) < unsound_impulse)) j.limit_load = 0;
     j.velocity.y = tooth_at(j, j.coordinate);
 }
 

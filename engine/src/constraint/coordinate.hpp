@@ -67,10 +67,11 @@ ISLET_PART void hold_between(CoordinateRows<W>& r, std::uint32_t lane, const Joi
     r.high[lane] = n.warm * j.upper_impulse;
     r.load[lane] = n.warm * (j.limit_load - own_drive(j));
 }
-/// The load that the limits bore, after a step, from their impulse.
+/// The load that the limits bore, after a step, from their impulse. An image may hold any load; one beyond all sense is forgotten, as impulses are.
 ISLET_PART void keep_load(float impulse, Joint& j, const JointOutput& out) {
     const float before = out.warm * j.limit_load;  // in this step's substeps
-    j.limit_load = before + load_rate * out.dt * (impulse + own_drive(j) - before);
+    const float load = before + load_rate * out.dt * (impulse + own_drive(j) - before);
+    j.limit_load = abs(load) < unsound_impulse ? load : 0;
 }
 
 /// Fills rows that hold zeros. Returns the sum of the impulses, which warm starting applies.
