@@ -85,17 +85,19 @@ const plays = {
 const weights = {scene: 2, drag: 6, spawn: 4, shape: 2, cut: 2, keys: 2, rewind: 3, play: 1, again: 1, see: 1, knob: 1, save: 1};
 const bag = Object.entries(weights).flatMap(([name, weight]) => Array(weight).fill(name));
 
-/// MB: JavaScript's heap, the engines', and what the page's processes have of the machine.
+/// MB: JavaScript's heap; the buffers of its arrays and of the engines; the engines' alone; and what the page's processes have of the machine: memory of their
+/// own, memory that they share with the one that draws, and pages of Chromium's program.
 async function held() {
     await session.send('HeapProfiler.collectGarbage');
-    const {usedSize} = await session.send('Runtime.getHeapUsage');
+    const {usedSize, backingStorageSize} = await session.send('Runtime.getHeapUsage');
     const engines = await page.evaluate(() => window.memories.reduce((sum, memory) => sum + (memory.deref()?.buffer.byteLength ?? 0), 0));
     const {processInfo} = await (await browser.newBrowserCDPSession()).send('SystemInfo.getProcessInfo');
-    const resident = processInfo.filter(({type}) => type === 'renderer').reduce((sum, {id}) => sum + 1024 * Number(/VmRSS:\s*(\d+)/.exec(readFileSync(`/proc/${id}/status`, 'utf8'))[1]), 0);
-    return [usedSize, engines, resident].map((bytes) => (bytes / 1e6).toFixed(1));
+    const pages = processInfo.filter(({type}) => type === 'renderer').map(({id}) => readFileSync(`/proc/${id}/status`, 'utf8'));
+    const resident = (kind) => pages.reduce((sum, status) => sum + 1024 * Number(new RegExp(`Rss${kind}:\\s*(\\d+)`).exec(status)[1]), 0);
+    return [usedSize, backingStorageSize, engines, resident('Anon'), resident('Shmem'), resident('File')].map((bytes) => (bytes / 1e6).toFixed(1));
 }
 
-console.log('| minute | actions | scripts, MB | engines, MB | process, MB |\n|---|---|---|---|---|');
+console.log('| minute | actions | scripts, MB | buffers | engines | process: own | shared | program |\n|---|---|---|---|---|---|---|---|');
 const began = Date.now();
 for (let minute = 0, actions = 0; minute <= minutes; ++minute) {
     for (; Date.now() - began < 60000 * minute; ++actions) {

@@ -41,6 +41,7 @@ struct OpenBlock {
 template <class K>
 struct GroupSolve {
     using Rows = typename K::Rows;
+    using One = typename K::One;
     static constexpr std::uint32_t W = K::W;
 
     Member* members;
@@ -175,7 +176,7 @@ void GroupSolve<K>::prepare() {
     first_block[color_count] = block;
     for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t overflow_count) {
         name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W);
-        ContactKernel<1>::prepare({s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers.step}, overflow, overflow_count);
+        One::prepare({s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers.step}, overflow, overflow_count);
     });
     const auto input_of = [](const Solve& s) { return JointInput{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers.step}; };
     for_links([&](Solve& s, const Batch& batch) { prepare_trees(s.plan, batch, s.links, input_of(s), s.motions); });
@@ -187,7 +188,7 @@ void GroupSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
     for_runs([&](Solve& s, const JointRun& r) {
         if (r.color == no_color) solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     });
-    for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { ContactKernel<1>::solve(s.bodies, overflow, n, dynamic); });
+    for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { One::solve(s.bodies, overflow, n, dynamic); });
     for (std::uint32_t left = colors; left != 0; left &= left - 1) {
         const auto c = trailing_zeros(left);
         for_runs([&](Solve& s, const JointRun& r) {
@@ -208,7 +209,7 @@ void GroupSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, cons
 template <class K>
 void GroupSolve<K>::restitute() {
     const float threshold = all().numbers.step.restitution_threshold;
-    for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { ContactKernel<1>::restitute(s.bodies, overflow, n, threshold); });
+    for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { One::restitute(s.bodies, overflow, n, threshold); });
     K::restitute(all().bodies, rows, first_block[color_count], threshold);
     hold();
 }
@@ -216,7 +217,7 @@ void GroupSolve<K>::restitute() {
 template <class K>
 void GroupSolve<K>::store() {
     K::store(all().core.manifolds, rows, first_block[color_count]);
-    for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { ContactKernel<1>::store(s.core.manifolds, overflow, n); });
+    for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { One::store(s.core.manifolds, overflow, n); });
     for_members([&](Member&, Solve& s) { scatter_bodies(s, 1, s.plan.slot_count); });
     const auto output_of = [](const Solve& s) {
         return JointOutput{s.core.joints, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};

@@ -11,6 +11,7 @@ namespace islet::detail {
 
 #if defined(ISLET_AVX2)
 template struct ContactKernel<8>;
+template struct ContactKernel<1, 8>;
 template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 
 #if ISLET_BODY_VECTORS

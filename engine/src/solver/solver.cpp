@@ -31,6 +31,7 @@ inline constexpr std::uint32_t slot_grain = 512;
 template <class K>
 struct BatchSolve {
     using Rows = typename K::Rows;
+    using One = typename K::One;
     static constexpr std::uint32_t W = K::W;
 
     Solve& s;
@@ -51,7 +52,7 @@ struct BatchSolve {
     template <class Work>
     void with_rows(std::uint32_t color, std::uint32_t first, std::uint32_t end, Work&& work) {
         if constexpr (W > 1)
-            if (is_lone(color)) return work(ContactKernel<1>{}, lone_row(first), 1u);
+            if (is_lone(color)) return work(One{}, lone_row(first), 1u);
         work(K{}, row(first), end - first);
     }
 
@@ -136,7 +137,7 @@ void BatchSolve<K>::prepare() {
         });
     });
     name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
-    ContactKernel<1>::prepare(in, overflow, overflow_count);
+    One::prepare(in, overflow, overflow_count);
 
     const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers.step};
     if (link_count() != 0) prepare_trees(s.plan, batch, s.links, joints, s.motions);
@@ -156,7 +157,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const JointRun& r = s.plan.runs[run];
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
-    if (!s.numbers.is_ordered && overflow_count != 0) ContactKernel<1>::solve(s.bodies, overflow, overflow_count, dynamic);
+    if (!s.numbers.is_ordered && overflow_count != 0) One::solve(s.bodies, overflow, overflow_count, dynamic);
     for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
         const auto c = trailing_zeros(left);
         for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
@@ -168,7 +169,7 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         if (count == 0) continue;
         const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
         if (is_lone(c)) {
-            ContactKernel<1>::solve(s.bodies, lone_row(begin), 1, numbers);
+            One::solve(s.bodies, lone_row(begin), 1, numbers);
             continue;
         }
         over(count, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, row(begin + first), end - first, numbers); });
@@ -201,7 +202,7 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
         ContactRows<1>& r = overflow[i];
         const bool both_move = s.bodies[r.body_a[0]].inv_mass > 0 && s.bodies[r.body_b[0]].inv_mass > 0;
-        try_contacts(ContactKernel<1>{}, r, s.numbers.is_ordered && !both_move ? ground : dynamic);
+        try_contacts(One{}, r, s.numbers.is_ordered && !both_move ? ground : dynamic);
     }
     for (std::uint32_t c = 0; c < color_count; ++c)
         for (std::uint32_t block = batch.first_block[c]; block < batch.first_block[c + 1]; ++block)
@@ -261,7 +262,7 @@ void BatchSolve<K>::store() {
     } else {
         over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) { with_rows(c, first, end, store_rows); });
     }
-    ContactKernel<1>::store(s.core.manifolds, overflow, overflow_count);
+    One::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
     const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
@@ -289,7 +290,7 @@ void BatchSolve<K>::run() {
         if (measures) measure(s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
     }
     const float threshold = s.numbers.step.restitution_threshold;
-    ContactKernel<1>::restitute(s.bodies, overflow, overflow_count, threshold);
+    One::restitute(s.bodies, overflow, overflow_count, threshold);
     over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) {
         with_rows(c, first, end, [&](auto kernel, auto* rows, std::uint32_t count) { decltype(kernel)::restitute(s.bodies, rows, count, threshold); });
     });
