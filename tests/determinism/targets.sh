@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The same bits on every processor: builds the engine, the scenes and the program that compares hashes with golden.txt for other processors, runs it
-# there under an emulator, and prints one line per target, as they end.
+# there under an emulator, and prints one line per target, as they end. Episodes of the environments for learning, which the test python.episodes has recorded in
+# build/release/episodes, are replayed there, too.
 #   tests/determinism/targets.sh [--steps N] [WORK_FOLDER]
 # Emulators are slow, so the scenes run to their checkpoints of at most N steps (60 unless given), and the benchmark scenes are left out. Exit status 1
 # if a hash differs or a build fails. A target whose compiler or emulator is missing is left out by name. (Microcontrollers: tools/footprint.sh; other
@@ -22,6 +23,7 @@ tidy() {
 }
 trap tidy EXIT
 mkdir -p "$work"
+work=$(cd "$work" && pwd)  # Wine wants its folder's whole path
 # shellcheck source=tests/determinism/build.sh
 . "$root/tests/determinism/build.sh"
 
@@ -31,6 +33,11 @@ under_wine() { WINEPREFIX=$work/wine WINEDEBUG=-all wine "$1.exe" "${@:2}" 2>/de
 # Running is work for one core, compiling for many: a core each for as many targets at once keeps all of them busy.
 at_once=$jobs
 jobs=1
+recordings=()
+for recording in "$root"/build/release/episodes/*.recording; do
+    if [ -e "$recording" ]; then recordings+=(--recording "$recording"); fi
+done
+[ ${#recordings[@]} -ne 0 ] || echo "no episodes to replay: build the package for Python, and run ctest -R python.episodes" >&2
 running=0
 rm -f "$work/failed"
 report() { printf '%-12s %-30s %-6s %s\n' "$@"; }
@@ -76,7 +83,7 @@ check_one() {
             build_engine "$folder" "$processor" "${command[@]}" &&
             "${command[@]}" "$folder"/*.o "$folder-scenes"/*.o "${link[@]}" -o "$folder/hashes"
     } >"$work/$name.log" 2>&1; then
-        result=$("${run[@]}" "$folder/hashes" "$root/tests/determinism/golden.txt" --lanes "$lanes" --workers "$workers" --most-steps "$steps" --large-steps 0 2>&1) || status=$?
+        result=$("${run[@]}" "$folder/hashes" "$root/tests/determinism/golden.txt" --lanes "$lanes" --workers "$workers" --most-steps "$steps" --large-steps 0 "${recordings[@]}" 2>&1) || status=$?
     else
         result="does not build: $(grep -m 1 -E 'error|undefined' "$work/$name.log" || tail -n 1 "$work/$name.log")"
         status=1

@@ -1,6 +1,7 @@
 // Recordings: what they hold, what happens when they are damaged, and when there is no room.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -385,6 +386,9 @@ TEST(Recording, BadArgumentsAreRefused) {
     w->step(1.0f / 60);
     const std::size_t size = w->stop_recording();
     EXPECT_EQ(read_recording(tape.bytes.first(size - 4), info), Error::truncated_image);
+    std::reverse(tape.bytes.begin(), tape.bytes.begin() + 4);  // as a machine of the other byte order would have begun
+    EXPECT_EQ(read_recording(tape.bytes.first(size), info), Error::other_byte_order);
+    std::reverse(tape.bytes.begin(), tape.bytes.begin() + 4);
     TestWorld small({.bodies = 1, .shapes = 1, .contacts = 1});
     EXPECT_EQ(replay(*small, tape.bytes.first(size)).end, ReplayEnd::complete) << "an empty world fits anywhere";
 }

@@ -158,22 +158,23 @@ TEST(Fleet, WhatIsGoneFromAWorldIsNotDrivenAndReadsZero) {
 
 TEST(Fleet, CopiesAndForksGoOnAsTheirOriginals) {
     const Yard yard;
-    const TestFleet fleet(*yard.w, 6, threads(2));
+    constexpr std::uint32_t worlds = 20;  // more than one worker takes at a time
+    const TestFleet fleet(*yard.w, worlds, threads(2));
     const auto drives = yard.drives();
     for (std::uint64_t step = 0; step < 30; ++step) {
-        const auto actions = random_actions(6 * drives.size(), step);
+        const auto actions = random_actions(worlds * drives.size(), step);
         ASSERT_EQ(fleet->step({.dt = dt, .drives = drives, .actions = actions}), Error::none);
     }
     fleet[4].destroy_body(yard.box);  // its touches have ended, which the next step tells
     ASSERT_EQ(fleet->copy(4, 0), Error::none);
     EXPECT_EQ(fleet[0].hash(), fleet[4].hash());
-    const std::uint32_t parents[] = {0, 2, 2, 0, 4, 2};
+    const std::uint32_t parents[worlds] = {0, 2, 2, 0, 4, 2, 2, 7, 7, 0, 10, 11, 4, 4, 15, 15, 2, 0, 15, 19};
     ASSERT_EQ(fleet->fork(parents), Error::none);
     ASSERT_EQ(fleet->step({.dt = dt}), Error::none);
     EXPECT_EQ(fleet[0].end_touch_events().size(), fleet[4].end_touch_events().size());
     EXPECT_GT(fleet[0].end_touch_events().size(), 0u);
     for (int i = 0; i < 60; ++i) ASSERT_EQ(fleet->step({.dt = dt}), Error::none);
-    for (std::uint32_t k = 0; k < 6; ++k) {
+    for (std::uint32_t k = 0; k < worlds; ++k) {
         EXPECT_EQ(fleet[k].hash(), fleet[parents[k]].hash()) << k;
         EXPECT_EQ(fleet[k].validate(), nullptr);
     }

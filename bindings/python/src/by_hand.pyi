@@ -89,7 +89,7 @@ class World:
         the way.
         """
     def start_recording(self) -> None:
-        """Records from now on every call that changes the world."""
+        """Records from now on every call that changes the world, and what its fleet does with it. To become a copy of another world ends the recording."""
     def stop_recording(self) -> bytes:
         """Ends the recording; its bytes, for `islet replay`."""
     def svg(self, view: Box | None = None, title: str = "", dt: float = 1 / 60, joints: bool = True) -> str:

@@ -132,6 +132,7 @@ py::object step(PyFleet& f, py::handle actions, float dt, std::uint32_t repeat, 
     {
         const Unlocked unlocked(f);
         error = f.fleet->step(what);
+        f.after_steps();
     }
     check(error);
     return observations;

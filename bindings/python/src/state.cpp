@@ -54,7 +54,7 @@ void step(PyWorld& w, float dt, std::uint32_t count) {
         {
             const Unlocked unlocked(*w.owner);
             w.world->step(dt);
-            if (auto* const owner = dynamic_cast<WorldOwner*>(w.owner.get()); owner != nullptr && owner->recording) owner->recording->after_step();
+            w.owner->after_steps();
         }
         const Error error = call.error();
         if (error == Error::none) continue;
@@ -107,12 +107,13 @@ py::array_t<float> gather(PyWorld& w, py::handle out, py::ssize_t columns, F put
 }
 
 py::bytes stop_recording(PyWorld& w) {
-    auto* const owner = dynamic_cast<WorldOwner*>(&idle_owner_of(w));
-    if (owner == nullptr || !owner->recording) refuse(Error::not_a_recording);
-    const std::span<const std::byte> bytes = owner->recording->finish();
+    Owner& owner = idle_owner_of(w);
+    const auto found = owner.recording_of(w.world);
+    if (found == owner.recordings.end()) refuse(Error::not_a_recording);
+    const std::span<const std::byte> bytes = found->second->finish();
     py::bytes made(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    owner->recording.reset();
-    if (bytes.empty()) refuse(Error::recording_full);
+    owner.recordings.erase(found);
+    if (bytes.empty()) refuse(Error::recording_full, "or the world became a copy of another, which ends its recording");
     return made;
 }
 
@@ -240,11 +241,14 @@ void add_state(WorldClass& w) {
     w.def(
         "start_recording",
         [](PyWorld& world) {
-            auto* const owner = dynamic_cast<WorldOwner*>(&idle_owner_of(world));
-            if (owner == nullptr) refuse(Error::feature_cut, "only a World by itself records");
-            owner->recording = std::make_unique<samples::WorldRecording>(*world.world);
+            Owner& owner = idle_owner_of(world);
+            auto begun = std::make_unique<samples::WorldRecording>(*world.world);
+            if (const auto found = owner.recording_of(world.world); found != owner.recordings.end())
+                found->second = std::move(begun);  // which has ended the other
+            else
+                owner.recordings.emplace_back(world.world, std::move(begun));
         },
-        "Records from now on every call that changes the world.");
+        "Records from now on every call that changes the world, and what its fleet does with it. To become a copy of another world ends the recording.");
     w.def("stop_recording", stop_recording, "Ends the recording; its bytes, for `islet replay`.");
     w.def("svg", svg, py::arg("view") = py::none(), py::arg("title") = "", py::arg("dt") = 1.0f / 60, py::arg("joints") = true,
           "A picture: an SVG document. Of the box `view`, or of all shapes, with joints or without.");

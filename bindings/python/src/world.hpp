@@ -1,6 +1,7 @@
 // World as Python has it: who keeps its memory, and how each call is checked.
 #pragma once
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <new>
@@ -35,6 +36,15 @@ struct Owner {
     bool busy = false;
     std::thread::id asking;  // the thread on which a world asks something of Python now
     std::unique_ptr<PyHooks> hooks;
+    std::vector<std::pair<const World*, std::unique_ptr<samples::WorldRecording>>> recordings;  // of those worlds that are recorded
+
+    auto recording_of(const World* world) {
+        return std::find_if(recordings.begin(), recordings.end(), [world](const auto& of) { return of.first == world; });
+    }
+
+    void after_steps() {
+        for (auto& [world, recording] : recordings) recording->after_step();
+    }
 };
 
 /// Of a world by itself.
@@ -47,7 +57,6 @@ struct WorldOwner final : Owner {
     std::size_t size;
     std::byte* block;
     std::unique_ptr<Threads> threads;
-    std::unique_ptr<samples::WorldRecording> recording;
 };
 
 struct PyWorld {

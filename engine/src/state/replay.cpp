@@ -118,6 +118,7 @@ Error read_head(span<const std::byte> recording, RecordingHead& head) {
     if (reinterpret_cast<std::uintptr_t>(recording.data()) % recording_alignment != 0) return Error::image_misaligned;
     if (recording.size() < sizeof head) return Error::not_a_recording;
     std::memcpy(&head, recording.data(), sizeof head);
+    if (head.magic == swapped_bytes(recording_magic)) return Error::other_byte_order;
     if (head.magic != recording_magic) return Error::not_a_recording;
     if (head.version != recording_version) return Error::other_version;
     if (head.used > recording.size() || head.size < head.used) return Error::truncated_image;
