@@ -234,8 +234,9 @@ ISLET_PART void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint
     }
 }
 
-template <std::uint32_t W, std::uint32_t built>
-void ContactKernel<W, built>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
+/// ContactKernel::solve, to be compiled with the caller's instructions.
+template <std::uint32_t W>
+ISLET_PART void solve_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint32_t count, const SweepNumbers& numbers) {
     const bool biased = numbers.bias_rate > 0;
 #if defined(__OPTIMIZE_SIZE__) || defined(__wasm__)
     sweep_blocks<W>(bodies, rows, count, numbers, biased);
@@ -248,8 +249,13 @@ void ContactKernel<W, built>::solve(SolverBody* bodies, Rows* rows, std::uint32_
 #endif
 }
 
-template <std::uint32_t W, std::uint32_t built>
-void ContactKernel<W, built>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, const SweepNumbers& numbers) {
+template <std::uint32_t W>
+void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
+    solve_blocks<W>(bodies, rows, count, numbers);
+}
+
+template <std::uint32_t W>
+void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, const SweepNumbers& numbers) {
     using L = LaneOf<W>;
     if constexpr (W > 1) {
         float lands[W];
@@ -303,8 +309,8 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
     }
 }
 
-template <std::uint32_t W, std::uint32_t built>
-void ContactKernel<W, built>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold) {
+template <std::uint32_t W>
+void ContactKernel<W>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold) {
     using L = LaneOf<W>;
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
@@ -326,8 +332,8 @@ ISLET_PART typename L::F size_of(const ContactRows<L::width>& r) {
     return L::abs(sum);
 }
 
-template <std::uint32_t W, std::uint32_t built>
-void ContactKernel<W, built>::store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) {
+template <std::uint32_t W>
+void ContactKernel<W>::store(ContactManifold* manifolds, const Rows* rows, std::uint32_t count) {
     using L = LaneOf<W>;
     for (std::uint32_t block = 0; block < count; ++block) {
         const Rows& r = rows[block];

@@ -285,10 +285,11 @@ ISLET_PART void prepare_block(const PrepareInput& in, const ContactManifold* man
     s.add_warm_start(in.bodies, r.body_a, r.body_b, in_world(m.normal(), start.along_n, start.along_t), start.turning_a, start.turning_b);
 }
 
-template <std::uint32_t W, std::uint32_t built>
-void ContactKernel<W, built>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
+/// ContactKernel::prepare, to be compiled with the caller's instructions.
+template <std::uint32_t W>
+ISLET_PART void prepare_blocks(const PrepareInput& in, ContactRows<W>* rows, std::uint32_t count) {
     for (std::uint32_t block = 0; block < count; ++block) {
-        Rows& r = rows[block];
+        ContactRows<W>& r = rows[block];
         ContactLanes<W> lanes;
         if (W > 1 && block + 1 < count) prefetch_manifolds(in, rows[block + 1]);
         name_bodies(in, r, lanes);
@@ -296,8 +297,13 @@ void ContactKernel<W, built>::prepare(const PrepareInput& in, Rows* rows, std::u
     }
 }
 
-template <std::uint32_t W, std::uint32_t built>
-void ContactKernel<W, built>::prepare_named(const PrepareInput& in, const ContactLanes<W>& lanes, Rows& r) {
+template <std::uint32_t W>
+void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
+    prepare_blocks<W>(in, rows, count);
+}
+
+template <std::uint32_t W>
+void ContactKernel<W>::prepare_named(const PrepareInput& in, const ContactLanes<W>& lanes, Rows& r) {
     if constexpr (W > 1) prepare_block<W>(in, in.manifolds, lanes, r);
 }
 

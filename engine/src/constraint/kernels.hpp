@@ -3,7 +3,7 @@
 //   width  lanes   compiled in
 //   1      Lane1   solver/kernel_scalar.cpp; joints in solver/joint_solve.cpp, which a program without joints does not link
 //   4      Lane4   solver/kernel_scalar.cpp, where the processor's baseline has vectors
-//   8      Lane8   solver/kernel_avx2.cpp; contacts that are solved one by one beside these, too: with AVX an operation need not overwrite what it reads
+//   8      Lane8   solver/kernel_avx2.cpp, and LoneKernel<8>
 //
 // World::create chooses a world's width (Core::lanes). with_lanes turns it into a constant.
 #pragma once
@@ -37,12 +37,10 @@ struct ContactLanes {
     float has_point[2][W];  // 1 or 0
 };
 
-/// The contacts' kernel, W contacts at a time, with the instructions that a kernel of `built` lanes has.
-template <std::uint32_t width, std::uint32_t built = width>
+/// The contacts' kernel, W contacts at a time.
+template <std::uint32_t width>
 struct ContactKernel {
     static constexpr std::uint32_t W = width;
-    /// For what stands alone beside these.
-    using One = ContactKernel<1, built == 8 ? 8 : 1>;
     using Rows = ContactRows<W>;
 
     /// Fills the rows of blocks, and adds the warm start to the bodies' warm_v and warm_w. The caller has filled in the `contact` entries, and the material
@@ -63,7 +61,16 @@ struct ContactKernel {
 extern template struct ContactKernel<1>;
 extern template struct ContactKernel<4>;
 extern template struct ContactKernel<8>;
-extern template struct ContactKernel<1, 8>;
+
+/// The kernel of contacts that are solved one by one beside others in so many lanes.
+template <std::uint32_t beside>
+struct LoneKernel : ContactKernel<1> {};
+/// With AVX an operation need not overwrite what it reads, which saves a tenth of the instructions.
+template <>
+struct LoneKernel<8> : ContactKernel<1> {
+    static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
+    static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
+};
 
 /// One sweep over a run of joints of one kernel, W joints at a time.
 template <std::uint32_t W>

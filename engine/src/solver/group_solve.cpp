@@ -41,8 +41,8 @@ struct OpenBlock {
 template <class K>
 struct GroupSolve {
     using Rows = typename K::Rows;
-    using One = typename K::One;
     static constexpr std::uint32_t W = K::W;
+    using One = LoneKernel<W>;
 
     Member* members;
     std::uint32_t count;

@@ -31,8 +31,8 @@ inline constexpr std::uint32_t slot_grain = 512;
 template <class K>
 struct BatchSolve {
     using Rows = typename K::Rows;
-    using One = typename K::One;
     static constexpr std::uint32_t W = K::W;
+    using One = LoneKernel<W>;
 
     Solve& s;
     Batch& batch;
