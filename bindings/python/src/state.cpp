@@ -113,7 +113,7 @@ py::bytes stop_recording(PyWorld& w) {
     const std::span<const std::byte> bytes = found->second->finish();
     py::bytes made(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     owner.recordings.erase(found);
-    if (bytes.empty()) refuse(Error::recording_full, "or the world became a copy of another, which ends its recording");
+    if (bytes.empty()) refuse(Error::not_a_recording, "it ended when the world became a copy of another, or for want of room");
     return made;
 }
 
