@@ -38,8 +38,8 @@ struct RecordingInfo {
 };
 
 /// Reads the header of a recording, and goes through its calls without making them. On an error `out` stays as it was: image_misaligned; not_a_recording;
-/// other_byte_order; other_version; truncated_image; corrupt_recording if the header contradicts itself; and the errors of read_snapshot for the recording's first snapshot.
-/// Damaged calls are no error here: the function stops at the first of them, as a replay does.
+/// other_byte_order; other_version; truncated_image; corrupt_recording if the header contradicts itself; and the errors of read_snapshot for the recording's
+/// first snapshot. Damaged calls are no error here: the function stops at the first of them, as a replay does.
 Error read_recording(span<const std::byte> recording, RecordingInfo& out);
 
 /// How a replay ended.

@@ -3,7 +3,7 @@
 //   width  lanes   compiled in
 //   1      Lane1   solver/kernel_scalar.cpp; joints in solver/joint_solve.cpp, which a program without joints does not link
 //   4      Lane4   solver/kernel_scalar.cpp, where the processor's baseline has vectors
-//   8      Lane8   solver/kernel_avx2.cpp, and LoneKernel<8>
+//   8      Lane8   solver/kernel_avx2.cpp, and LoneKernel8
 //
 // World::create chooses a world's width (Core::lanes). with_lanes turns it into a constant.
 #pragma once
@@ -62,15 +62,14 @@ extern template struct ContactKernel<1>;
 extern template struct ContactKernel<4>;
 extern template struct ContactKernel<8>;
 
-/// The kernel of contacts that are solved one by one beside others in so many lanes.
-template <std::uint32_t beside>
-struct LoneKernel : ContactKernel<1> {};
-/// With AVX an operation need not overwrite what it reads, which saves a tenth of the instructions.
-template <>
-struct LoneKernel<8> : ContactKernel<1> {
+/// One contact at a time, with AVX: an operation need not overwrite what it reads, which saves a tenth of the instructions.
+struct LoneKernel8 : ContactKernel<1> {
     static void prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
 };
+/// The kernel of contacts that are solved one by one beside others in so many lanes.
+template <std::uint32_t beside>
+using LoneKernel = std::conditional_t<beside == 8, LoneKernel8, ContactKernel<1>>;
 
 /// One sweep over a run of joints of one kernel, W joints at a time.
 template <std::uint32_t W>

@@ -12,8 +12,8 @@ namespace islet::detail {
 #if defined(ISLET_AVX2)
 template struct ContactKernel<8>;
 
-void LoneKernel<8>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { prepare_blocks<1>(in, rows, count); }
-void LoneKernel<8>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) { solve_blocks<1>(bodies, rows, count, numbers); }
+void LoneKernel8::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { prepare_blocks<1>(in, rows, count); }
+void LoneKernel8::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) { solve_blocks<1>(bodies, rows, count, numbers); }
 
 template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 

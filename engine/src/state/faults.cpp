@@ -268,9 +268,10 @@ float room_of(const Core& c, std::uint32_t s) {
     const Geometry& g = c.geometries[c.shapes[s].geometry];
     const std::uint32_t body = c.shapes[s].body;
     const Rot q = c.poses[body].q;
-    const Vec2 arm = -rotate(q, c.bodies[body].local_center), center = c.poses[body].center;
-    if (is_endless(g)) return room_in(c.boxes[s], tight_box(g, {center + arm, q}));
-    return room_in({c.boxes[s].lower - center, c.boxes[s].upper - center}, tight_box(g, {arm, q}));
+    const Vec2 center = c.poses[body].center;
+    const Vec2 here = is_endless(g) ? Vec2{0, 0} : center;  // what has no end reaches equally far wherever it is
+    const Vec2 origin = center - here - rotate(q, c.bodies[body].local_center);
+    return room_in({c.boxes[s].lower - here, c.boxes[s].upper - here}, tight_box(g, {origin, q}));
 }
 
 const char* fault_in_place(const Core& c, std::uint32_t i) {
