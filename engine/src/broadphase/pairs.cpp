@@ -22,14 +22,22 @@ namespace {
 // dropped as well. Without this end, bodies that crowd together would cost the square of their number in every step.
 bool is_over(const Core& core) { return core.report.dropped_contacts == core.capacity.contacts; }
 
-void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, [[maybe_unused]] float dt) {
-    if (is_over(core)) return;
-    if (have_contact(core, shape_1, shape_2) || !may_collide(core, shape_1, shape_2)) return;
+// Whether two shapes may have a contact, before the filter hook is asked. Reads only, so workers may ask.
+bool may_pair(const Core& core, std::uint32_t shape_1, std::uint32_t shape_2, [[maybe_unused]] float dt) {
+    if (!may_collide(core, shape_1, shape_2)) return false;
     const auto is_endless_shape = [&](std::uint32_t shape) { return is_endless(core.geometries[core.shapes[shape].geometry]); };
-    if (is_endless_shape(shape_1) && keeps_from_endless(core, shape_1, shape_2, dt)) return;
-    if (is_endless_shape(shape_2) && keeps_from_endless(core, shape_2, shape_1, dt)) return;
-    if (!is_allowed(core, shape_1, shape_2)) return;
+    if (is_endless_shape(shape_1) && keeps_from_endless(core, shape_1, shape_2, dt)) return false;
+    return !is_endless_shape(shape_2) || !keeps_from_endless(core, shape_2, shape_1, dt);
+}
+
+// Makes the contact of two shapes that may have one. A search may find a pair twice.
+void make_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
+    if (is_over(core) || have_contact(core, shape_1, shape_2) || !is_allowed(core, shape_1, shape_2)) return;
     if (!create_contact(core, shape_1, shape_2)) ++core.report.dropped_contacts;
+}
+
+void add_pair(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, float dt) {
+    if (may_pair(core, shape_1, shape_2, dt)) make_contact(core, shape_1, shape_2);
 }
 
 /// Makes the contacts of pairs that have none.
@@ -134,6 +142,10 @@ struct FilterSum {
     void add(const Filter& filter) {
         categories |= filter.category;
         masks |= filter.mask;
+    }
+    void add(const FilterSum& other) {
+        categories |= other.categories;
+        masks |= other.masks;
     }
     // True if a filter may agree with another of those summed up.
     bool may_agree(const Filter& filter) const { return filter.group > 0 || ((filter.mask & categories) != 0 && (filter.category & masks) != 0); }
@@ -242,36 +254,72 @@ bool is_near_rest(const Core& core, const MovingShape& shape) {
     return !is_clear(core.poses[shape.body], box) && TreeWalk(Tree{&core.state->tree, core.tree}, box).next() != null_index;
 }
 
-FilterSum filters_of(const Core& core, const BitSet& bodies) {
-    FilterSum filters;
-    bodies.for_each([&](std::uint32_t body) {
-        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) filters.add(core.shapes[s].filter);
-    });
-    return filters;
-}
-
 inline constexpr std::uint32_t box_grain = 512;  // boxes that are worth a task
+
+/// A part of the awake bodies, whose shapes a worker lists.
+struct ListPart {
+    std::uint32_t first = 0;  // place of its first shape
+    std::uint32_t count = 0;  // shapes
+    FilterSum filters;
+    Aabb changed{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};  // box around those of its boxes that changed
+};
+
+inline constexpr std::uint32_t list_grain = 8;  // words of 64 bodies that are worth a task
+inline constexpr std::uint32_t most_list_parts = has_threads ? 64 : 1;
+
+// Lists the shapes of awake bodies that may be part of a new pair, in the order of the bodies. Returns how many; `changed` becomes the box around those of
+// their boxes that changed.
+std::uint32_t list_moving(const Core& core, const BitSet& bodies, MovingShape* shapes, Aabb& changed, float dt) {
+    ListPart parts[most_list_parts];
+    const std::uint32_t words = bodies.word_count;
+    const std::uint32_t least_grain = range_count(words, most_list_parts);
+    const std::uint32_t grain = least_grain < list_grain ? list_grain : least_grain;
+    const std::uint32_t part_count = range_count(words, grain);
+    for_ranges(core, words, grain, [&](std::uint32_t first, std::uint32_t end) {
+        ListPart& part = parts[first / grain];
+        bodies.for_each_in(first, end, [&](std::uint32_t body) {
+            part.count += core.bodies[body].shape_count;
+            for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) part.filters.add(core.shapes[s].filter);
+        });
+    });
+    FilterSum filters;
+    for (std::uint32_t p = 0, n = 0; p < part_count; ++p) {
+        parts[p].first = n;
+        n += parts[p].count;
+        filters.add(parts[p].filters);
+    }
+    for_ranges(core, words, grain, [&](std::uint32_t first, std::uint32_t end) {
+        ListPart& part = parts[first / grain];
+        part.count = 0;
+        bodies.for_each_in(first, end, [&](std::uint32_t body) {
+            const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
+            const Way way = leaves ? way_of(core, body, dt) : Way{};
+            for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+                if (core.moved_shapes.test(s)) part.changed = both(part.changed, core.boxes[s]);
+                const MovingShape shape = {core.boxes[s], way, body, s, leaves};
+                if (filters.may_agree(core.shapes[s].filter) || is_near_rest(core, shape)) shapes[part.first + part.count++] = shape;
+            }
+        });
+    });
+    std::uint32_t n = 0;
+    for (std::uint32_t p = 0; p < part_count; ++p) {
+        if (n != parts[p].first) std::memmove(shapes + n, shapes + parts[p].first, parts[p].count * sizeof *shapes);
+        n += parts[p].count;
+        changed = both(changed, parts[p].changed);
+    }
+    return n;
+}
 
 Moving sorted_columns(Core& core, Arena& arena, float dt) {
     const std::uint32_t room = core.state->shape_pool.count;
     MovingShape* shapes = arena.take<MovingShape>(room);
-    std::uint32_t n = 0;
     Aabb bounds{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
     BitSet bodies = core.awake_bodies;
     if constexpr (has_shortcuts) {
         const BitSet near_changed{arena.take<std::uint64_t>(bodies.word_count), bodies.word_count};
         if (find_near_changed(core, dt, near_changed)) bodies = near_changed;
     }
-    const FilterSum filters = filters_of(core, bodies);
-    bodies.for_each([&](std::uint32_t body) {
-        const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
-        const Way way = leaves ? way_of(core, body, dt) : Way{};
-        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            if (core.moved_shapes.test(s)) bounds = both(bounds, core.boxes[s]);
-            const MovingShape shape = {core.boxes[s], way, body, s, leaves};
-            if (filters.may_agree(core.shapes[s].filter) || is_near_rest(core, shape)) shapes[n++] = shape;
-        }
-    });
+    const std::uint32_t n = list_moving(core, bodies, shapes, bounds, dt);
 
     // The boxes are sorted along the longer side of the box around those that changed, whichever others are sorted with them.
     const bool along_x = bounds.upper.x - bounds.lower.x >= bounds.upper.y - bounds.lower.y;
@@ -415,9 +463,9 @@ void search(Out& out, const Scan& how, const Moving& m, std::uint32_t part, std:
     if (part == 2) query_tree(out, m, begin, end);
 }
 
-/// A range of a part of the search, which a worker makes: the pairs that have no contact yet, in order.
+/// A range of a part of the search, which a worker makes: the pairs that may have a contact and have none yet, in order.
 struct SearchRange {
-    static constexpr std::uint32_t room = 256;  // pairs; a range with more is searched again when contacts are made, as it may be in the first steps of a world
+    static constexpr std::uint32_t room = 512;  // pairs; a range with more is searched again when contacts are made, as it may be in the first steps of a world
     std::uint32_t part = 0, begin = 0, end = 0;
     std::uint32_t count = 0;
     std::uint32_t (*pairs)[2] = nullptr;
@@ -431,8 +479,10 @@ struct PairLister {
     [[maybe_unused]] static constexpr bool looks_up = false;
     const Core& core;
     SearchRange& range;
+    float dt;
 
     void add(std::uint32_t shape_1, std::uint32_t shape_2) {
+        if (!may_pair(core, shape_1, shape_2, dt)) return;
         if (range.count < SearchRange::room) {
             range.pairs[range.count][0] = shape_1;
             range.pairs[range.count][1] = shape_2;
@@ -444,12 +494,13 @@ struct PairLister {
 
 inline constexpr std::uint32_t least_searched = 512;   // boxes that make workers pay
 inline constexpr std::uint32_t ranges_per_worker = 4;  // of each part
+inline constexpr std::uint32_t least_ranges = 16;      // of each part, so that few overflow
 
 // Workers search the ranges; then the contacts are made in order. False if there is no room in scratch memory for that.
 bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena arena) {
     const std::size_t bytes_of_range = sizeof(SearchRange) + align_up(sizeof(std::uint32_t[2]) * SearchRange::room) + align_up(m.all.count * std::size_t{4});
     const std::size_t fitting = arena.room() <= line_bytes ? 0 : (arena.room() - line_bytes) / (search_parts * bytes_of_range);
-    const std::uint32_t wanted = ranges_per_worker * worker_count(core);
+    const std::uint32_t shared = ranges_per_worker * worker_count(core), wanted = shared < least_ranges ? least_ranges : shared;
     const std::uint32_t ranges_of_part = fitting < wanted ? static_cast<std::uint32_t>(fitting) : wanted;
     if (ranges_of_part < 2) return false;
     const std::uint32_t count = search_parts * ranges_of_part;
@@ -466,7 +517,7 @@ bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena ar
     }
     for_ranges(core, count, 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t k = first; k < end; ++k) {
-            PairBuffer<PairLister> out({core, ranges[k]});
+            PairBuffer<PairLister> out({core, ranges[k], maker.dt});
             search(out, {core.lanes, ranges[k].found}, m, ranges[k].part, ranges[k].begin, ranges[k].end);
             out.flush();
         }
@@ -478,7 +529,7 @@ bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena ar
             search(out, {core.lanes, range.found}, m, range.part, range.begin, range.end);
             out.flush();
         } else {
-            for (std::uint32_t i = 0; i < range.count; ++i) maker.add(range.pairs[i][0], range.pairs[i][1]);
+            for (std::uint32_t i = 0; i < range.count; ++i) make_contact(core, range.pairs[i][0], range.pairs[i][1]);
         }
     }
     return true;

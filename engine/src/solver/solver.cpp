@@ -21,7 +21,7 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr std::uint32_t wide_contacts = 4096;  // a batch with so many contacts and joints is solved by all workers together
+inline constexpr std::uint32_t wide_rows = 1024;      // contacts and joints of a batch that all workers may solve together
 inline constexpr std::uint32_t contact_grain = 192;   // contacts of a colour, joints of a run, and bodies that are worth a task
 inline constexpr std::uint32_t joint_grain = 128;
 inline constexpr std::uint32_t slot_grain = 512;
@@ -298,48 +298,89 @@ void BatchSolve<K>::run() {
     store();
 }
 
-// Solves wide batches one after another, each by all workers, and then the others side by side, each by one worker.
+// Solves wide batches one after another, each by all workers, and then the others side by side, each by one worker. Wide are those that would take longer than
+// a worker's fair share.
 //
-// Neighbouring batches form a share, one for each worker, with about the same number of rows each. A batch needs its rows only while it is solved, so the
-// batches of a share take turns in the same memory, which stays in the core's cache. If there is no room for the largest batch once a share, each batch has
-// rows of its own.
+// A batch needs its rows only while it is solved, so the batches that a worker solves take turns in the same memory, which stays in the core's cache. If there
+// is no room for the largest batch once a worker, each batch has rows of its own.
 template <class K>
-void solve_batches(Solve& s) {
+struct SharedSolve {
     using Rows = typename K::Rows;
-    auto* const rows = reinterpret_cast<Rows*>(s.blocks);
-    const auto blocks_of = [](const Batch& b) { return b.first_block[color_count] - b.first_block[0]; };
-    const auto is_wide = [&](const Batch& b) {
-        if (!has_workers(s.core)) return false;
-        std::uint32_t weight = blocks_of(b) * K::W;
-        for (std::uint32_t i = b.first_run; i < b.end_run; ++i) weight += s.plan.runs[i].blocks * K::W;
-        return weight >= wide_contacts;
-    };
-    std::uint32_t largest = 0, narrow = 0;
-    std::uint32_t total = 0;  // of blocks: times the number of shares it still is a 32-bit number
-    const std::uint32_t first_batch = s.plan.batches[kinematic_batch].body_count == 0 ? kinematic_batch + 1 : kinematic_batch;
-    for (std::uint32_t i = first_batch; i < s.plan.batch_count; ++i) {
-        Batch& b = s.plan.batches[i];
-        if (is_wide(b)) {
-            BatchSolve<K>{s, b, true, rows + b.first_block[0]}.run();
-        } else {
-            largest = largest > blocks_of(b) ? largest : blocks_of(b);
-            total += blocks_of(b) + 1;
-            ++narrow;
-        }
+    Solve& s;
+    Rows* rows = reinterpret_cast<Rows*>(s.blocks);
+    std::uint32_t first_batch = s.plan.batches[kinematic_batch].body_count == 0 ? kinematic_batch + 1 : kinematic_batch;
+    std::uint64_t fair = 0;  // weight of all batches, divided by the workers
+
+    static std::uint32_t blocks_of(const Batch& b) { return b.first_block[color_count] - b.first_block[0]; }
+    std::uint32_t joints_of(const Batch& b) const {
+        std::uint32_t blocks = 0;
+        for (std::uint32_t i = b.first_run; i < b.end_run; ++i) blocks += s.plan.runs[i].blocks;
+        return blocks * K::W;
     }
-    // One share a worker: with four shares, many_pyramids takes 4.9 instead of 4.6 ms a step on two workers.
-    const std::uint32_t shares = worker_count(s.core) < narrow ? worker_count(s.core) : narrow;
-    const bool take_turns = std::uint64_t{shares} * largest <= s.plan.block_count;
-    for_ranges(s.core, shares, 1, [&](std::uint32_t first, std::uint32_t end) {
-        std::uint32_t before = 0;
+    // About how long the batch takes: as long as so many contacts. A joint takes as long as two, a link of a tree as long as ten.
+    std::uint32_t weight_of(const Batch& b) const {
+        return blocks_of(b) * K::W + 2 * joints_of(b) + 10 * b.link_count + 4 * (b.end_overflow - b.first_overflow) + b.body_count / 2 + 1;
+    }
+    bool is_wide(const Batch& b) const { return blocks_of(b) * K::W + joints_of(b) >= wide_rows && weight_of(b) > fair; }
+
+    // Calls visit(batch, share) for the narrow batches. A heavy one, of half a fair share and more, goes to the share that is lightest so far. Neighbours among
+    // the others fill up the shares one by one.
+    template <class Visit>
+    void share_out(std::uint32_t shares, std::uint64_t total, Visit&& visit) const {
+        const std::uint64_t full = (total + shares - 1) / shares;
+        std::uint64_t loads[max_workers] = {};
+        const auto for_narrow = [&](bool heavy, auto&& choose) {
+            for (std::uint32_t i = first_batch; i < s.plan.batch_count; ++i) {
+                Batch& b = s.plan.batches[i];
+                const std::uint32_t weight = weight_of(b);
+                if (is_wide(b) || (2 * weight >= full) != heavy) continue;
+                const std::uint32_t share = choose();
+                loads[share] += weight;
+                visit(b, share);
+            }
+        };
+        for_narrow(true, [&] {
+            std::uint32_t lightest = 0;
+            for (std::uint32_t k = 1; k < shares; ++k) lightest = loads[k] < loads[lightest] ? k : lightest;
+            return lightest;
+        });
+        for_narrow(false, [&, share = 0u]() mutable {
+            while (share + 1 < shares && loads[share] >= full) ++share;
+            return share;
+        });
+    }
+
+    void run() {
+        for (std::uint32_t i = first_batch; i < s.plan.batch_count; ++i) fair += weight_of(s.plan.batches[i]);
+        fair /= worker_count(s.core);
+        std::uint32_t largest = 0, narrow = 0;
+        std::uint64_t total = 0;  // weight of the narrow batches
         for (std::uint32_t i = first_batch; i < s.plan.batch_count; ++i) {
             Batch& b = s.plan.batches[i];
-            if (is_wide(b)) continue;
-            const std::uint32_t share = before * shares / total;
-            before += blocks_of(b) + 1;
-            if (share >= first && share < end) BatchSolve<K>{s, b, false, rows + (take_turns ? share * largest : b.first_block[0])}.run();
+            if (is_wide(b)) {
+                BatchSolve<K>{s, b, true, rows + b.first_block[0]}.run();
+            } else {
+                largest = largest > blocks_of(b) ? largest : blocks_of(b);
+                total += weight_of(b);
+                ++narrow;
+            }
         }
-    });
+        // One share a worker: with four shares, many_pyramids takes 4.9 instead of 4.6 ms a step on two workers.
+        const std::uint32_t shares = worker_count(s.core) < narrow ? worker_count(s.core) : narrow;
+        const bool take_turns = std::uint64_t{shares} * largest <= s.plan.block_count;
+        for_ranges(s.core, shares, 1, [&](std::uint32_t first, std::uint32_t end) {
+            share_out(shares, total, [&](Batch& b, std::uint32_t share) {
+                if (share >= first && share < end) BatchSolve<K>{s, b, false, rows + (take_turns ? share * largest : b.first_block[0])}.run();
+            });
+        });
+    }
+};
+
+template <class K>
+void solve_batches(Solve& s) {
+    SharedSolve<K> shared{s};
+    if (has_workers(s.core)) return shared.run();
+    for (std::uint32_t i = shared.first_batch; i < s.plan.batch_count; ++i) BatchSolve<K>{s, s.plan.batches[i], false, shared.rows}.run();
 }
 
 // Reports to each body its island's residual; bodies that were not solved have none.
