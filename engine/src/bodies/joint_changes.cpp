@@ -4,6 +4,7 @@
 #include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
+#include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
@@ -115,20 +116,41 @@ void assign_joint_colors(Core& core, std::uint32_t body) {
     });
 }
 
-void finish_joints(Core& core) {
+namespace {
+
+inline constexpr std::uint32_t checked_grain = 4;  // words of 64 joints that are worth a task
+
+bool breaks(const Joint& j, float inv_h) {
+    if ((j.generation & 1u) == 0 || (j.break_force == 0 && j.break_torque == 0)) return false;
+    return (j.break_force > 0 && length(inv_h * j.force_impulse) > j.break_force) || (j.break_torque > 0 && abs(inv_h * j.torque_impulse) > j.break_torque);
+}
+
+// Notes what a joint bore, and breaks it if that was too much.
+ISLET_PART void finish_joint(Core& core, std::uint32_t i, float inv_h) {
+    Joint& j = core.joints[i];
+    note_load(core, j);
+    if (!breaks(j, inv_h)) return;
+    core.break_events[core.break_count++] = {core.joint_id(i),         j.body_a != null_index ? core.body_id(j.body_a) : BodyId{},
+                                             core.body_id(j.body_b),   inv_h * j.force_impulse,
+                                             inv_h * j.torque_impulse, j.user_data};
+    remove_joint(core, i);
+}
+
+}  // namespace
+
+void finish_joints(Core& core, Arena arena) {
     const float inv_h = core.state->last_substep > 0 ? 1.0f / core.state->last_substep : 0;
-    core.awake_joints.for_each([&](std::uint32_t i) {
-        Joint& j = core.joints[i];
-        note_load(core, j);
-        if ((j.generation & 1u) == 0 || (j.break_force == 0 && j.break_torque == 0)) return;
-        const Vec2 force = inv_h * j.force_impulse;
-        const float torque = inv_h * j.torque_impulse;
-        const bool broken = (j.break_force > 0 && length(force) > j.break_force) || (j.break_torque > 0 && abs(torque) > j.break_torque);
-        if (!broken) return;
-        core.break_events[core.break_count++] = {
-            core.joint_id(i), j.body_a != null_index ? core.body_id(j.body_a) : BodyId{}, core.body_id(j.body_b), force, torque, j.user_data};
-        remove_joint(core, i);
+    const BitSet awake = core.awake_joints;
+    if (!has_workers(core)) return awake.for_each([&](std::uint32_t i) { finish_joint(core, i, inv_h); });
+    // Workers find the few joints for which there is something to do.
+    const BitSet found{arena.take<std::uint64_t>(awake.word_count), awake.word_count};
+    for_ranges(core, awake.word_count, checked_grain, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t w = first; w < end; ++w) found.words[w] = 0;
+        awake.for_each_in(first, end, [&](std::uint32_t i) {
+            if (load_has_changed(core, core.joints[i]) || breaks(core.joints[i], inv_h)) found.set(i);
+        });
     });
+    found.for_each([&](std::uint32_t i) { finish_joint(core, i, inv_h); });
 }
 
 }  // namespace islet::detail

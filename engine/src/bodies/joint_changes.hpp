@@ -30,7 +30,8 @@ ISLET_OPTIONAL void hang_gears(Core& core, std::uint32_t body);
 ISLET_OPTIONAL void release_joint_colors(Core& core, std::uint32_t body);
 ISLET_OPTIONAL void assign_joint_colors(Core& core, std::uint32_t body);
 
-/// After a step: notes which hinges bear a heavy load, and destroys the joints whose force or torque exceeded their strength, and reports them.
-ISLET_OPTIONAL void finish_joints(Core& core);
+/// After a step: notes which hinges bear a heavy load, and destroys the joints whose force or torque exceeded their strength, and reports them. `arena` has
+/// room for a bit a joint.
+ISLET_OPTIONAL void finish_joints(Core& core, Arena arena);
 
 }  // namespace islet::detail

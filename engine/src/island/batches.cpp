@@ -31,7 +31,13 @@ struct ConnectedBodies : UnionFind {
     }
 };
 
-inline constexpr std::uint32_t word_grain = 16;  // words of 64 bodies that are worth a task
+inline constexpr std::uint32_t word_grain = 16;   // words of 64 bodies that are worth a task
+inline constexpr std::uint32_t listed_grain = 4;  // words of 64 joints
+
+// A listed joint's colour has its kernel and two flags above it.
+inline constexpr std::uint32_t listed_kernel_shift = 8;
+inline constexpr std::uint32_t listed_exact = 1u << 30;
+inline constexpr std::uint32_t listed_gear = 1u << 31;
 
 /// In a counting sort: turns the number of a place's items into the index of its first, `start`, and returns where the items end.
 ISLET_PART std::uint32_t lay_out(std::uint32_t& place, std::uint32_t start) {
@@ -163,8 +169,7 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
     std::uint32_t colors = 0;  // that joints have
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) {
         PlannedConstraint& j = joints[k];
-        const std::uint32_t color = j.color;
-        const auto kernel = static_cast<std::uint32_t>(kernel_of(core.joints[j.index]));
+        const std::uint32_t color = j.color & 0xffu, kernel = j.color >> listed_kernel_shift;
         j.place = batch_of(j) * places + (color == no_color ? 0u : color + 1) * joint_kernel_count + kernel;
         ++next[j.place];
         if (color == no_color) {
@@ -230,25 +235,51 @@ ConnectedBodies separate_bodies(const Core& core, Plan& plan, Arena& temporary) 
     return sets;
 }
 
+// A gear's row reads the four bodies of its two joints. Only two of them are the gear's own.
+void connect_gear(const Core& core, const ConnectedBodies& sets, const Joint& gear) {
+    const std::uint32_t moving = sets.parent_of(gear.body_a) != null_index ? gear.body_a : gear.body_b;
+    for (const std::uint32_t joint : {gear.joint1, gear.joint2}) {
+        sets.connect(core, moving, core.joints[joint].body_a);
+        sets.connect(core, moving, core.joints[joint].body_b);
+    }
+}
+
 // Connects the bodies of awake joints, and lists the joints to be swept. The others are solved exactly, in joint trees.
 PlannedConstraint* list_joints(const Core& core, Plan& plan, const ConnectedBodies& sets, Arena& temporary) {
     PlannedConstraint* joints = temporary.take<PlannedConstraint>(core.state->joint_pool.count);
-    const BitSet awake_joints = has_joints ? core.awake_joints : BitSet{};
-    awake_joints.for_each([&](std::uint32_t i) {
-        const Joint& j = core.joints[i];
-        if (sets.parent_of(j.body_a) == null_index && sets.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
-        ++plan.awake_joints;
-        plan.has_trees = plan.has_trees || (j.flags & joint_exact) != 0;
-        if ((j.flags & joint_exact) == 0) joints[plan.joint_count++] = {i, j.body_a, j.body_b, {j.color()}};
-        sets.connect(core, j.body_a, j.body_b);
-        if (j.joint_type() != JointType::gear) return;
-        // A gear's row reads the four bodies of its two joints. Only two of them are the gear's own.
-        const std::uint32_t moving = sets.parent_of(j.body_a) != null_index ? j.body_a : j.body_b;
-        for (const std::uint32_t joint : {j.joint1, j.joint2}) {
-            sets.connect(core, moving, core.joints[joint].body_a);
-            sets.connect(core, moving, core.joints[joint].body_b);
-        }
+    const BitSet awake = has_joints ? core.awake_joints : BitSet{};
+    constexpr std::uint32_t most_parts = has_threads ? max_plan_parts : 1;
+    std::uint32_t first_of[most_parts] = {}, end_of[most_parts] = {};
+    const std::uint32_t least_grain = range_count(awake.word_count, most_parts);
+    const std::uint32_t grain = least_grain < listed_grain ? listed_grain : least_grain;
+    const std::uint32_t parts = range_count(awake.word_count, grain);
+    for (std::uint32_t p = 1; p < parts; ++p) first_of[p] = first_of[p - 1] + awake.count_in((p - 1) * grain, p * grain);
+    for_ranges(core, awake.word_count, grain, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t at = first_of[first / grain];
+        awake.for_each_in(first, end, [&](std::uint32_t i) {
+            const Joint& j = core.joints[i];
+            if (sets.parent_of(j.body_a) == null_index && sets.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
+            std::uint32_t word = j.color() | static_cast<std::uint32_t>(kernel_of(j)) << listed_kernel_shift;
+            if ((j.flags & joint_exact) != 0) word |= listed_exact;
+            if (j.joint_type() == JointType::gear) word |= listed_gear;
+            joints[at++] = {i, j.body_a, j.body_b, {word}};
+        });
+        end_of[first / grain] = at;
     });
+    for (std::uint32_t p = 0; p < parts; ++p) {
+        for (std::uint32_t k = first_of[p]; k < end_of[p]; ++k) {
+            PlannedConstraint j = joints[k];
+            ++plan.awake_joints;
+            sets.connect(core, j.body_a, j.body_b);
+            if ((j.color & listed_gear) != 0) connect_gear(core, sets, core.joints[j.index]);
+            if ((j.color & listed_exact) != 0) {
+                plan.has_trees = true;
+                continue;
+            }
+            j.color &= ~listed_gear;
+            joints[plan.joint_count++] = j;
+        }
+    }
     return joints;
 }
 

@@ -38,12 +38,17 @@ ISLET_SHARED float load_of(const Core& core, const Joint& j, Vec2 force) {
     return (abs(force.x) + abs(force.y)) * max(core.poses[j.body_a].inv_mass, core.poses[j.body_b].inv_mass);
 }
 
-/// Notes after a step whether a hinge with an acting angle bears a heavy load.
-ISLET_PART void note_load(Core& core, Joint& j) {
-    if (!has_exact_angles || !has_acting_angle(j)) return;
+/// True if it is no longer as noted whether a hinge with an acting angle bears a heavy load.
+ISLET_PART bool load_has_changed(const Core& core, const Joint& j) {
+    if (!has_exact_angles || !has_acting_angle(j)) return false;
     const bool was = (j.flags & joint_loaded) != 0;
     const float heavy = heavy_load * core.state->last_substep;
-    if (was == (load_of(core, j, j.force_impulse) > (was ? 0.25f * heavy : heavy))) return;
+    return was != (load_of(core, j, j.force_impulse) > (was ? 0.25f * heavy : heavy));
+}
+
+/// Notes that after a step.
+ISLET_PART void note_load(Core& core, Joint& j) {
+    if (!load_has_changed(core, j)) return;
     j.flags ^= joint_loaded;
     core.state->trees_stale = 1;
 }

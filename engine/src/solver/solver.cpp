@@ -21,8 +21,8 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr std::uint32_t wide_rows = 1024;      // contacts and joints of a batch that all workers may solve together
-inline constexpr std::uint32_t contact_grain = 192;   // contacts of a colour, joints of a run, and bodies that are worth a task
+inline constexpr std::uint32_t wide_rows = 1024;     // contacts and joints of a batch that all workers may solve together
+inline constexpr std::uint32_t contact_grain = 192;  // contacts of a colour, joints of a run, and bodies that are worth a task
 inline constexpr std::uint32_t joint_grain = 128;
 inline constexpr std::uint32_t slot_grain = 512;
 
