@@ -265,31 +265,29 @@ struct ListPart {
 };
 
 inline constexpr std::uint32_t list_grain = 8;  // words of 64 bodies that are worth a task
-inline constexpr std::uint32_t most_list_parts = has_threads ? 64 : 1;
+using ListCut = RangeCut<64>;
 
 // Lists the shapes of awake bodies that may be part of a new pair, in the order of the bodies. Returns how many; `changed` becomes the box around those of
 // their boxes that changed.
 std::uint32_t list_moving(const Core& core, const BitSet& bodies, MovingShape* shapes, Aabb& changed, float dt) {
-    ListPart parts[most_list_parts];
     const std::uint32_t words = bodies.word_count;
-    const std::uint32_t least_grain = range_count(words, most_list_parts);
-    const std::uint32_t grain = least_grain < list_grain ? list_grain : least_grain;
-    const std::uint32_t part_count = range_count(words, grain);
-    for_ranges(core, words, grain, [&](std::uint32_t first, std::uint32_t end) {
-        ListPart& part = parts[first / grain];
+    const ListCut cut(core, words, list_grain);
+    ListPart parts[ListCut::room];
+    for_ranges(core, words, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
+        ListPart& part = parts[cut.of(first)];
         bodies.for_each_in(first, end, [&](std::uint32_t body) {
             part.count += core.bodies[body].shape_count;
             for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) part.filters.add(core.shapes[s].filter);
         });
     });
     FilterSum filters;
-    for (std::uint32_t p = 0, n = 0; p < part_count; ++p) {
+    for (std::uint32_t p = 0, n = 0; p < cut.count; ++p) {
         parts[p].first = n;
         n += parts[p].count;
         filters.add(parts[p].filters);
     }
-    for_ranges(core, words, grain, [&](std::uint32_t first, std::uint32_t end) {
-        ListPart& part = parts[first / grain];
+    for_ranges(core, words, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
+        ListPart& part = parts[cut.of(first)];
         part.count = 0;
         bodies.for_each_in(first, end, [&](std::uint32_t body) {
             const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
@@ -302,7 +300,7 @@ std::uint32_t list_moving(const Core& core, const BitSet& bodies, MovingShape* s
         });
     });
     std::uint32_t n = 0;
-    for (std::uint32_t p = 0; p < part_count; ++p) {
+    for (std::uint32_t p = 0; p < cut.count; ++p) {
         if (n != parts[p].first) std::memmove(shapes + n, shapes + parts[p].first, parts[p].count * sizeof *shapes);
         n += parts[p].count;
         changed = both(changed, parts[p].changed);

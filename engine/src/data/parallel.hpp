@@ -30,6 +30,21 @@ inline std::uint32_t worker_count(const Core& core) { return has_workers(core) ?
 /// Ranges that for_ranges cuts `count` items into.
 inline std::uint32_t range_count(std::uint32_t count, std::uint32_t grain) { return (count + grain - 1) / grain; }
 
+/// How items are cut into at most `most` ranges for for_ranges where each range has something of its own; into one if there are no workers.
+template <std::uint32_t most>
+struct RangeCut {
+    static constexpr std::uint32_t room = has_threads ? most : 1;
+    std::uint32_t grain, count = 1;
+
+    /// `least`: items that are worth a task.
+    RangeCut(const Core& core, std::uint32_t items, std::uint32_t least) : grain(range_count(items, room)) {
+        if (grain < least) grain = least;
+        if (has_workers(core)) count = range_count(items, grain);
+    }
+    /// The part that begins with the item `first`.
+    std::uint32_t of(std::uint32_t first) const { return has_threads ? first / grain : 0; }
+};
+
 /// Calls work(first, end) for ranges that together cover 0 <= i < count: all in one on this thread if there are no workers or no more than `grain`
 /// items, else `grain` items each, by the task system. A range begins at a multiple of the grain. A grain should be worth a few microseconds.
 template <class Work>

@@ -169,7 +169,7 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
     std::uint32_t colors = 0;  // that joints have
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) {
         PlannedConstraint& j = joints[k];
-        const std::uint32_t color = j.color & 0xffu, kernel = j.color >> listed_kernel_shift;
+        const std::uint32_t color = j.color & 0xffu, kernel = j.color >> listed_kernel_shift & 0xffu;
         j.place = batch_of(j) * places + (color == no_color ? 0u : color + 1) * joint_kernel_count + kernel;
         ++next[j.place];
         if (color == no_color) {
@@ -244,42 +244,48 @@ void connect_gear(const Core& core, const ConnectedBodies& sets, const Joint& ge
     }
 }
 
+// A joint as it is listed.
+PlannedConstraint listed(std::uint32_t i, const Joint& j) {
+    std::uint32_t word = j.color() | static_cast<std::uint32_t>(kernel_of(j)) << listed_kernel_shift;
+    if ((j.flags & joint_exact) != 0) word |= listed_exact;
+    if (j.joint_type() == JointType::gear) word |= listed_gear;
+    return {i, j.body_a, j.body_b, {word}};
+}
+
 // Connects the bodies of awake joints, and lists the joints to be swept. The others are solved exactly, in joint trees.
 PlannedConstraint* list_joints(const Core& core, Plan& plan, const ConnectedBodies& sets, Arena& temporary) {
+    if (!has_joints) return nullptr;
     PlannedConstraint* joints = temporary.take<PlannedConstraint>(core.state->joint_pool.count);
-    const BitSet awake = has_joints ? core.awake_joints : BitSet{};
-    constexpr std::uint32_t most_parts = has_threads ? max_plan_parts : 1;
-    std::uint32_t first_of[most_parts] = {}, end_of[most_parts] = {};
-    const std::uint32_t least_grain = range_count(awake.word_count, most_parts);
-    const std::uint32_t grain = least_grain < listed_grain ? listed_grain : least_grain;
-    const std::uint32_t parts = range_count(awake.word_count, grain);
-    for (std::uint32_t p = 1; p < parts; ++p) first_of[p] = first_of[p - 1] + awake.count_in((p - 1) * grain, p * grain);
-    for_ranges(core, awake.word_count, grain, [&](std::uint32_t first, std::uint32_t end) {
-        std::uint32_t at = first_of[first / grain];
-        awake.for_each_in(first, end, [&](std::uint32_t i) {
+    const BitSet awake = core.awake_joints;
+    const auto visit = [&](std::uint32_t first, std::uint32_t end, auto&& take) ISLET_INLINED_LAMBDA {
+        awake.for_each_in(first, end, [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
             const Joint& j = core.joints[i];
             if (sets.parent_of(j.body_a) == null_index && sets.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
-            std::uint32_t word = j.color() | static_cast<std::uint32_t>(kernel_of(j)) << listed_kernel_shift;
-            if ((j.flags & joint_exact) != 0) word |= listed_exact;
-            if (j.joint_type() == JointType::gear) word |= listed_gear;
-            joints[at++] = {i, j.body_a, j.body_b, {word}};
+            take(listed(i, j));
         });
-        end_of[first / grain] = at;
-    });
-    for (std::uint32_t p = 0; p < parts; ++p) {
-        for (std::uint32_t k = first_of[p]; k < end_of[p]; ++k) {
-            PlannedConstraint j = joints[k];
-            ++plan.awake_joints;
-            sets.connect(core, j.body_a, j.body_b);
-            if ((j.color & listed_gear) != 0) connect_gear(core, sets, core.joints[j.index]);
-            if ((j.color & listed_exact) != 0) {
-                plan.has_trees = true;
-                continue;
-            }
-            j.color &= ~listed_gear;
-            joints[plan.joint_count++] = j;
-        }
+    };
+    const auto connect = [&](PlannedConstraint j) ISLET_INLINED_LAMBDA {
+        ++plan.awake_joints;
+        sets.connect(core, j.body_a, j.body_b);
+        if ((j.color & listed_gear) != 0) connect_gear(core, sets, core.joints[j.index]);
+        plan.has_trees = plan.has_trees || (j.color & listed_exact) != 0;
+        if ((j.color & listed_exact) == 0) joints[plan.joint_count++] = j;
+    };
+    if (!has_workers(core)) {
+        visit(0, awake.word_count, connect);
+        return joints;
     }
+    // Workers list the joints by parts; then they are connected in order.
+    const RangeCut<max_plan_parts> parts(core, awake.word_count, listed_grain);
+    std::uint32_t first_of[max_plan_parts] = {}, end_of[max_plan_parts] = {};
+    for (std::uint32_t p = 1; p < parts.count; ++p) first_of[p] = first_of[p - 1] + awake.count_in((p - 1) * parts.grain, p * parts.grain);
+    for_ranges(core, awake.word_count, parts.grain, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t at = first_of[parts.of(first)];
+        visit(first, end, [&](const PlannedConstraint& j) { joints[at++] = j; });
+        end_of[parts.of(first)] = at;
+    });
+    for (std::uint32_t p = 0; p < parts.count; ++p)
+        for (std::uint32_t k = first_of[p]; k < end_of[p]; ++k) connect(joints[k]);
     return joints;
 }
 
