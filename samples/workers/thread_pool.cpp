@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint64_t closed = 0;                  // a share that belongs to no job
 constexpr std::chrono::microseconds spin_time{100};  // longer than the stages of a step that have nothing to share
 constexpr int rest_per_wait = 20;                    // a worker that held up the caller rests so many times as long
+constexpr std::chrono::seconds longest_rest{1};
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -113,7 +114,12 @@ void ThreadPool::wait_for_tasks() {
     const Nanoseconds waited = own_time_on_core() - begin;
     for (std::uint32_t i = 1; i < workers_; ++i) {
         if (rests_[i].ran.count() < 0 || 2 * (time_on_core(threads_[i - 1]) - rests_[i].ran) >= waited) continue;
-        rests_[i].end = std::chrono::steady_clock::now() + rest_per_wait * (waited + spin_time);
+        const auto now = std::chrono::steady_clock::now();
+        Nanoseconds length = rest_per_wait * (waited + spin_time);
+        const bool again = now - rests_[i].end < rests_[i].length;
+        if (again && 2 * rests_[i].length > length) length = 2 * rests_[i].length;
+        rests_[i].length = length < longest_rest ? length : Nanoseconds(longest_rest);
+        rests_[i].end = now + rests_[i].length;
         shares_[i].rests = true;
         ++resting_;
     }

@@ -19,8 +19,9 @@ namespace islet::samples {
 /// helps the others.
 ///
 /// Whoever is free takes the next task, so the caller finishes alone if the workers do not run. A worker that has taken a task and then loses its core to
-/// another program holds up the caller. Such a worker gets no tasks for the next while, 20 times as long as the caller waited: so such waits
-/// add at most about a twentieth to the steps. (On Linux, where one thread can see whether another one runs.)
+/// another program holds up the caller. Such a worker gets no tasks for the next while, 20 times as long as the caller waited, so such waits
+/// add at most about a twentieth to the steps. If it holds up the caller again soon afterwards, the next rest is twice as long, up to a second.
+/// (On Linux, where one thread can see whether another one runs.)
 class ThreadPool {
 public:
     using Task = void (*)(void* data, std::uint32_t index);
@@ -48,6 +49,7 @@ private:
     /// What only the caller of parallel_for knows of a worker.
     struct Rest {
         std::chrono::steady_clock::time_point end;
+        std::chrono::nanoseconds length{0};
         std::chrono::nanoseconds ran{0};  // its time on a core when the caller began to wait
     };
 
