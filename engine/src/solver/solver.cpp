@@ -317,7 +317,7 @@ struct SharedSolve {
         for (std::uint32_t i = b.first_run; i < b.end_run; ++i) blocks += s.plan.runs[i].blocks;
         return blocks * K::W;
     }
-    // About how long the batch takes: as long as so many contacts. A joint takes as long as two, a link of a tree as long as ten.
+    // An estimate of how long the batch takes, in contacts: a joint counts for two, a link of a tree for ten.
     std::uint32_t weight_of(const Batch& b) const {
         return blocks_of(b) * K::W + 2 * joints_of(b) + 10 * b.link_count + 4 * (b.end_overflow - b.first_overflow) + b.body_count / 2 + 1;
     }
