@@ -49,8 +49,8 @@ private:
     /// What only the caller of parallel_for knows of a worker.
     struct Rest {
         std::chrono::steady_clock::time_point end;
-        std::chrono::nanoseconds length{0};
-        std::chrono::nanoseconds ran{0};  // its time on a core when the caller began to wait
+        std::chrono::nanoseconds length{0};  // of the last rest
+        std::chrono::nanoseconds ran{0};     // its time on a core when the caller began to wait
     };
 
     void work(std::uint32_t worker);

@@ -29,7 +29,7 @@ struct PlannedConstraint {
     std::uint32_t index;           // of the contact or joint
     std::uint32_t body_a, body_b;  // null_index: none
     union {                        // by the stage of the plan
-        std::uint32_t color;       // as listed
+        std::uint32_t color;       // as listed; of a joint with its kernel above it
         std::uint32_t height;      // while contacts are sorted by height: its sort_key
         std::uint32_t place;       // once counted: which batch, colour and kernel
     };
