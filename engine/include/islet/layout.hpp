@@ -22,9 +22,12 @@ inline constexpr std::size_t world_alignment = 64;
 /// No capacity may exceed this.
 inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u << 18;
 
+/// No world has room for more bodies than this.
+inline constexpr std::uint32_t max_bodies = ISLET_SMALL ? 0xffffu : max_capacity;
+
 /// Whether World::create accepts the capacity.
 constexpr bool is_valid(const Capacity& c) {
-    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= max_capacity && c.shapes <= max_capacity && c.contacts <= max_capacity &&
+    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= max_bodies && c.shapes <= max_capacity && c.contacts <= max_capacity &&
            c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity && c.events <= max_capacity;
 }
 
@@ -68,11 +71,17 @@ inline constexpr std::size_t surface_bytes = 12;  // of a row, which does withou
 inline constexpr std::size_t surface_bytes = 0;
 #endif
 #if ISLET_SMALL && !defined(ISLET_WITH_hits)
-inline constexpr std::size_t hit_bytes = 0;  // per contact
+inline constexpr std::size_t hit_bytes = 0;      // per contact
+inline constexpr std::size_t bounce_bytes = 12;  // of a row, which does without
 #else
 inline constexpr std::size_t hit_bytes = 4;
+inline constexpr std::size_t bounce_bytes = 0;
 #endif
-inline constexpr std::size_t row_bytes = layout_lanes > 1 ? 128 : sizeof(void*) >= 8 ? 104 : 96 - surface_bytes;  // per contact, in a block of rows
+inline constexpr std::size_t slot_bytes = ISLET_SMALL ? 2 : 4;  // of a body's place in the solve, in a row of one contact
+inline constexpr std::size_t lone_row_bytes = 88 + 2 * slot_bytes - surface_bytes - bounce_bytes;
+inline constexpr std::size_t row_bytes = layout_lanes > 1     ? 128
+                                         : sizeof(void*) >= 8 ? (lone_row_bytes + 4 + 7) / 8 * 8
+                                                              : lone_row_bytes;  // per contact, in a block of rows
 /// An engine and a program whose worlds have another layout do not link.
 template <std::size_t...>
 struct LayoutName {};

@@ -137,7 +137,7 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
         const F lambda = lanes.pick(max(old - less, zero), old);
         const F delta = lanes.pick(lambda - old, zero);
         L::store(normal_impulse_of(r, i), lambda);
-        if (r.is_bouncy()) L::store(r.peak[i], max(L::load(r.peak[i]), lambda));
+        if (r.is_bouncy()) note_impulse<L>(r, i, lambda);
         s.sum_n = s.sum_n + delta;
         vn = vn + mass * delta;
         s.spin_by_normal(rna, rnb, delta);
@@ -285,7 +285,6 @@ template <class L>
 ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F threshold) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
-    const F e = L::load(r.restitution);
     F vn = dot(s.n, s.vb - s.va);
     const F second = r.two_points ? L::load(r.points[1].normal_mass) : zero;  // 0 in lanes with one point, which is solved once
     const std::uint32_t rows_to_solve = r.two_points ? 2 * restitution_passes : 1;
@@ -293,14 +292,13 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
         const std::uint32_t i = k & 1u;
         typename ContactRows<L::width>::Point& p = r.points[i];
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
-        const F approach = L::load(r.approach[i]);
         const F old = L::load(normal_impulse_of(r, i));
         const F speed = vn + (s.wb * rnb - s.wa * rna);
-        auto bounces = (approach < threshold) & (L::load(r.peak[i]) > zero) & (e > zero);
+        auto bounces = will_bounce<L>(r, i, threshold);
         if (k >= 2) bounces = bounces & (second > zero);
         if constexpr (L::width == 1)
             if (!bounces) continue;
-        const F lambda = select(bounces, max(old - L::load(p.normal_mass) * (speed + e * approach), zero), old);
+        const F lambda = select(bounces, max(old - L::load(p.normal_mass) * (speed + rebound_of<L>(r, i)), zero), old);
         const F delta = select(bounces, lambda - old, zero);  // an overflowed impulse less itself would be NaN
         L::store(normal_impulse_of(r, i), lambda);
         s.sum_n = s.sum_n + delta;

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "../collide/manifold.hpp"
+#include "../constraint/contact_bounce.hpp"
 #include "../constraint/kernels.hpp"
 #include "../constraint/lane_vectors.hpp"
 #include "../math/inlining.hpp"
@@ -61,8 +62,9 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         const ContactManifold& m = manifold_of(r, lane, in.manifolds);
         lanes.body_a[i] = m.body_a;
         lanes.body_b[i] = m.body_b;
-        r.body_a[i] = is_live ? in.slot_of[m.body_a] : 0;
-        r.body_b[i] = is_live ? in.slot_of[m.body_b] : 0;
+        using Slot = std::remove_reference_t<decltype(r.body_a[i])>;
+        r.body_a[i] = static_cast<Slot>(is_live ? in.slot_of[m.body_a] : 0);
+        r.body_b[i] = static_cast<Slot>(is_live ? in.slot_of[m.body_b] : 0);
         const std::uint32_t flags = is_live ? m.flags : 0;
         lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
         lanes.has_point[1][i] = (flags & two_point_flag) != 0 ? 1.0f : 0.0f;
@@ -208,8 +210,6 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     L::store(r.rt_ab, rt_ab);
     L::store(r.rn_ab, rn_ab);
 
-    const F vn = dot(n, s.vb - s.va);
-    const F gain = r.is_bouncy() ? normal_gain<L>(in, r, n) : zero;
     WarmStartSum<F> sum{zero, zero, zero, zero};
     const std::uint32_t points = r.two_points ? 2 : 1;
     for (std::uint32_t i = 0; i < points; ++i) {
@@ -228,13 +228,25 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
         sum.along_t = sum.along_t + tangent_impulse;
         sum.turning_a = sum.turning_a + (rna * normal_impulse - rta * tangent_impulse);
         sum.turning_b = sum.turning_b + (rnb * normal_impulse - rtb * tangent_impulse);
-        if (r.is_bouncy()) {
-            const F first = select(L::load(lanes.has_point[1]) > zero, min(m.separation(0), m.separation(1)), m.separation(0));
-            L::store(r.approach[i], approach_of<L>(in.numbers, vn + s.wb * rnb - s.wa * rna, separation, gain, m.separation(i) - first));
-            L::store(r.peak[i], zero);
-        }
     }
     return sum;
+}
+
+/// Notes how fast the surfaces will meet at each point of a block that has bouncing contacts.
+template <class L>
+ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, const LaneManifolds<L>& m,
+                               const BodyPair<L>& s) {
+    using F = typename L::F;
+    const LaneVec<F> n = m.normal();
+    const F rn_ab = L::load(r.rn_ab);
+    const F vn = dot(n, s.vb - s.va), gain = normal_gain<L>(in, r, n);
+    const F first = select(L::load(lanes.has_point[1]) > L::splat(0.0f), min(m.separation(0), m.separation(1)), m.separation(0));
+    const std::uint32_t points = r.two_points ? 2 : 1;
+    for (std::uint32_t i = 0; i < points; ++i) {
+        const F rna = L::load(r.points[i].rna), rnb = rna + rn_ab;
+        const F speed = vn + s.wb * rnb - s.wa * rna;
+        note_approach<L>(in.numbers, r, i, approach_of<L>(in.numbers, speed, L::load(r.points[i].separation), gain, m.separation(i) - first));
+    }
 }
 
 /// Lets the shapes of two moving bodies count as overlapping by more than they do. A soft contact gives way by its load, so loaded shapes would overlap for
@@ -276,6 +288,7 @@ ISLET_PART void prepare_block(const PrepareInput& in, const ContactManifold* man
     BodyPair<L> s;
     s.gather(in.bodies, r.body_a, r.body_b);
     WarmStartSum<F> start = prepare_points<L>(in, r, lanes, m, since, s);
+    if (r.is_bouncy()) prepare_bounce<L>(in, r, lanes, m, s);
     undo_overlap<L>(in.numbers, r, lanes, m.load(), s);
     if (r.is_special()) {
         const F rolling = prepare_rolling<L>(r, s, in.numbers, m.rolling_impulse());

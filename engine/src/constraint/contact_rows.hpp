@@ -49,29 +49,40 @@ struct SurfaceOfRow<false> {
     static inline float rolling_mass[1], rolling_resistance[1], tangent_speed[1];  // never read
 };
 
+/// What contacts bounce by. A build that reports no hits keeps no more of it than the speed that each point is given.
+template <bool reports = has_hits>
+struct BounceOfRow {
+    float restitution[1], approach[2][1], peak[2][1];
+};
+template <>
+struct BounceOfRow<false> {
+    float rebound[2];  // m/s, restitution times approach; the second is the restitution until its point is prepared
+};
+
 /// The row of one contact: what its manifold holds already, the frame, the friction and the impulses, is read and written there. (Lanes gather these once
 /// instead.)
 template <>
-struct ContactRows<1> : SurfaceOfRow<> {
+struct ContactRows<1> : SurfaceOfRow<>, BounceOfRow<> {
     struct Point {
         float rta[1], rna[1], separation[1], normal_mass[1], tangent_mass[1];
     };
+    using Slot = std::conditional_t<slot_bytes == 2, std::uint16_t, std::uint32_t>;
     ContactManifold* manifold;
-    std::uint32_t body_a[1], body_b[1];
+    Slot body_a[1], body_b[1];
     float rt_ab[1], rn_ab[1];
     Point points[2];
-    float restitution[1], approach[2][1], peak[2][1];
     std::uint8_t two_points;
-    bool special, bouncy;
+    bool special;
+    std::uint8_t bouncy;  // 0: it is not. Without peaks: bit 1 + i, point i comes fast enough; bit 3 + i, it needed an impulse
     std::uint8_t extra_passes[1];
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }
-    ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy; }
+    ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy != 0; }
 };
 
 static_assert(sizeof(ContactRows<4>) == 4 * row_bytes || max_lanes == 1);
 static_assert(sizeof(ContactRows<8>) == 8 * row_bytes || max_lanes == 1);
-static_assert(sizeof(ContactRows<1>) <= row_bytes);
+static_assert(sizeof(ContactRows<1>) <= row_bytes && max_bodies <= static_cast<ContactRows<1>::Slot>(~0u));
 
 // What single rows have in their manifolds, and blocks of lanes in themselves.
 #define ISLET_IN_ROW(function, of_lanes, of_one)                                 \

@@ -84,9 +84,9 @@ ISLET_LANE LaneVec<typename L::F> turn(typename L::F d, LaneVec<typename L::F> v
 
 /// Writes four words back to each of two bodies, from the word `first` on. Those that cannot be pushed (`ma`, `mb`: inverse masses of 0) are only ever read:
 /// constraints of one colour share them, and may be solved on several threads. The fourth word is as it was.
-template <class L, std::uint32_t first>
-ISLET_LANE void scatter_pushed(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b, typename L::F ma, typename L::F mb,
-                               const typename L::F (&out_a)[4], const typename L::F (&out_b)[4]) {
+template <class L, std::uint32_t first, class Slot>
+ISLET_LANE void scatter_pushed(SolverBody* bodies, const Slot* body_a, const Slot* body_b, typename L::F ma, typename L::F mb, const typename L::F (&out_a)[4],
+                               const typename L::F (&out_b)[4]) {
     constexpr std::uint32_t words = sizeof(SolverBody) / 4;
     float* const base = reinterpret_cast<float*>(bodies) + first;
     if constexpr (L::width == 1) {
@@ -113,7 +113,8 @@ struct BodyPair {
     LaneVec<F> dpa, dpb;  // m that the centre has gone since the step began
     F dqa, dqb;           // rad turned since the step began
 
-    ISLET_PART void gather(const SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) {
+    template <class Slot>
+    ISLET_PART void gather(const SolverBody* bodies, const Slot* body_a, const Slot* body_b) {
         constexpr std::uint32_t words = sizeof(SolverBody) / 4;
         typename L::template Columns<8> a, b;
         L::template gather8<words>(reinterpret_cast<const float*>(bodies), body_a, a);
@@ -132,15 +133,16 @@ struct BodyPair {
         ib = b[7];
     }
     /// Writes the velocities back.
-    ISLET_PART void scatter(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b) const {
+    template <class Slot>
+    ISLET_PART void scatter(SolverBody* bodies, const Slot* body_a, const Slot* body_b) const {
         const F out_a[4] = {va.x, va.y, wa, ma};
         const F out_b[4] = {vb.x, vb.y, wb, mb};
         scatter_pushed<L, 0>(bodies, body_a, body_b, ma, mb, out_a, out_b);
     }
     /// Adds what warm starting does to the velocities: an impulse on B and its opposite on A, and an angular impulse on each, A turned against its own. (Before
     /// the first substep the words of dp and dq hold warm_v and warm_w.)
-    ISLET_PART void add_warm_start(SolverBody* bodies, const std::uint32_t* body_a, const std::uint32_t* body_b, LaneVec<F> impulse, F turning_a,
-                                   F turning_b) const {
+    template <class Slot>
+    ISLET_PART void add_warm_start(SolverBody* bodies, const Slot* body_a, const Slot* body_b, LaneVec<F> impulse, F turning_a, F turning_b) const {
         const LaneVec<F> warm_va = dpa - ma * impulse, warm_vb = dpb + mb * impulse;
         const F out_a[4] = {warm_va.x, warm_va.y, dqa - ia * turning_a, ia};
         const F out_b[4] = {warm_vb.x, warm_vb.y, dqb + ib * turning_b, ib};

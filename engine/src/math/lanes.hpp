@@ -45,12 +45,12 @@ struct Lane1 {
     template <std::uint32_t n>
     using Columns = const float*;
     /// Column i of the output is word i of the records at base + stride * index[lane].
-    template <std::uint32_t stride>
-    ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, Columns<8>& out) {
+    template <std::uint32_t stride, class Index>
+    ISLET_LANE static void gather8(const float* base, const Index* index, Columns<8>& out) {
         out = base + std::size_t{stride} * index[0];
     }
-    template <std::uint32_t stride>
-    ISLET_LANE static void gather4(const float* base, const std::uint32_t* index, Columns<4>& out) {
+    template <std::uint32_t stride, class Index>
+    ISLET_LANE static void gather4(const float* base, const Index* index, Columns<4>& out) {
         out = base + std::size_t{stride} * index[0];
     }
     /// Bit i is set if the comparison is true of lane i.

@@ -1,7 +1,7 @@
 // Which contacts a block of rows holds, and of what material they are.
 #pragma once
 
-#include "../constraint/contact_rows.hpp"
+#include "../constraint/contact_bounce.hpp"
 #include "../data/core.hpp"
 #include "../graph/mixing.hpp"
 #include "../math/inlining.hpp"
@@ -12,7 +12,7 @@ namespace islet::detail {
 template <std::uint32_t W>
 ISLET_PART void set_surface(ContactRows<W>& r, std::uint32_t lane, std::uint32_t flags, const MixedSurface& surface) {
     const bool special = W == 1 || (flags & contact_special) != 0;  // a block of one contact is read only if it is special
-    r.restitution[lane] = (flags & contact_bouncy) != 0 ? surface.restitution : 0;
+    restitution_of(r)[lane] = (flags & contact_bouncy) != 0 ? surface.restitution : 0;
     if (!has_surfaces) return;
     r.rolling_resistance[lane] = special ? surface.rolling_resistance : 0;
     r.tangent_speed[lane] = special ? surface.tangent_speed : 0;

@@ -4,6 +4,7 @@
 #include "../solver/hits.hpp"
 
 #include "../calls/recorder.hpp"
+#include "../constraint/contact_bounce.hpp"
 #include "../graph/contacts.hpp"
 
 namespace islet {
@@ -16,6 +17,7 @@ namespace {
 
 template <std::uint32_t W>
 void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uint32_t count, Hit* hits) {
+    if (!has_hits) return;
     for (std::uint32_t block = 0; block < count; ++block) {
         const ContactRows<W>& r = rows[block];
         for (std::uint32_t i = 0; i < W; ++i) {
@@ -23,9 +25,7 @@ void note(const ContactManifold* manifolds, const ContactRows<W>* rows, std::uin
             if (contact == null_index) continue;
             const ContactManifold& m = manifolds[contact];
             if ((m.flags & contact_hits) == 0) continue;
-            const float first = r.peak[0][i] > 0 ? max(-r.approach[0][i], 0.0f) : 0.0f;
-            const float second = m.count() == 2 && r.peak[1][i] > 0 ? max(-r.approach[1][i], 0.0f) : 0.0f;
-            hits[contact] = Hit::of_points(first, second);
+            hits[contact] = Hit::of_points(hit_speed(r, 0, i), m.count() == 2 ? hit_speed(r, 1, i) : 0.0f);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include "../solver/ordered_sweep.hpp"
 
+#include "../constraint/contact_bounce.hpp"
 #include "../constraint/kernels.hpp"
 #include "../island/height_order.hpp"
 #include "../math/inlining.hpp"
@@ -60,7 +61,7 @@ void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumb
     const float d0 = x[0] - old[0], d1 = x[1] - old[1];
     for (std::uint32_t i = 0; i < 2; ++i) {
         r.manifold->normal_impulse[i] = x[i];
-        if (r.is_bouncy()) r.peak[i][0] = max(r.peak[i][0], x[i]);
+        if (r.is_bouncy()) note_impulse<Lane1>(r, i, x[i]);
     }
     const Vec2 push = (d0 + d1) * normal;
     push_body(a, -push, -(rna[0] * d0 + rna[1] * d1));

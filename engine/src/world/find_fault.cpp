@@ -338,6 +338,7 @@ FieldFault find_fault(const Capacity& capacity) {
     Finder f;
     const auto count = [&f](const char* field, std::uint32_t n, std::uint32_t least) { f.rule(field, n >= least && n <= max_capacity, Error::bad_capacity); };
     count("bodies", capacity.bodies, 1);
+    f.rule("bodies", capacity.bodies <= max_bodies, Error::bad_capacity);
     count("shapes", capacity.shapes, 1);
     count("contacts", capacity.contacts, 1);
     count("joints", capacity.joints, 0);
