@@ -164,7 +164,7 @@ struct Moving {
         if ((!a.leaves && !b.leaves) || meet_at_once(a.box, b.box)) return true;
         const Way way_a = way(a), way_b = way(b);
         if (!may_meet_on(a.box, way_a, b.box, way_b, fall)) return false;
-        return way_a.turn + way_b.turn < fast_way || detail::may_meet(core, a.shape, b.shape, dt);
+        return way_a.turn + way_b.turn < fast_way || detail::may_meet(core, a.body, a.box, b.body, b.box, dt);
     }
     Way way(const MovingShape& m) const { return m.leaves ? m.way : way_of(core, m.body, dt); }
 };
@@ -537,11 +537,10 @@ void mark_moved(Core& core, std::uint32_t shape) {
     ++core.state->moved_count;
 }
 
-bool may_meet(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt) {
-    const std::uint32_t body_a = core.shapes[shape_a].body, body_b = core.shapes[shape_b].body;
+bool may_meet(const Core& core, std::uint32_t body_a, const Aabb& box_a, std::uint32_t body_b, const Aabb& box_b, float dt) {
     if (((core.poses[body_a].flags | core.poses[body_b].flags) & pose_leaves) == 0) return false;
     const Approach approach = approach_of(core.poses[body_a], core.poses[body_b], core.motions[body_a], core.motions[body_b], dt, fall_in(core, dt));
-    return meet(core.boxes[shape_a], grow(core.boxes[shape_b], {approach.way, approach.turn}, 3.0e38f));
+    return meet(box_a, grow(box_b, {approach.way, approach.turn}, 3.0e38f));
 }
 
 bool keeps_from_endless(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt) {

@@ -58,8 +58,8 @@ struct Way {
     float turn = 0;  // m, by which turning may add to the way of its points
 };
 
-/// True if two shapes whose boxes do not meet may come together within dt.
-bool may_meet(const Core& core, std::uint32_t shape_a, std::uint32_t shape_b, float dt);
+/// True if shapes of two bodies whose fat boxes do not meet may come together within dt.
+bool may_meet(const Core& core, std::uint32_t body_a, const Aabb& box_a, std::uint32_t body_b, const Aabb& box_b, float dt);
 
 /// m. A fast body is alone (pose_alone) if nothing at rest is so near to its shapes. While it goes no farther, it cannot pass through anything at rest.
 inline float surroundings(const Pose& pose) { return 4.0f * pose.max_extent; }

@@ -251,8 +251,9 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
 #endif
     if (((a.flags | b.flags) & pose_moved) != 0) {
         const Contact& c = core.contacts[index];
-        if (!meet(core.boxes[c.shape_a], core.boxes[c.shape_b]) && !may_meet(core, c.shape_a, c.shape_b, dt)) return Change::parts;
-        if (may_be_endless(core.boxes[c.shape_a]) && keeps_from_endless(core, c.shape_a, c.shape_b, dt)) return Change::parts;
+        const Aabb &box_a = core.boxes[c.shape_a], &box_b = core.boxes[c.shape_b];
+        if (!meet(box_a, box_b) && !may_meet(core, m.body_a, box_a, m.body_b, box_b, dt)) return Change::parts;
+        if (may_be_endless(box_a) && keeps_from_endless(core, c.shape_a, c.shape_b, dt)) return Change::parts;
     }
     if (has_sensors && (m.flags & contact_sensor) != 0)
         return overlaps_sensor(core, index) == ((m.flags & contact_overlap) != 0) ? Change::none : Change::changes;
