@@ -3,7 +3,8 @@
 # processors, linked with a stub of a board (samples/boards/stub), and run in QEMU. Worlds and frames must be the host's, to the bit.
 #   tools/boards.sh            a table. In bytes: flash of the engine and the compiler's runtime; static memory, which is the world and the display's dots; the
 #                              deepest that the stack was. Then the instructions of a frame, in the mean: a step, drawing, sending. "trimmed" is the engine
-#                              without what the sketch does not use (islet_options.h)
+#                              without what the sketch does not use (islet_options.h). Balls is also run on floats without subnormal numbers, like those in
+#                              the RP2040's ROM, and the library is compiled for the ESP8266
 #   tools/boards.sh --check    the same, and whether docs/microcontrollers.md says so, but for 5 %: part of tools/test.sh --all
 #   tools/boards.sh --write    the same, and writes the table into docs/microcontrollers.md
 # Installs the cross compilers and QEMU with apt if they are missing.
@@ -17,7 +18,7 @@ case ${1:-} in
 --check) mode=check ;;
 --write) mode='write' ;;
 -h | --help)
-    sed -n '2,10s/^# \{0,1\}//p' "$0"
+    sed -n '2,11s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 *) die "$0: unknown option $1; there are --check and --write" ;;
@@ -44,10 +45,13 @@ cortex_m4f=(arm-none-eabi-g++ -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard
     -fno-use-cxa-atexit -fno-threadsafe-statics)
 rv32imc=(riscv64-unknown-elf-g++ -march=rv32imc -mabi=ilp32 -std=gnu++2b "${small[@]}" -fno-threadsafe-statics)
 
+lx106=(xtensa-lx106-elf-g++ -mlongcalls -std=gnu++17 "${small[@]}")  # of the ESP8266
+
 # Where the emulated board has its flash and its memory; the rest is as in samples/firmware/toolchains. No board of QEMU's has a Cortex-M0+ and enough memory:
 # its code runs on a Cortex-M3, which here faults as an M0+ does where a word is not aligned.
 arm=(-display none -monitor none -serial none -icount shift=0 -semihosting-config 'enable=on,target=native')
 newlib=(/usr/include/newlib/c++/*)
+headers=(-isystem "${newlib[0]}" -isystem "${newlib[0]}/arm-none-eabi" -isystem /usr/lib/picolibc/riscv64-unknown-elf/include)  # for compilers without
 
 # use TARGET: sets compile, link, run.
 use() {
@@ -65,7 +69,7 @@ use() {
         board=board_cortex_m
         ;;
     riscv32imc)
-        compile=("${rv32imc[@]}" -isystem "${newlib[0]}" -isystem "${newlib[0]}/arm-none-eabi" -isystem /usr/lib/picolibc/riscv64-unknown-elf/include)
+        compile=("${rv32imc[@]}" "${headers[@]}")
         link=(--entry=start --defsym=flash_origin=0x80000000 --defsym=ram_origin=0x80100000)
         run=(qemu-system-riscv32 -machine virt -bios none "${arm[@]}" -kernel)
         board=board_riscv
@@ -93,9 +97,31 @@ compile_engine() {
     rm -f "$1/libislet.a" && ar rcs "$1/libislet.a" "$1/islet.o"
 }
 
+# compile_board FOLDER
+compile_board() {
+    local source
+    for source in "$board" console runtime; do
+        "${compile[@]/%rv32imc/rv32imc_zicsr}" -fno-tree-loop-distribute-patterns -c "$firmware/$source.cpp" -o "$1/$source.o"
+    done
+}
+
+# compile_sketch SKETCH FOLDER
+compile_sketch() {
+    local flags
+    mapfile -t flags < <(sketch_flags "$1")
+    "${compile[@]}" "${flags[@]}" -c "$stub/stub.cpp" -o "$2/$1.o"
+}
+
+# link_sketch SKETCH FOLDER ENGINE [ARGUMENT...]: what was compiled into the folders, to FOLDER/SKETCH.elf.
+link_sketch() {
+    "${compile[@]}" "$2/$1.o" "$2"/{"$board",console,runtime}.o "$3/libislet.a" -nostdlib -static -Wl,-T,"$firmware/firmware.ld" \
+        "${link[@]/#/-Wl,}" -Wl,--defsym=flash_length=0x80000,--defsym=ram_length=0x40000,--defsym=stack_length=8192 -Wl,--gc-sections \
+        -Wl,-Map,"$2/$1.map" "${@:4}" -lgcc -o "$2/$1.elf"
+}
+
 # build TARGET [trimmed]: the engine, the board, the sketches.
 build() (
-    local folder=$work/$1${2:+-$2} sketch source flags engine=$work/$1 without
+    local folder=$work/$1${2:+-$2} sketch engine=$work/$1 without
     use "$1"
     rm -rf "$folder" && mkdir -p "$folder"
     if [ $# -eq 2 ]; then
@@ -108,21 +134,28 @@ build() (
     else
         compile_engine "$folder" &
     fi
-    for source in "$board" console runtime; do
-        "${compile[@]/%rv32imc/rv32imc_zicsr}" -fno-tree-loop-distribute-patterns -c "$firmware/$source.cpp" -o "$folder/$source.o"
-    done
-    for sketch in "${sketches[@]}"; do
-        mapfile -t flags < <(sketch_flags "$sketch")
-        "${compile[@]}" "${flags[@]}" -c "$stub/stub.cpp" -o "$folder/$sketch.o"
-    done
+    compile_board "$folder"
+    for sketch in "${sketches[@]}"; do compile_sketch "$sketch" "$folder"; done
     wait
     for sketch in "${sketches[@]}"; do
         engine=$folder
         [ $# -eq 1 ] || engine=$folder/$sketch.engine
-        "${compile[@]}" "$folder/$sketch.o" "$folder"/{"$board",console,runtime}.o "$engine/libislet.a" -nostdlib -static -Wl,-T,"$firmware/firmware.ld" \
-            "${link[@]/#/-Wl,}" -Wl,--defsym=flash_length=0x80000,--defsym=ram_length=0x40000,--defsym=stack_length=8192 -Wl,--gc-sections \
-            -Wl,-Map,"$folder/$sketch.map" -lgcc -o "$folder/$sketch.elf"
+        link_sketch "$sketch" "$folder" "$engine"
     done
+)
+
+# build_on_rom_floats: Balls as Arduino compiles it for an RP2040, on the floats of its ROM.
+build_on_rom_floats() (
+    local folder=$work/rp2040 name wraps=()
+    use cortex-m0plus
+    compile+=(-DARDUINO_ARCH_RP2040)
+    rm -rf "$folder" && mkdir -p "$folder"
+    compile_engine "$folder"
+    compile_board "$folder"
+    compile_sketch Balls "$folder"
+    "${compile[@]}" -c "$stub/rom_floats.cpp" -o "$folder/rom_floats.o"
+    for name in add sub mul div cmpeq cmplt cmple cmpgt cmpge; do wraps+=("-Wl,--wrap=__aeabi_f$name"); done
+    link_sketch Balls "$folder" "$folder" "$folder/rom_floats.o" "${wraps[@]}"
 )
 
 # host: what the sketches print there, in C++20.
@@ -147,7 +180,12 @@ build cortex-m4f &
 m4f=$!
 build riscv32imc
 wait "$m4f"
-build cortex-m4f trimmed
+build cortex-m4f trimmed &
+trimmed=$!
+build_on_rom_floats
+compile=("${lx106[@]}" "${headers[@]}")
+compile_engine "$work/esp8266"  # which nothing here emulates
+wait "$trimmed"
 
 failed=false
 rows=()
@@ -171,6 +209,14 @@ for target in cortex-m0plus cortex-m4f 'cortex-m4f trimmed' riscv32imc; do
     done
 done
 printf '%s\n' "${rows[@]}"
+
+say "floats without subnormal numbers"
+use cortex-m0plus
+"${run[@]}" "$work/rp2040/Balls.elf" >"$work/rp2040/Balls.txt" 2>&1 || true
+if ! diff <(bits <"$work/host/Balls.txt") <(bits <"$work/rp2040/Balls.txt") >"$work/rp2040/Balls.diff"; then
+    printf 'floats without subnormal numbers: Balls prints something else than on the host: %s\n' "$(tail -n 3 "$work/rp2040/Balls.diff")" >&2
+    failed=true
+fi
 
 # spaced ROW: its numbers in groups of three digits, as the manual writes them.
 spaced() { sed -E ':again; s/([0-9])([0-9]{3})( |$)/\1 \2\3/; t again' <<<"$1"; }

@@ -61,6 +61,7 @@ need_firmware_tools() {
     need libstdc++-arm-none-eabi-newlib path_exists /usr/include/newlib/c++
     need qemu-system-arm command_exists qemu-system-arm
     need gcc-riscv64-unknown-elf command_exists riscv64-unknown-elf-g++
+    need gcc-xtensa-lx106 command_exists xtensa-lx106-elf-g++
     need picolibc-riscv64-unknown-elf path_exists /usr/lib/picolibc/riscv64-unknown-elf/include/string.h
     need qemu-system-misc command_exists qemu-system-riscv32
 }

@@ -83,6 +83,8 @@ sed '0,/^#pragma once$/s//&\n\n#include "islet_options.h"/' "$work/islet.hpp" >"
     printf '// How the engine is compiled on boards. Its parts take flash. To leave one out that you do not use, take away the "//" before its line, or compile with\n'
     printf '// -DISLET_WITHOUT_<name>. Calls that need it then fail with Error::feature_cut.\n#pragma once\n\n'
     printf '#if !defined(ISLET_THREADS)\n#define ISLET_THREADS 0  // 1: a world may be stepped on several cores, by a task system of yours\n#endif\n\n'
+    printf '// The floats of Arduino on an RP2040 are those of its ROM, which know no subnormal numbers.\n'
+    printf '#if !defined(ISLET_SUBNORMALS) && defined(ARDUINO_ARCH_RP2040) && defined(__ARM_ARCH_6M__)\n#define ISLET_SUBNORMALS 0\n#endif\n\n'
     for feature in $features; do printf '// #define ISLET_WITHOUT_%s 1\n' "$feature"; done
     printf '\n// The small profile, for boards with 64 kB of flash and 16 to 20 kB of memory: boxes and other polygons, balls, bouncing and queries. It leaves out all\n'
     printf '// else, and a world takes less memory. Instead of this line, -DISLET_SMALL=1 does the same if the library and your program are both compiled with it.\n'

@@ -32,6 +32,12 @@
 #define ISLET_MIN_LANES 1
 #endif
 
+/// 0: the engine also runs on floats that take numbers below 1.2e-38 for zero, as those in the RP2040's ROM do. Results are then only nearly always those of
+/// other machines. Default 1: a world on such floats takes no step (Error::inexact_build).
+#if !defined(ISLET_SUBNORMALS)
+#define ISLET_SUBNORMALS 1
+#endif
+
 /// 1: the small profile, for boards with 64 kB of flash and 16 to 20 kB of memory: boxes and other polygons, balls, restitution and queries. It leaves out all
 /// else (the features marked `full` below, and all joints), but for what ISLET_WITH_<name> puts back. The engine and the program must both be compiled with it:
 /// a world takes less memory, so they do not link otherwise. (In CMake, ISLET_PROFILE=small and the list ISLET_WITH.)

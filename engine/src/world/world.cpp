@@ -32,15 +32,16 @@ Error check_block(span<std::byte> block, std::size_t wanted) {
     return block.data() == nullptr || block.size() < wanted ? Error::block_too_small : Error::none;
 }
 
-// True if products are rounded before something is subtracted from them, and if denormal numbers are kept. The source cannot force every compiler to do so
+// True if products are rounded before something is subtracted from them, and if subnormal numbers are kept. The source cannot force every compiler to do so
 // (exact.hpp), nor a run-time library that stands in for a floating-point unit.
 bool is_exact() {
     const DefaultFloatMode mode;
-    volatile float known = 0x1.001p-62f;  // volatile, so that the compiler does not compute the result itself
+    constexpr float unit = ISLET_SUBNORMALS ? 0x1p-62f : 1.0f;
+    volatile float known = 0x1.001p0f * unit;  // volatile, so that the compiler does not compute the result itself
     const float x = known;
-    // x^2 is 2^-124 (1 + 2^-11 + 2^-24), and the last term is lost to rounding. 2^-135 is denormal.
-    known = x * x - 0x1p-124f;
-    return bits_of(known) == 0x4000u;
+    // x^2 is (1 + 2^-11 + 2^-24) unit^2, and the last term is lost to rounding. 2^-11 unit^2 may be subnormal.
+    known = x * x - unit * unit;
+    return bits_of(known) == bits_of(0x1p-11f * (unit * unit));
 }
 
 bool is_usable(const TaskSystem& tasks) { return tasks.workers >= 1 && tasks.workers <= max_workers; }
