@@ -1,8 +1,8 @@
 # Deepest use of the stack, from GCC's call graphs (-fcallgraph-info=su):
 #
-#   awk -v root=FOLDER -f stack.awk FILE.ci...        prints: bytes, and the path that needs them, as mangled names
+#   awk -v root=FOLDER [-v start=FUNCTION] -f stack.awk FILE.ci...        prints: bytes, and the path that needs them, as mangled names
 #
-# FOLDER is where the project stands: the graphs name its files from wherever they were compiled.
+# FOLDER is where the project stands: the graphs name its files from wherever they were compiled. FUNCTION is where the path begins, anywhere if not given.
 #
 # Exit status 1, with the reason on standard error, where no bound can be given: a recursion, a stack frame of variable size, or a call through a
 # pointer that is no hook of the user's. What a hook needs is the user's to add; so is what memcpy and its like need, a few words.
@@ -75,7 +75,7 @@ function depth(name,    i, d, deepest) {
 
 END {
     for (i = 1; i <= count; ++i) {
-        if (depth(names[i]) > most) {
+        if (depth(names[i]) > most && (start == "" || names[i] == start)) {
             most = result[names[i]]
             where = names[i]
         }

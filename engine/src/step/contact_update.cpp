@@ -200,28 +200,33 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
                                                                  : manifold_at(core, c, m, stand, margin, b_in_a);
     if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) mend_inner_edges(core, c, b_in_a, margin, fresh);
 
-    const ContactManifold old = m;
     m.normal = rotate(stand.a, fresh.normal);
     const bool lands = fresh.count > 0 && approach.turn - dot(m.normal, approach.way) > 2.0f * speculative_distance;
     m.offset = stand.offset;
     m.rotation_a = stand.a;
     m.rotation_b = stand.b;
-    m.ids = 0;
     if (fresh.count == 0) m.rolling_impulse = 0;
+    const std::uint32_t known = (m.flags & contact_ahead) == 0 ? m.count() : 0;  // the impulses of a blow are no warm start
+    std::uint32_t ids = 0;
+    float normal_impulse[2] = {0, 0}, tangent_impulse[2] = {0, 0};
     for (std::uint32_t i = 0; i < 2; ++i) {
         m.anchors[i] = {0, 0};
-        m.separation[i] = m.normal_impulse[i] = m.tangent_impulse[i] = 0;
+        m.separation[i] = 0;
         if (i >= fresh.count) continue;
         const ManifoldPoint& point = fresh.points[i];
         m.anchors[i] = rotate(stand.a, point.point - center_a);
         m.separation[i] = point.separation;
-        m.ids |= static_cast<std::uint32_t>(point.id) << (16 * i);
-        const std::uint32_t known = (old.flags & contact_ahead) == 0 ? old.count() : 0;  // the impulses of a blow are no warm start
+        ids |= static_cast<std::uint32_t>(point.id) << (16 * i);
         for (std::uint32_t j = 0; j < known; ++j) {
-            if ((old.ids >> (16 * j) & 0xffffu) != point.id) continue;
-            m.normal_impulse[i] = old.normal_impulse[j];
-            m.tangent_impulse[i] = old.tangent_impulse[j];
+            if ((m.ids >> (16 * j) & 0xffffu) != point.id) continue;
+            normal_impulse[i] = m.normal_impulse[j];
+            tangent_impulse[i] = m.tangent_impulse[j];
         }
+    }
+    m.ids = ids;
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        m.normal_impulse[i] = normal_impulse[i];
+        m.tangent_impulse[i] = tangent_impulse[i];
     }
     m.flags = (m.flags & ~(3u << contact_count_shift | contact_ahead)) | fresh.count << contact_count_shift | contact_posed |
               (lands ? std::uint32_t{contact_ahead} : 0u);

@@ -90,30 +90,42 @@ Span held_by(const Outline& p, Vec2 start, Vec2 direction, Span part) {
 
 const Geometry& geometry_at(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
 
+/// The shape that stands on a piece of floor, in the frame of the manifold.
+struct Standing {
+    std::uint32_t body;
+    Vec2 corners[max_polygon_vertices];
+    std::uint32_t count;
+    float radius;
+    Vec2 middle = {0, 0};
+
+    Standing(std::uint32_t of, const Corners& shape, const Transform& pose) : body(of), count(shape.count), radius(shape.radius) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            corners[i] = transform_point(pose, shape.points[i]);
+            middle += 1.0f / static_cast<float>(count) * corners[i];
+        }
+    }
+};
+
 /// A piece of floor and the shape that stands on it. Everything is in the frame of the manifold.
 struct Floor {
     const Core& core;
     std::uint32_t shape;  // the piece
     Transform frame;      // of the manifold, in the world
+    const Standing& other;
     Outline piece;
-    std::uint32_t other;                 // the other shape's body
-    Vec2 corners[max_polygon_vertices];  // of the other shape
-    std::uint32_t count;
-    float radius;
-    Vec2 middle;  // of the other shape
 
     // Calls visit(neighbour) for each piece near the other body that cannot move against this one.
     template <class Visit>
     void for_each_neighbor(Visit&& visit) const {
         const std::uint32_t body = core.shapes[shape].body;
-        for_each_contact(core, other, [&](std::uint32_t contact, std::uint32_t end) {
+        for_each_contact(core, other.body, [&](std::uint32_t contact, std::uint32_t end) {
             const Contact& record = core.contacts[contact];
             const std::uint32_t neighbor = end == 0 ? record.shape_b : record.shape_a;
             const std::uint32_t its_body = core.shapes[neighbor].body;
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
             const std::uint32_t flags = core.shapes[record.shape_a].flags | core.shapes[record.shape_b].flags;
             if (neighbor == shape || !fixed || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
-            const Outline its = piece_of(geometry_at(core, neighbor), inv_mul(frame, body_transform(core, its_body)), middle, behind_line, end_reach);
+            const Outline its = piece_of(geometry_at(core, neighbor), inv_mul(frame, body_transform(core, its_body)), other.middle, behind_line, end_reach);
             if (its.count != 0) visit(its);
         });
     }
@@ -125,12 +137,12 @@ struct Floor {
         const float length = dot(piece.vertices[next(face, piece.count)] - piece.vertices[face], along);
         const float inset = min(linear_slop, 0.5f * length);
         Span reach = {3.0e38f, -3.0e38f};
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const float place = dot(corners[i] - start, along);
+        for (std::uint32_t i = 0; i < other.count; ++i) {
+            const float place = dot(other.corners[i] - start, along);
             reach = {min(reach.low, place), max(reach.high, place)};
         }
-        const float end = clamp(reach.high + radius, inset, length - inset);
-        float covered = clamp(reach.low - radius, inset, length - inset);
+        const float end = clamp(reach.high + other.radius, inset, length - inset);
+        float covered = clamp(reach.low - other.radius, inset, length - inset);
         Vec2 lean = {0, 0};
         // Each pass goes on where the last one ended.
         bool found = true;
@@ -159,7 +171,9 @@ struct Floor {
     }
 
     // The manifold along that uncovered face in which the other shape is least deep.
-    Manifold along_bare_face(float margin, bool piece_is_a) const {
+    ISLET_SHARED Manifold along_bare_face(float margin, bool piece_is_a) const {
+        const Vec2(&corners)[max_polygon_vertices] = other.corners;
+        const std::uint32_t count = other.count;
         std::uint32_t best = null_index, deepest = 0;
         float gap = -3.0e38f;
         for (std::uint32_t i = 0; i < piece.count; ++i) {
@@ -177,7 +191,7 @@ struct Floor {
             deepest = lowest;
             gap = height;
         }
-        if (best == null_index || gap > margin + piece.radius + radius) return {};
+        if (best == null_index || gap > margin + piece.radius + other.radius) return {};
         Face bare = {piece.vertices[best], piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best, next(best, piece.count)};
         // The incident face: of the two faces at the deepest corner the one that rises less from the piece's face and runs the other way.
         const std::uint32_t after = next(deepest, count), before = (deepest == 0 ? count : deepest) - 1;
@@ -190,7 +204,7 @@ struct Floor {
         const float run_after = dot(corners[deepest] - corners[after], along), run_before = dot(corners[before] - corners[deepest], along);
         const bool forward = run_after > 0 && !(rise(before) * run_after < rise(after) * run_before);
         const std::uint32_t i1 = forward ? deepest : before, i2 = forward ? after : deepest;
-        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, radius, i1, i2}, !piece_is_a, {0, 0}, margin);
+        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, other.radius, i1, i2}, !piece_is_a, {0, 0}, margin);
         if (count == 1 && m.count == 2) m.count = 1;
         return m;
     }
@@ -199,6 +213,7 @@ struct Floor {
 }  // namespace
 
 void mend_inner_edges(const Core& core, const Contact& contact, const Transform& b_in_a, float margin, Manifold& manifold) {
+    const Transform a_in_a;
     for (const bool piece_is_a : {true, false}) {
         const std::uint32_t shape = piece_is_a ? contact.shape_a : contact.shape_b;
         const std::uint32_t other_shape = piece_is_a ? contact.shape_b : contact.shape_a;
@@ -208,16 +223,10 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         const Geometry& g = geometry_at(core, shape);
         const bool is_line = has_lines && faces_of(g) == nullptr;
         if (is_line && kind_of(g) == ShapeKind::front) continue;  // it knows its neighbours
-        const Transform poses[] = {{}, b_in_a};
-        const Corners its = corners_of(geometry_at(core, other_shape));
-        const Transform &pose = poses[piece_is_a ? 0 : 1], at = body_transform(core, body);
+        const Transform &pose = piece_is_a ? a_in_a : b_in_a, at = body_transform(core, body);
         const Rot q = at.q * inverse(pose.q);
-        Floor floor{core, shape, {at.p - rotate(q, pose.p), q}, {}, other, {}, its.count, its.radius, {}};
-        for (std::uint32_t i = 0; i < its.count; ++i) {
-            floor.corners[i] = transform_point(poses[piece_is_a ? 1 : 0], its.points[i]);
-            floor.middle += 1.0f / static_cast<float>(its.count) * floor.corners[i];
-        }
-        floor.piece = piece_of(g, pose, floor.middle, piece_depth, 0);
+        const Standing standing(other, corners_of(geometry_at(core, other_shape)), piece_is_a ? b_in_a : a_in_a);
+        const Floor floor{core, shape, {at.p - rotate(q, pose.p), q}, standing, piece_of(g, pose, standing.middle, piece_depth, 0)};
         const Vec2 normal = piece_is_a ? manifold.normal : -manifold.normal;
         const Vec2 lift = is_line ? corners_of(g).radius * (floor.piece.normals[2] - normal) : Vec2{};  // from the round end of a capsule to where it begins
         bool inner = true;
