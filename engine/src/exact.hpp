@@ -22,6 +22,11 @@
 // The vectoriser of GCC 12 still fuses alternating sums and differences, so the processor's fused instructions are ruled out.
 #pragma GCC target("no-fma,no-fma4,no-avx512f")
 #endif
+#if defined(__thumb__) && !defined(__thumb2__)
+// In a build for size, GCC 12 ends a function of a Cortex-M0 by popping the stack into registers that its callers still need: they believe the list of
+// registers which -fipa-ra has made of the function before.
+#pragma GCC optimize("no-ipa-ra")
+#endif
 #elif defined(_MSC_VER)
 #if defined(_M_FP_FAST)
 #error "Islet cannot keep its bits under /fp:fast: add /fp:precise for the files in engine/src"

@@ -23,7 +23,7 @@ ISLET_OPTIONAL void store_joint_run(const JointRun& run, std::uint32_t lanes, st
 /// Takes room for the rows of every run of joints, and notes where each run's begin.
 ISLET_PART std::byte* place_joint_rows(const Plan& plan, std::uint32_t lanes, Arena& arena) {
     std::size_t bytes = 0;
-    for (std::uint32_t i = 0; i < plan.run_count; ++i) {
+    for (std::uint32_t i = 0; has_joints && i < plan.run_count; ++i) {
         JointRun& r = plan.runs[i];
         r.offset = bytes;
         bytes += joint_run_bytes_of(r, lanes);

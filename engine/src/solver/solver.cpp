@@ -97,6 +97,7 @@ struct BatchSolve {
     }
 
     std::uint32_t link_count() const { return has_joints ? batch.link_count : 0; }
+    bool has_run(std::uint32_t run) const { return has_joints && run < batch.end_run; }
     /// Sweeps would change nothing.
     bool is_idle() const {
         const std::uint32_t blocks = batch.first_block[color_count] - batch.first_block[0], runs = batch.end_run - batch.first_run;
@@ -141,7 +142,7 @@ void BatchSolve<K>::prepare() {
 
     const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers.step};
     if (link_count() != 0) prepare_trees(s.plan, batch, s.links, joints, s.motions);
-    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
+    for (std::uint32_t i = batch.first_run; has_run(i); ++i) {
         const JointRun& r = s.plan.runs[i];
         over_run(r, [&](const JointRun& part, std::byte* blocks) { prepare_joint_run(part, W, blocks, s.plan.joints + part.first, joints); });
     }
@@ -153,14 +154,14 @@ void BatchSolve<K>::prepare() {
 template <class K>
 void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
     std::uint32_t run = batch.first_run;
-    for (; run < batch.end_run && s.plan.runs[run].color == no_color; ++run) {
+    for (; has_run(run) && s.plan.runs[run].color == no_color; ++run) {
         const JointRun& r = s.plan.runs[run];
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
     if (!s.numbers.is_ordered && overflow_count != 0) One::solve(s.bodies, overflow, overflow_count, dynamic);
     for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
         const auto c = trailing_zeros(left);
-        for (; run < batch.end_run && s.plan.runs[run].color == c; ++run) {
+        for (; has_run(run) && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
             over_run(r, [&](const JointRun& part, std::byte* blocks) { solve_joint_run(part, W, s.bodies, blocks, joints); });
         }
@@ -207,7 +208,7 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     for (std::uint32_t c = 0; c < color_count; ++c)
         for (std::uint32_t block = batch.first_block[c]; block < batch.first_block[c + 1]; ++block)
             try_contacts(K{}, *row(block), c < dynamic_color_limit ? dynamic : ground);
-    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) try_joints(s.plan.runs[i], joints);
+    for (std::uint32_t i = batch.first_run; has_run(i); ++i) try_joints(s.plan.runs[i], joints);
 
     float largest = 0;
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
@@ -267,7 +268,7 @@ void BatchSolve<K>::store() {
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
     const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
     if (link_count() != 0) store_trees(s.links + batch.first_link, link_count(), out);
-    for (std::uint32_t i = batch.first_run; i < batch.end_run; ++i) {
+    for (std::uint32_t i = batch.first_run; has_run(i); ++i) {
         const JointRun& r = s.plan.runs[i];
         over_run(r, [&](const JointRun& part, std::byte* blocks) { store_joint_run(part, W, blocks, out); });
     }

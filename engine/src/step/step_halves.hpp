@@ -67,7 +67,7 @@ ISLET_PART void end_step(Core& c, const Plan& plan, SolverBody* bodies, Arena& a
     tell_touches(c);
     note(c, Stage::solve);
     finish_bodies(c, plan, bodies, arena, dt);
-    if (c.state->joint_pool.count != 0) finish_joints(c, arena);
+    if (has_joints && c.state->joint_pool.count != 0) finish_joints(c, arena);
     fill_report(c, plan);
     note(c, Stage::finish);
     c.inside = 0;
