@@ -92,9 +92,10 @@ bits() { sed -E 's/ instructions .*//; /^stack /d'; }
 
 # compile_engine FOLDER FLAG...: as a library, which share.awk knows by its name.
 compile_engine() {
-    mkdir -p "$1"
-    "${compile[@]}" "${@:2}" -c "$library/src/islet.cpp" -o "$1/islet.o"
-    rm -f "$1/libislet.a" && ar rcs "$1/libislet.a" "$1/islet.o"
+    local objects=$1/engine
+    rm -rf "$objects" "$1/libislet.a" && mkdir -p "$objects"
+    (cd "$objects" && find "$library/src/engine" -name '*.cpp' -exec "${compile[@]}" "${@:2}" -I "$library/src" -c {} +)
+    ar rcs "$1/libislet.a" "$objects"/*.o
 }
 
 # compile_board FOLDER
@@ -162,10 +163,11 @@ build_on_rom_floats() (
 host() {
     local folder=$work/host sketch flags
     mkdir -p "$folder"
-    g++ -std=c++20 -O1 -c "$library/src/islet.cpp" -o "$folder/islet.o"
+    local compile=(g++ -std=c++20 -O1)
+    compile_engine "$folder"
     for sketch in "${sketches[@]}"; do
         mapfile -t flags < <(sketch_flags "$sketch")
-        g++ -std=c++20 -O1 "${flags[@]}" "$stub/stub.cpp" "$firmware"/{board_host,console}.cpp "$folder/islet.o" -o "$folder/$sketch"
+        g++ -std=c++20 -O1 "${flags[@]}" "$stub/stub.cpp" "$firmware"/{board_host,console}.cpp "$folder/libislet.a" -o "$folder/$sketch"
         "$folder/$sketch" >"$folder/$sketch.txt"
     done
 }

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Makes a library for boards of the one-file form, in the layout that Arduino, PlatformIO, ESP-IDF and Zephyr expect.
+# Makes a library for boards, in the layout that Arduino, PlatformIO, ESP-IDF and Zephyr expect.
 #   tools/package.sh [--url URL] [FOLDER]     into FOLDER (build/package/Islet unless given), which is made anew; URL is where the library will be found
 #   library.properties, keywords.txt          Arduino
 #   library.json                              PlatformIO
 #   idf_component.yml, CMakeLists.txt         ESP-IDF
 #   zephyr/                                   Zephyr: module.yml, Kconfig, CMakeLists.txt
-#   src/                                      islet.hpp, islet.cpp, and islet_options.h, which both include: what the engine is compiled without
+#   src/                                      islet.hpp, all public headers in one; islet_options.h, which it includes: what the engine is compiled without;
+#                                             and engine/, whose files are compiled into an archive: a program links those that it needs
 #   examples/                                 the sketches of samples/boards
 # The templates are in tools/package. In them @VERSION@ and the like stand for what the tree says.
 set -euo pipefail
@@ -17,7 +18,7 @@ if [ "${1:-}" = --url ] && [ $# -ge 2 ]; then
 fi
 case ${1:-} in
 -h | --help)
-    sed -n '2,10s/^# \{0,1\}//p' "$0"
+    sed -n '2,11s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 -*)
@@ -44,6 +45,10 @@ features+=$'\njoints'
 extras=$(sed -nE 's/^ +FEATURE\(([a-z_]+), [a-z_]+, full\).*/\1/p; s/^ +JOINT\(([a-z_]+).*/\1_joints/p' "$config")
 extras+=$'\njoints'
 
+# The engine's files, but for the matrix solvers.
+mapfile -t sources < <(cd "$root/engine/src" && find . -name '*.cpp' ! -path './lcp/*' | sed 's/^\.\///' | LC_ALL=C sort)
+mapfile -t parts < <(cd "$root/engine/src" && find . -name '*.hpp' ! -path './lcp/*' | sed 's/^\.\///' | LC_ALL=C sort)
+
 options=
 for feature in $extras; do
     options+=$'config ISLET_WITH_'"${feature^^}"$'\n\tbool "Put back: '"${feature//_/ }"$'"\n\tdepends on ISLET_SMALL\n\n'
@@ -62,6 +67,8 @@ fill() {
     text=${text//@FEATURES@/${features//$'\n'/ }}
     text=${text//@EXTRAS@/${extras//$'\n'/ }}
     text=${text//@OPTIONS@$'\n'/$options}
+    text=${text//@SOURCES@/${sources[*]/#/src/engine/}}
+    text=${text//@MODULE_SOURCES@/${sources[*]/#/../src/engine/}}
     printf '%s\n' "$text" >"$new/$1"
 }
 for name in library.properties library.json idf_component.yml CMakeLists.txt README.md zephyr/module.yml zephyr/CMakeLists.txt zephyr/Kconfig; do fill "$name"; done
@@ -92,11 +99,10 @@ sed '0,/^#pragma once$/s//&\n\n#include "islet_options.h"/' "$work/islet.hpp" >"
     printf '// To put a feature back into the small profile, take away the "//" before its line:\n'
     for feature in $extras; do printf '// #define ISLET_WITH_%s 1\n' "$feature"; done
 } >"$new/src/islet_options.h"
-{
-    sed -n '/^\/\//p; /^\/\//!q' "$work/islet.cpp"
-    printf '\n#include "islet_options.h"\n\n'
-    sed '1,/^$/d' "$work/islet.cpp"
-} >"$new/src/islet.cpp"
+for file in "${sources[@]}" "${parts[@]}"; do
+    mkdir -p "$new/src/engine/$(dirname "$file")"
+    sed -E 's/^#include "islet\/[a-z_]+\.hpp"$/#include "islet.hpp"/' "$root/engine/src/$file" >"$new/src/engine/$file"
+done
 
 for sketch in "$root"/samples/boards/*/*.ino; do
     folder=$new/examples/$(basename "$(dirname "$sketch")")

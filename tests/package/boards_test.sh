@@ -42,11 +42,13 @@ function(idf_component_register)
     message("idf ${ARG_SRCS}")
 endfunction()
 foreach(function zephyr_include_directories zephyr_library_sources)
-    function(${function} name)
-        if(NOT EXISTS ${LIBRARY}/zephyr/${name})
-            message(FATAL_ERROR "Zephyr: there is no ${name}")
-        endif()
-        message("zephyr ${name}")
+    function(${function})
+        foreach(name ${ARGN})
+            if(NOT EXISTS ${LIBRARY}/zephyr/${name})
+                message(FATAL_ERROR "Zephyr: there is no ${name}")
+            endif()
+        endforeach()
+        message("zephyr ${ARGN}")
     endfunction()
 endforeach()
 function(zephyr_library_named)
@@ -67,8 +69,14 @@ set(CONFIG_ISLET_WITH_REVOLUTE_JOINTS TRUE)
 include(${LIBRARY}/zephyr/CMakeLists.txt)
 END
 said=$("$cmake" -D LIBRARY="$library" -P "$scratch/check.cmake" 2>&1) || fail "a CMake file: $said"
-[ "$said" = $'idf src/islet.cpp\nzephyr ../src\nzephyr ../src/islet.cpp\ndefinition ISLET_WITHOUT_gear_joints\nzephyr ../src\nzephyr ../src/islet.cpp\n'\
+sources=$(cd "$library" && find src/engine -name '*.cpp' | LC_ALL=C sort | paste -s -d ';')
+[ "$(wc -l <<<"${sources//;/$'\n'}")" -gt 80 ] || fail "the engine has few files: $sources"
+modules=../${sources//;/;../}
+[ "$said" = "idf $sources"$'\nzephyr ../src\nzephyr '"$modules"$'\ndefinition ISLET_WITHOUT_gear_joints\nzephyr ../src\nzephyr '"$modules"$'\n'\
 $'definition of all ISLET_SMALL=1\ndefinition of all ISLET_WITH_revolute_joints' ] || fail "the CMake files compile something else: $said"
+# Arduino adds object files to the archive one by one, by their names alone.
+twice=$(find "$library/src" -name '*.cpp' -printf '%f\n' | sort | uniq -d)
+[ -z "$twice" ] || fail "several files are called $twice"
 
 # The sketches. run NAME PROGRAM FRAMES: each frame is 32 lines of at most 128 characters, and a second run prints the same.
 run() {
@@ -95,7 +103,7 @@ below=$(picture Balls 290 | inner_dots 17 31) above=$(picture Balls 290 | inner_
 
 # Each line of islet_options.h does what it says when its "//" is taken away.
 cat >"$scratch/check.cpp" <<'END'
-#include "islet.cpp"
+#include "engine/data/features.hpp"
 #define CHECK(name, ...) static_assert(islet::detail::has_##name == WANTED);
 #define CHECK_JOINT(name, ...) static_assert(islet::detail::has_joint(islet::JointType::name) == WANTED);
 ISLET_FEATURES(CHECK)
@@ -113,9 +121,11 @@ g++ -std=gnu++17 -fsyntax-only -DWANTED=true -I "$scratch/with/src" "$scratch/ch
 
 # In the small profile, with what they need beside it, the balls are the same.
 options small '(SMALL|WITH_chains|WITH_continuous) '
-[ "$(grep -c '^#define ISLET_' "$scratch/small/src/islet_options.h")" -eq 4 ] || fail "islet_options.h: the small profile cannot be switched on"
-if g++ -std=gnu++17 -O1 -c "$scratch/small/src/islet.cpp" -o "$scratch/small/islet.o" &&
-    g++ -std=gnu++17 -O1 -DSKETCH_FILE="\"$scratch/small/examples/Balls/Balls.ino\"" -DSKETCH_NAME='"Balls"' -DSKETCH_FRAMES=300 -DSKETCH_SHOWN=10 \
+[ "$(grep -c '^#define ISLET_' "$scratch/small/src/islet_options.h")" -eq 5 ] || fail "islet_options.h: the small profile cannot be switched on"
+# (As one file, which must not hold the code of eight lanes.)
+find "$scratch/small/src/engine" -name '*.cpp' ! -name '*_avx2.cpp' -printf '#include "%p"\n' | LC_ALL=C sort >"$scratch/small/all.cpp"
+if g++ -std=gnu++17 -O1 -DISLET_MAX_LANES=4 -I "$scratch/small/src" -c "$scratch/small/all.cpp" -o "$scratch/small/islet.o" &&
+    g++ -std=gnu++17 -O1 -DISLET_MAX_LANES=4 -DSKETCH_FILE="\"$scratch/small/examples/Balls/Balls.ino\"" -DSKETCH_NAME='"Balls"' -DSKETCH_FRAMES=300 -DSKETCH_SHOWN=10 \
         -I "$islet/samples/boards/stub" -I "$scratch/small/src" "$islet"/samples/boards/stub/stub.cpp "$islet"/samples/firmware/{console,board_host}.cpp \
         "$scratch/small/islet.o" -o "$scratch/small/balls"; then
     "$scratch/small/balls" | diff "$scratch/Balls.txt" - >"$scratch/small.diff" ||

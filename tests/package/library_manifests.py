@@ -57,6 +57,7 @@ for header in properties["includes"].split(","):
 for sketch in sketches:
     want(exists("examples", sketch, sketch + ".ino"), f"{sketch}.ino is not in a folder of its name")
     want(re.search(r"^#include <islet.hpp>", text_of(library, "examples", sketch, "display.h"), re.M), f"{sketch} does not include the library")
+want(properties.get("dot_a_linkage") == "true", "Arduino would link all of the engine")
 want(not exists("src", "examples") and not exists("utility"), "folders that mean something else to Arduino")
 words = text_of(library, "keywords.txt").splitlines()
 header = text_of(library, "src/islet.hpp")
@@ -104,9 +105,10 @@ for names in (features, extras):
 want(re.findall(r"^// #define ISLET_WITHOUT_(\w+) 1$", text_of(library, "src/islet_options.h"), re.M) == features, "islet_options.h has other features than config.hpp")
 want(re.findall(r"^// #define ISLET_WITH_(\w+) 1$", text_of(library, "src/islet_options.h"), re.M) == extras, "islet_options.h puts other features back")
 want(0 < header.find('#include "islet_options.h"') < header.find("#if !defined(ISLET_SMALL)"), "islet.hpp does not begin with its options")
-source = text_of(library, "src/islet.cpp")
-want(0 < source.find('#include "islet_options.h"') < source.find("namespace islet"), "islet.cpp does not begin with its options")
-want(set(re.findall(r'^#include "(.*)"', source, re.M)) == {"islet_options.h", "islet.hpp"}, "islet.cpp includes what is not there")
+for path, _, names in os.walk(os.path.join(library, "src", "engine")):
+    for name in names:
+        for included in re.findall(r'^#include "(.*)"', text_of(path, name), re.M):
+            want(included == "islet.hpp" or os.path.exists(os.path.join(path, included)), f"{name} includes {included}, which is not there")
 want(text_of(library, "LICENSE") == text_of(islet, "LICENSE") and manifest["license"] == "MIT", "the licence")
 want(version in text_of(library, "README.md"), "README.md is of another version")
 
