@@ -169,6 +169,7 @@ board() {
 row check same by-hand-g++ as_manual g++ -O2
 row check same by-hand-clang++ as_manual clang++ -O1
 row board cortex-m4f-softfp -mfloat-abi=softfp -O2
+row board cortex-m4f-fast -mfloat-abi=hard -O3 -ffast-math -funsigned-char
 row check same fast-g++ quickly g++ -O3 -march=native -ffast-math -DISLET_WITHOUT_shortcuts  # which must not decide anything
 for compiler in g++ clang++; do
     row check same "cpp17-$compiler" quickly "$compiler" -Os -std=gnu++17
