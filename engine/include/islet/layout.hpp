@@ -22,12 +22,15 @@ inline constexpr std::size_t world_alignment = 64;
 /// No capacity may exceed this.
 inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u << 18;
 
-/// No world has room for more bodies than this.
+ISLET_INTERNAL_BEGIN
+namespace detail {
 inline constexpr std::uint32_t max_bodies = ISLET_SMALL ? 0xffffu : max_capacity;
+}  // namespace detail
+ISLET_INTERNAL_END
 
-/// Whether World::create accepts the capacity.
+/// Whether World::create accepts the capacity. (In the small profile a world has at most 65 535 bodies.)
 constexpr bool is_valid(const Capacity& c) {
-    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= max_bodies && c.shapes <= max_capacity && c.contacts <= max_capacity &&
+    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= detail::max_bodies && c.shapes <= max_capacity && c.contacts <= max_capacity &&
            c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity && c.events <= max_capacity;
 }
 

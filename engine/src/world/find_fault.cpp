@@ -339,7 +339,7 @@ FieldFault find_fault(const Capacity& capacity) {
     const auto count = [&f](const char* field, std::uint32_t n, std::uint32_t least, std::uint32_t most = max_capacity) {
         f.rule(field, n >= least && n <= most, Error::bad_capacity);
     };
-    count("bodies", capacity.bodies, 1, max_bodies);
+    count("bodies", capacity.bodies, 1, detail::max_bodies);
     count("shapes", capacity.shapes, 1);
     count("contacts", capacity.contacts, 1);
     count("joints", capacity.joints, 0);
