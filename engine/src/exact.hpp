@@ -23,8 +23,8 @@
 #pragma GCC target("no-fma,no-fma4,no-avx512f")
 #endif
 #if defined(__thumb__) && !defined(__thumb2__)
-// In a build for size, GCC 12 ends a function of a Cortex-M0 by popping the stack into registers that its callers still need: they believe the list of
-// registers which -fipa-ra has made of the function before.
+// In a build for size, GCC ends a function of a Cortex-M0 by popping the stack into registers that -fipa-ra does not know of, so it has that off for this
+// processor. The first pragma above switches it on again: callers then lose what they keep in these registers.
 #pragma GCC optimize("no-ipa-ra")
 #endif
 #elif defined(_MSC_VER)

@@ -14,7 +14,9 @@
 
 #include <islet/islet.hpp>
 #include <islet/mover.hpp>
+#include <islet/snapshot.hpp>
 
+#include "../../engine/src/data/core.hpp"
 #include "../../engine/src/data/features.hpp"
 #include "support/engine_sources.hpp"
 
@@ -146,6 +148,37 @@ TEST(Features, EachIsRefusedWhereItIsLeftOut) {
         EXPECT_EQ(world.last_error(), Error::feature_cut);
         EXPECT_EQ(world.hash(), before) << "a refused call changed the world";
     }
+}
+
+// An image whose flags claim what its shapes do not ask for: honest worlds save none, but an image may be forged.
+TEST(Features, AnImageOfAContactThatNeedsWhatIsLeftOutIsRefused) {
+    using namespace detail;
+    World& world = storage.create({.gravity = {0, -10}, .enable_sleep = false, .continuous = false});
+    world.create_shape(world.create_body({}), Circle{{0, -10}, 10});
+    world.create_shape(world.create_body({.type = BodyType::dynamic, .position = {0, 0.5f}}), Circle{{}, 0.5f});
+    for (int i = 0; i < 10; ++i) world.step(1.0f / 60);
+    ASSERT_EQ(world.report().touching_contacts, 1u);
+    alignas(snapshot_alignment) std::byte image[max_snapshot_bytes({.bodies = 8, .shapes = 8, .contacts = 8, .joints = 4})];
+    const auto loads = [&] {
+        const std::size_t bytes = world.save(image);
+        return world.load({image, bytes});
+    };
+    ASSERT_TRUE(loads()) << describe(world.last_error());
+    Core& core = Core::of(world);
+    const std::uint32_t honest = core.manifolds[0].flags;
+    for (const std::uint32_t flag : {contact_special, contact_bouncy, contact_sensor, contact_hits, contact_asks, contact_one_way, contact_passes}) {
+        SCOPED_TRACE(flag);
+        core.manifolds[0].flags = honest | flag;
+        EXPECT_FALSE(loads());
+        EXPECT_EQ(world.last_error(), Error::feature_cut);
+    }
+    core.manifolds[0].flags = honest;
+    core.state->trees_stale = 0;
+    core.state->exact_joints = 1;
+    EXPECT_FALSE(loads());
+    EXPECT_EQ(world.last_error(), Error::unsound_image);
+    core.state->exact_joints = 0;
+    EXPECT_TRUE(loads());
 }
 
 TEST(Features, WhatIsLeftStepsOn) {

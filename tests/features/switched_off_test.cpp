@@ -59,7 +59,7 @@ TEST(PairsOfAll, ACrowdSortedInPartHasTheHashOfOneSortedWhole) {
 
 // What the small profile leaves out. The engine of these tests puts back hinges, sliders and rods.
 std::vector<std::string> cut_from_small() {
-    constexpr bool small = false, full = true;
+    constexpr bool small = false, hinges = false, full = true;
     std::vector<std::string> names;
 #define ISLET_NAME(name, needs, profile) \
     if (profile) names.emplace_back(#name);

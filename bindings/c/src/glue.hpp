@@ -2,10 +2,6 @@
 // the rest. Structs are not converted: those of C have the fields of those of C++ at the same places, which islet_c.cpp checks.
 #pragma once
 
-#if defined(__thumb__) && !defined(__thumb2__) && defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-ipa-ra")  // GCC 12 gets it wrong for a Cortex-M0: engine/src/exact.hpp
-#endif
-
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

@@ -40,36 +40,36 @@
 
 /// 1: the small profile, for boards with 64 kB of flash and 16 to 20 kB of memory: boxes and other polygons, balls, restitution and queries. It leaves out all
 /// else (the features marked `full` below, and all joints), but for what ISLET_WITH_<name> puts back. The engine and the program must both be compiled with it:
-/// a world takes less memory, so they do not link otherwise. (In CMake, ISLET_PROFILE=small and the list ISLET_WITH.)
+/// a world takes less memory, and a program with a StaticWorld does not link otherwise. (In CMake, ISLET_PROFILE=small and the list ISLET_WITH.)
 #if !defined(ISLET_SMALL)
 #define ISLET_SMALL 0
 #endif
 
-/// The features that can be left out, one per line: FEATURE(name, the feature that it needs, the smallest profile that has it). This list is the only one: the
-/// CMake options, the constants in src/data/features.hpp and `tools/footprint.sh --options` come from it.
-#define ISLET_FEATURES(FEATURE)                                                                                                              \
-    FEATURE(polygons, engine, small)    /* boxes and other convex polygons */                                                                \
-    FEATURE(capsules, engine, full)     /* capsules */                                                                                       \
-    FEATURE(segments, engine, full)     /* segments */                                                                                       \
-    FEATURE(half_spaces, engine, full)  /* half-spaces */                                                                                    \
-    FEATURE(chains, engine, full)       /* chains and their segments */                                                                      \
-    FEATURE(restitution, engine, small) /* bouncing */                                                                                       \
-    FEATURE(surfaces, engine, full)     /* rolling resistance and surfaces in motion */                                                      \
-    FEATURE(sleep, engine, full)        /* sleeping islands; without: as after enable_sleep(false) */                                        \
-    FEATURE(continuous, engine, full)   /* continuous collision; without: as after enable_continuous(false) */                               \
-    FEATURE(bullets, continuous, full)  /* bullets (BodyDef::bullet) */                                                                      \
-    FEATURE(sensors, engine, full)      /* sensors */                                                                                        \
-    FEATURE(hits, engine, full)         /* hit events */                                                                                     \
-    FEATURE(hooks, engine, full)        /* the user's filter, pre-solve and mixing */                                                        \
-    FEATURE(one_way, engine, full)      /* platforms that are passed from one side (ShapeDef::one_way) */                                    \
-    FEATURE(disabling, engine, full)    /* disabled bodies (BodyDef::enabled, World::set_enabled) */                                         \
-    FEATURE(queries, engine, small)     /* ray and shape casts, overlaps, closest points in a world */                                       \
-    FEATURE(mover, queries, full)       /* step_mover */                                                                                     \
-    FEATURE(recorder, engine, full)     /* World::start_recording */                                                                         \
-    FEATURE(tuning, engine, full)       /* of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance */    \
-    FEATURE(exact_angles, engine, full) /* heavily loaded hinges with limits, motors and friction are solved exactly, too; without: swept */ \
-    FEATURE(profile, engine, full)      /* World::profile: how long the stages of a step took */                                             \
-    FEATURE(shortcuts, engine, full)    /* faster paths for fast bodies: the bits stay the same, and nothing is refused without them */
+/// The features that can be left out, one per line: FEATURE(name, the feature that it needs, the smallest profile that has it; `hinges` is the small one with
+/// revolute joints). This list is the only one: the CMake options, the constants in src/data/features.hpp and `tools/footprint.sh --options` come from it.
+#define ISLET_FEATURES(FEATURE)                                                                                                                \
+    FEATURE(polygons, engine, small)      /* boxes and other convex polygons */                                                                \
+    FEATURE(capsules, engine, full)       /* capsules */                                                                                       \
+    FEATURE(segments, engine, full)       /* segments */                                                                                       \
+    FEATURE(half_spaces, engine, full)    /* half-spaces */                                                                                    \
+    FEATURE(chains, engine, full)         /* chains and their segments */                                                                      \
+    FEATURE(restitution, engine, small)   /* bouncing */                                                                                       \
+    FEATURE(surfaces, engine, full)       /* rolling resistance and surfaces in motion */                                                      \
+    FEATURE(sleep, engine, full)          /* sleeping islands; without: as after enable_sleep(false) */                                        \
+    FEATURE(continuous, engine, full)     /* continuous collision; without: as after enable_continuous(false) */                               \
+    FEATURE(bullets, continuous, full)    /* bullets (BodyDef::bullet) */                                                                      \
+    FEATURE(sensors, engine, full)        /* sensors */                                                                                        \
+    FEATURE(hits, engine, full)           /* hit events */                                                                                     \
+    FEATURE(hooks, engine, full)          /* the user's filter, pre-solve and mixing */                                                        \
+    FEATURE(one_way, engine, full)        /* platforms that are passed from one side (ShapeDef::one_way) */                                    \
+    FEATURE(disabling, engine, full)      /* disabled bodies (BodyDef::enabled, World::set_enabled) */                                         \
+    FEATURE(queries, engine, small)       /* ray and shape casts, overlaps, closest points in a world */                                       \
+    FEATURE(mover, queries, full)         /* step_mover */                                                                                     \
+    FEATURE(recorder, engine, full)       /* World::start_recording */                                                                         \
+    FEATURE(tuning, engine, full)         /* of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance */    \
+    FEATURE(exact_angles, engine, hinges) /* heavily loaded hinges with limits, motors and friction are solved exactly, too; without: swept */ \
+    FEATURE(profile, engine, full)        /* World::profile: how long the stages of a step took */                                             \
+    FEATURE(shortcuts, engine, full)      /* faster paths for fast bodies: the bits stay the same, and nothing is refused without them */
 
 /// The types of joints, one per line: JOINT(type, the name of its definition without JointDef). Each type is also a feature, <type>_joints, and "joints"
 /// names all of them. src/constraint/<type>_joint.hpp describes each type.

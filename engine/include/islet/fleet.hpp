@@ -147,7 +147,8 @@ private:
     friend bool detail::is_fleet(const Fleet& fleet);
     static constexpr std::size_t head_bytes = 128;
     static constexpr std::size_t worker_bytes(std::uint32_t worlds, const Capacity& capacity) {
-        return detail::worlds_together(capacity, worlds) * detail::align_up(detail::scratch_bytes(capacity, true));
+        const std::size_t bytes = detail::worlds_together(capacity, worlds) * detail::align_up(detail::scratch_bytes(capacity, true));
+        return (bytes + alignof(World) - 1) / alignof(World) * alignof(World);  // the worlds come behind it
     }
     void lend_scratch(std::uint32_t k, std::uint32_t worker);
     void step_worlds(const FleetStep& what, std::uint32_t first, std::uint32_t end, std::uint32_t worker);

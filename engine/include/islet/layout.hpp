@@ -298,9 +298,10 @@ constexpr Layout layout_of(const Capacity& c) {
     return l;
 }
 
-/// Bytes from a world of a fleet to the next: worlds of a group count contacts and bodies from the first world's, so it is a multiple of their records.
+/// Bytes from a world of a fleet to the next: a multiple of World's alignment; and worlds of a group count contacts and bodies from the first world's, so it is
+/// one of their records, too.
 ISLET_ALWAYS_INLINE constexpr std::size_t fleet_stride(const Layout& layout) {
-    if constexpr (layout_lanes == 1) return layout.scratch;
+    if constexpr (layout_lanes == 1) return (layout.scratch + 15) / 16 * 16;
     constexpr std::size_t unit = 192;
     static_assert(unit % manifold_bytes == 0 && unit % pose_bytes == 0 && unit % 64 == 0);
     return (layout.scratch + unit - 1) / unit * unit;

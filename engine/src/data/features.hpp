@@ -30,6 +30,7 @@ namespace islet::detail {
 inline constexpr bool has_engine = true;
 inline constexpr bool in_profile_small = true;
 inline constexpr bool in_profile_full = ISLET_SMALL == 0;
+inline constexpr bool in_profile_hinges = in_profile_full || ISLET_IS_SET(ISLET_WITH_joints) != 0 || ISLET_IS_SET(ISLET_WITH_revolute_joints) != 0;
 #define ISLET_HAS(name, needs, profile) \
     inline constexpr bool has_##name = has_##needs && (in_profile_##profile || ISLET_IS_SET(ISLET_WITH_##name) != 0) && ISLET_IS_SET(ISLET_WITHOUT_##name) == 0;
 ISLET_FEATURES(ISLET_HAS)

@@ -7,9 +7,9 @@
 #include "../data/core.hpp"
 #include "../math/float_mode.hpp"
 
-// 0 compiles the parallel paths out: for_ranges is then one plain call.
+// 0 compiles the parallel paths out: for_ranges is then one plain call. The small profile has none.
 #if !defined(ISLET_THREADS)
-#define ISLET_THREADS 1
+#define ISLET_THREADS (ISLET_SMALL == 0)
 #endif
 
 namespace islet::detail {

@@ -68,6 +68,11 @@ Error check_step(const Fleet& fleet, const FleetStep& what) {
     return error;
 }
 
+// Worlds of odd capacities are aligned, too.
+constexpr Capacity odd_capacity{.bodies = 5, .shapes = 7, .contacts = 11};
+constexpr std::size_t odd_stride = fleet_stride(layout_of(odd_capacity));
+static_assert(odd_stride % alignof(World) == 0 && (Fleet::bytes(1, odd_capacity) - odd_stride) % alignof(World) == 0);
+
 /// Worlds that a worker takes at a time.
 constexpr std::uint32_t worlds_at_a_time = max_lanes > 4 ? max_lanes : 4;
 

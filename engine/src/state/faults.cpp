@@ -374,7 +374,9 @@ const char* fault_in_gear_counts(const Core& c, Arena scratch) {
 
 // Hinges marked as joint trees must be trees, unless they are to be marked anew anyway.
 const char* fault_in_trees(const Core& c, Arena scratch) {
-    if (!has_joint(JointType::revolute) || c.state->trees_stale != 0) return nullptr;
+    constexpr const char* miscounted = "the hinges of trees are miscounted";
+    if (c.state->trees_stale != 0) return nullptr;
+    if (!has_joint(JointType::revolute)) return c.state->exact_joints == 0 ? nullptr : miscounted;
     const Forest forest(c.state->body_pool.high_water, scratch);
     std::uint32_t marked = 0;
     for (std::uint32_t i = 0; i < c.state->joint_pool.high_water; ++i) {
@@ -387,7 +389,7 @@ const char* fault_in_trees(const Core& c, Arena scratch) {
         if (live_joint(c, i) && ((j.flags & joint_anchor) != 0) != ((j.flags & joint_exact) != 0 && forest.is_anchor(c, j)))
             return "a tree of hinges mistakes what holds it";
     }
-    return marked == c.state->exact_joints ? nullptr : "the hinges of trees are miscounted";
+    return marked == c.state->exact_joints ? nullptr : miscounted;
 }
 
 const char* fault_in_counts(const Core& c) {

@@ -10,6 +10,7 @@
 #include "../graph/hooks.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../graph/sensors.hpp"
+#include "../island/joint_trees.hpp"
 #include "../math/checksum.hpp"
 #include "../solver/hits.hpp"
 #include "../solver/joint_solve.hpp"
@@ -106,11 +107,22 @@ private:
     Checksum checksum_;
 };
 
+// Flags of contacts that no contact has in this build.
+constexpr std::uint32_t cut_contact_flags = (has_restitution ? 0u : std::uint32_t{contact_bouncy}) | (has_surfaces ? 0u : std::uint32_t{contact_special}) |
+                                            (has_sensors ? 0u : std::uint32_t{contact_sensor | contact_overlap}) |
+                                            (has_hits ? 0u : std::uint32_t{contact_hits}) | (has_hooks ? 0u : std::uint32_t{contact_asks}) |
+                                            (has_one_way ? 0u : std::uint32_t{contact_one_way | contact_passes | contact_dropped});
+
+// True for a hinge that this build would sweep although the whole engine solves it exactly.
+bool is_exact_angle(const Joint& j) { return (j.flags & joint_loaded) != 0 || ((j.flags & joint_exact) != 0 && has_acting_angle(j)); }
+
 // True if the image holds objects that this build leaves out (islet/config.hpp). Trusts no type that it reads.
 bool needs_what_is_cut(const Core& c) {
     const State& s = *c.state;
     for (std::uint32_t i = 0; !has_all_joints && i < s.joint_pool.high_water; ++i)
         if (pool_live(s.joint_pool, c.joints, i) && !has_joint(static_cast<JointType>(c.joints[i].type))) return true;
+    for (std::uint32_t i = 0; has_joint(JointType::revolute) && !has_exact_angles && i < s.joint_pool.high_water; ++i)
+        if (pool_live(s.joint_pool, c.joints, i) && is_exact_angle(c.joints[i])) return true;
     for (std::uint32_t i = 0; !has_all_shapes && i < s.geometry_pool.high_water; ++i)
         if (c.geometries[i].references != 0 && !has_shape(static_cast<ShapeType>(c.geometries[i].type))) return true;
     for (std::uint32_t i = 0; !(has_restitution && has_surfaces && has_sensors && has_hits && has_hooks && has_one_way) && i < s.shape_pool.high_water; ++i) {
@@ -122,6 +134,8 @@ bool needs_what_is_cut(const Core& c) {
         if (!has_hooks && (shape.flags & shape_pre_solve) != 0) return true;
         if (!has_one_way && (shape.flags & shape_one_way_bits) != 0) return true;
     }
+    for (std::uint32_t i = 0; cut_contact_flags != 0 && i < s.contact_pool.high_water; ++i)
+        if (pool_live(s.contact_pool, c.contacts, i) && (c.manifolds[i].flags & cut_contact_flags) != 0) return true;
     for (std::uint32_t i = 0; !(has_sleep && has_bullets && has_disabling) && i < s.body_pool.high_water; ++i) {
         if (!pool_live(s.body_pool, c.bodies, i)) continue;
         const std::uint32_t flags = c.bodies[i].flags;

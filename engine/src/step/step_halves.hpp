@@ -56,7 +56,7 @@ ISLET_PART void begin_step(Core& c, float dt) {
 
 /// Plans the solve. The plan's arrays are taken from `arena`.
 ISLET_PART Plan plan_step(Core& c, Arena& arena) {
-    if (c.state->joint_pool.count != 0) choose_trees(c, arena);
+    if (has_joints && c.state->joint_pool.count != 0) choose_trees(c, arena);
     const Plan plan = make_plan(c, arena);
     note(c, Stage::islands);
     return plan;
