@@ -70,6 +70,7 @@ try() {
     # tests/package/install_test.sh does that.
     'cmake --build --preset install' | 'cmake --install build/install'* | 'cpack --config build/install'*) grep -q '"$cmake" --install' "$root/tests/package/install_test.sh" ;;
     ./tools/windows.sh) [ -x tools/windows.sh ] ;; # takes minutes
+    'alias islet="$PWD/build/release/tools/islet/islet"') ;;  # what the other commands are tried with
     ./tools/package.sh*) "$root/tools/package.sh" Islet && [ -s Islet/library.properties ] ;;
     # tests/package/one_file_test.sh compiles what the first writes as the second does.
     ./tools/amalgamate.sh*) eval "$command" && [ -s "${words[1]}/islet.cpp" ] ;;
