@@ -47,8 +47,8 @@ ISLET_PART void note_impulse(ContactRows<L::width>& r, std::uint32_t i, typename
 template <class L>
 ISLET_PART auto will_bounce(const ContactRows<L::width>& r, std::uint32_t i, [[maybe_unused]] typename L::F threshold) {
     if constexpr (has_peaks<ContactRows<L::width>>) {
-        const auto zero = L::splat(0.0f);
-        return (L::load(r.approach[i]) < threshold) & (L::load(r.peak[i]) > zero) & (L::load(r.restitution) > zero);
+        const auto zero = L::splat(0.0f), approach = L::load(r.approach[i]), peak = L::load(r.peak[i]), e = L::load(r.restitution);
+        return (approach < threshold) & (peak > zero) & (e > zero);
     } else {
         return (r.bouncy >> i & 10u) == 10u;
     }
