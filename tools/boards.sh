@@ -18,7 +18,7 @@ case ${1:-} in
 --check) mode=check ;;
 --write) mode='write' ;;
 -h | --help)
-    sed -n '2,11s/^# \{0,1\}//p' "$0"
+    sed -n '2,10s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 *) die "$0: unknown option $1; there are --check and --write" ;;

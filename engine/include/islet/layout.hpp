@@ -298,8 +298,8 @@ constexpr Layout layout_of(const Capacity& c) {
     return l;
 }
 
-/// Bytes from a world of a fleet to the next: a multiple of World's alignment; and worlds of a group count contacts and bodies from the first world's, so it is
-/// one of their records, too.
+/// Bytes from a world of a fleet to the next, a multiple of World's alignment. Worlds of a group count contacts and bodies from the first world's, so where
+/// there are groups it is a multiple of their records, too.
 ISLET_ALWAYS_INLINE constexpr std::size_t fleet_stride(const Layout& layout) {
     if constexpr (layout_lanes == 1) return (layout.scratch + 15) / 16 * 16;
     constexpr std::size_t unit = 192;

@@ -12,6 +12,7 @@ namespace islet::detail {
 template <class Rows>
 inline constexpr bool has_peaks = has_hits || !is_single<Rows>;
 
+/// Where a row keeps its restitution until its last point is prepared.
 template <class Rows>
 ISLET_INLINE auto* restitution_of(Rows& r) {
     if constexpr (has_peaks<Rows>)
