@@ -36,10 +36,21 @@ head() {
 }
 
 headers=$(listed include -name '*.hpp')
-avx2=$(listed src -name '*_avx2.cpp')
-sources=$(listed src -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp')
+sources=$(listed src -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx*.cpp')
 lcp=$(listed src/lcp -name '*.cpp')
-before=$headers$'\nsrc/exact.hpp\nsrc/math/avx2.hpp'
+before=$headers$'\nsrc/exact.hpp\nsrc/math/avx2.hpp\nsrc/math/avx512.hpp'
+
+# wide LANES COPY NAME: what runs with so many lanes, once more, in a namespace COPY: the compiler may use AVX2 or AVX-512 (NAME) here, and nowhere else.
+wide() {
+    printf '\n#if defined(__x86_64__) && ISLET_MAX_LANES >= %s\n' "$1"
+    printf '#if !defined(__clang__)\n#pragma GCC push_options\n#endif\n'
+    grep -v '^#pragma once' "$engine/src/math/$3.hpp"
+    flatten "$(listed src -name "*_$3.cpp")" "$before" "$2" | grep -v "^ISLET_${3^^}_END"
+    printf '\nISLET_%s_END\n#if !defined(__clang__)\n#pragma GCC pop_options\n#endif\n\n' "${3^^}"
+    sed "s/@copy@/$2/g; s/@lanes@/$1/g" "$parts/wide_kernels.inc"
+    if [ -e "$parts/$2.inc" ]; then cat "$parts/$2.inc"; fi
+    printf '#endif\n'
+}
 
 # Names of the headers that are macros elsewhere, in Arduino.h and windows.h: they are none inside.
 macros=(abs min max round radians degrees bit sq word)
@@ -56,14 +67,8 @@ macros=(abs min max round radians degrees bit sq word)
     flatten src/exact.hpp ''
     printf '\n#include "islet.hpp"\n'
     flatten "$sources" "$before"
-    # What runs with eight lanes, once more: the compiler may use AVX2 here, and nowhere else.
-    printf '\n#if defined(__x86_64__) && ISLET_MAX_LANES >= 8\n'
-    printf '#if !defined(__clang__)\n#pragma GCC push_options\n#endif\n'
-    grep -v '^#pragma once' "$engine/src/math/avx2.hpp"
-    flatten "$avx2" "$before" eight_lanes | grep -v '^ISLET_AVX2_END'
-    printf '\nISLET_AVX2_END\n#if !defined(__clang__)\n#pragma GCC pop_options\n#endif\n\n'
-    cat "$parts/eight_lanes.inc"
-    printf '#endif\n'
+    wide 8 eight_lanes avx2
+    wide 16 sixteen_lanes avx512
 } >"$out/islet.cpp.new"
 {
     head "the matrix solvers as one source. A program that calls islet::lcp needs it beside islet.hpp."

@@ -26,7 +26,7 @@ touch "$work/began"
 # Where most of a step's time goes is compiled for speed, the rest for size and at the link. Without SIMD all is for size.
 hot='/src/(solver/(kernel_scalar|solver|joint_solve|tree_solve)|broadphase/pairs|step/contact_update|island/batches|collide/box|bodies/bounds)\.cpp'
 for_speed='-O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize'
-sources=$(find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp' | sort)
+sources=$(find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx*.cpp' | sort)
 grep -E "$hot" <<<"$sources" | as_one "$work/hot.cpp"
 grep -vE "$hot" <<<"$sources" | as_one "$work/cold.cpp"
 find "$root/bindings/c/src" "$here/src" "$work/made" -name '*.cpp' ! -name 'layouts.cpp' ! -name 'allocator.cpp' | sort | as_one "$work/c.cpp"

@@ -62,6 +62,6 @@ build_scenes() {
 # build_engine FOLDER PROCESSOR COMPILER FLAG...: the engine and the program. (The engine of every other build is compiled file by file.)
 build_engine() {
     local folder=$1
-    find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp' | sort | as_one "$folder/engine.cpp"
-    printf '%s\n' "$folder/engine.cpp" "$root"/engine/src/*/*_avx2.cpp "$root/tests/determinism/hashes.cpp" | compile "$@"
+    find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx*.cpp' | sort | as_one "$folder/engine.cpp"
+    printf '%s\n' "$folder/engine.cpp" "$root"/engine/src/*/*_avx*.cpp "$root/tests/determinism/hashes.cpp" | compile "$@"
 }

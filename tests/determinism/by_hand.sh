@@ -65,8 +65,8 @@ as_manual() {
 quickly() {
     local folder=$1 source
     shift
-    find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx2.cpp' | sort | as_one "$folder/engine.cpp"
-    for source in "$folder/engine.cpp" "$root"/engine/src/*/*_avx2.cpp; do
+    find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx*.cpp' | sort | as_one "$folder/engine.cpp"
+    for source in "$folder/engine.cpp" "$root"/engine/src/*/*_avx*.cpp; do
         "$@" -I "$root/engine/include" -c "$source" -o "$folder/$(basename "$source" .cpp).o" || return
     done
 }
@@ -87,7 +87,7 @@ link_and_run() {
     local user=$work/user-$3
     [ "$2" = -std=c++20 ] || user=$work/user-g++$own_span
     "$3" "$1"/*.o "$user"/*.o -pthread -o "$1/hashes" || return
-    "$1/hashes" "$root/tests/determinism/golden.txt" --most-steps 60 --lanes 1,4,8 "${scenes[@]}" 2>&1 | tail -n 1
+    "$1/hashes" "$root/tests/determinism/golden.txt" --most-steps 60 --lanes 1,4,8,16 "${scenes[@]}" 2>&1 | tail -n 1
 }
 
 # check WANTED NAME HOW COMPILER FLAG...: HOW is as_manual or quickly. C++20, unless a flag names a standard.

@@ -52,7 +52,7 @@ TEST_P(Golden, HashIsTheSameOnEveryMachine) {
         EXPECT_EQ(golden::hex(seen[i].hash), golden::hex(due[i].hash)) << "after " << seen[i].steps << " steps";
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Combine(testing::ValuesIn(samples::catalogue()), testing::Values(1u, 4u, 8u)),
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Combine(testing::ValuesIn(samples::catalogue()), testing::Values(1u, 4u, 8u, 16u)),
                          [](const auto& test) {
                              return std::string(std::get<0>(test.param).name) + "_lanes_" + std::to_string(std::get<1>(test.param));
                          });

@@ -209,7 +209,7 @@ TEST(Hash, DoesNotDependOnHooksOrLanes) {
     // The same objects in a world with no hook and other lanes.
     const Stage stage;
     Block block(world_bytes(stage.world->capacity()));
-    for (const std::uint32_t lanes : {1u, 4u, 8u}) {
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 16u}) {
         WorldDef def;
         def.lanes = lanes;
         const Stage other(def);

@@ -1,6 +1,6 @@
 // Runs scenes and compares their hashes with golden.txt: a bare program, to be built with any compiler and any flags.
 //
-//     hashes GOLDEN_FILE [--lanes 1,4,8] [--workers 1,2,4,8] [--scene NAME]... [--most-steps N] [--large-steps N] [--recording FILE]... [--update]
+//     hashes GOLDEN_FILE [--lanes 1,4,8,16] [--workers 1,2,4,8] [--scene NAME]... [--most-steps N] [--large-steps N] [--recording FILE]... [--update]
 //
 // Exit status 0: all equal; 1: not; 2: wrong usage. --most-steps leaves out the checkpoints beyond, --large-steps those of the benchmark scenes.
 // Without --workers the worlds have no task system; with it they step on a pool of so many threads. Each step of a recording is compared, too. (On a machine of
@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,10 @@ using Pool = samples::ThreadPool;
 #endif
 
 // The numbers in a list like 1,4,8, each of one digit.
-std::vector<std::uint32_t> digits(const std::string& list) {
+std::vector<std::uint32_t> numbers_in(const std::string& list) {
     std::vector<std::uint32_t> numbers;
-    for (const char c : list)
-        if (c >= '0' && c <= '9') numbers.push_back(static_cast<std::uint32_t>(c - '0'));
+    std::istringstream in(list);
+    for (std::string number; std::getline(in, number, ',');) numbers.push_back(static_cast<std::uint32_t>(std::stoul(number)));
     return numbers;
 }
 
@@ -75,12 +76,12 @@ long long replay_file(const std::string& path, std::uint32_t lanes, const TaskSy
 int main(int argc, char** argv) {
     if (argc < 2) {
         std::fprintf(stderr,
-                     "usage: hashes GOLDEN_FILE [--lanes 1,4,8] [--workers 1,2,4,8] [--scene NAME]... [--most-steps N] [--large-steps N] "
+                     "usage: hashes GOLDEN_FILE [--lanes 1,4,8,16] [--workers 1,2,4,8] [--scene NAME]... [--most-steps N] [--large-steps N] "
                      "[--recording FILE]... [--update]\n");
         return 2;
     }
     const std::string path = argv[1];
-    std::string lanes = "1,4,8", workers = "1";
+    std::string lanes = "1,4,8,16", workers = "1";
     std::vector<std::string> scenes;  // all if empty
     std::vector<std::string> recordings;
     int most_steps = 1 << 30, large_steps = 1 << 30;
@@ -118,9 +119,9 @@ int main(int argc, char** argv) {
             continue;
         }
         const int steps = std::string(info.group) == "benchmark" ? std::min(most_steps, large_steps) : most_steps;
-        for (const std::uint32_t threads : digits(workers)) {
+        for (const std::uint32_t threads : numbers_in(workers)) {
             Pool pool(threads);
-            for (const std::uint32_t width : digits(lanes)) {
+            for (const std::uint32_t width : numbers_in(lanes)) {
                 const std::vector<golden::Checkpoint> seen = golden::run(info, due, width, steps, pool.tasks());
                 for (std::size_t i = 0; i < seen.size(); ++i) {
                     ++compared;
@@ -136,9 +137,9 @@ int main(int argc, char** argv) {
     std::printf("%d hashes compared, %d differ", compared, wrong);
     long long steps = 0;
     for (const std::string& path : recordings) {
-        for (const std::uint32_t threads : digits(workers)) {
+        for (const std::uint32_t threads : numbers_in(workers)) {
             Pool pool(threads);
-            for (const std::uint32_t width : digits(lanes)) {
+            for (const std::uint32_t width : numbers_in(lanes)) {
                 const long long taken = replay_file(path, width, pool.tasks());
                 wrong += taken < 0;
                 steps += std::max(taken, 0LL);

@@ -196,7 +196,7 @@ std::vector<std::uint64_t> story(World& w) {
 
 TEST(JointBits, AreTheSameAtEveryWidth) {
     std::vector<std::uint64_t> first;
-    for (const std::uint32_t lanes : {1u, 4u, 8u}) {
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 16u}) {
         std::vector<std::uint64_t> hashes;
         for (const Schedule schedule : {Schedule::soft, Schedule::classic}) {
             WorldDef def;

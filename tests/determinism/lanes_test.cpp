@@ -1,4 +1,4 @@
-// One, four and eight lanes give the same bits, whatever a contact's or a joint's neighbours in its block are.
+// One, four, eight and sixteen lanes give the same bits, whatever a contact's or a joint's neighbours in its block are.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -18,13 +18,13 @@ namespace {
 using namespace islet;
 using namespace islet::test;
 
-/// The same world three times. What is done to it is done to each.
-class ThreeLanes {
+/// The same world with each width of lanes. What is done to it is done to each.
+class AllLanes {
 public:
-    explicit ThreeLanes(const WorldDef& def = {}) {
-        for (std::size_t i = 0; i < 3; ++i) {
+    explicit AllLanes(const WorldDef& def = {}) {
+        for (std::size_t i = 0; i < worlds_.size(); ++i) {
             WorldDef own = def;
-            own.lanes = i == 0 ? 1 : i == 1 ? 4 : 8;
+            own.lanes = widths[i];
             worlds_[i] = std::make_unique<TestWorld>(Capacity{.bodies = 64, .shapes = 96, .contacts = 256, .joints = 64}, own);
         }
     }
@@ -32,8 +32,7 @@ public:
     /// call(world) of each. What it returns is that of the first: ids are equal.
     template <class Call>
     auto each(Call&& call) {
-        call(*worlds_[1]);
-        call(*worlds_[2]);
+        for (std::size_t i = 1; i < worlds_.size(); ++i) call(*worlds_[i]);
         return call(*worlds_[0]);
     }
 
@@ -59,7 +58,8 @@ public:
     }
 
 private:
-    std::array<std::unique_ptr<TestWorld>, 3> worlds_;
+    static constexpr std::array<std::uint32_t, 4> widths{1, 4, 8, 16};
+    std::array<std::unique_ptr<TestWorld>, widths.size()> worlds_;
 };
 
 /// The contacts of an image, to be changed.
@@ -79,7 +79,7 @@ std::span<detail::ContactManifold> manifolds_in(Image& image) {
 // -- what a contact no longer has, its neighbours still have ------------------------------------------------------------------------------
 
 /// Balls that roll over a floor, each with a surface of its own.
-std::vector<BodyId> roll_balls(ThreeLanes& lanes, std::initializer_list<ShapeDef> surfaces) {
+std::vector<BodyId> roll_balls(AllLanes& lanes, std::initializer_list<ShapeDef> surfaces) {
     lanes.each([](TestWorld& w) { return w.add_ground(); });
     std::vector<BodyId> balls;
     float x = 0;
@@ -105,7 +105,7 @@ TEST(Lanes, ARollingResistanceThatEndsEndsForEachContactAlone) {
     };
     for (const ChangeOfShape& change : changes) {
         for (std::size_t which = 0; which < 4; ++which) {
-            ThreeLanes lanes;
+            AllLanes lanes;
             const ShapeDef rolls{.rolling_resistance = 0.1f};
             const std::vector<BodyId> balls = roll_balls(lanes, {rolls, rolls, rolls, rolls});
             ASSERT_STREQ(lanes.run(10), nullptr);
@@ -116,7 +116,7 @@ TEST(Lanes, ARollingResistanceThatEndsEndsForEachContactAlone) {
 }
 
 TEST(Lanes, ARollingImpulseEndsWithTheResistance) {
-    ThreeLanes lanes;
+    AllLanes lanes;
     const std::vector<BodyId> balls = roll_balls(lanes, {{.rolling_resistance = 0.1f}});
     ASSERT_STREQ(lanes.run(10), nullptr);
     TestWorld& w = lanes.one();
@@ -139,7 +139,7 @@ TEST(Lanes, AMixingHookThatGoesLeavesWhatTwoShapesWereMixedTo) {
             WorldDef def;
             def.hooks.mix_restitution = bounces_first ? +much : +nothing;
             const ShapeDef mixed{.restitution = bounces_first ? 0 : 0.8f};
-            ThreeLanes lanes(def);
+            AllLanes lanes(def);
             lanes.each([](TestWorld& w) { return w.add_ground(); });
             lanes.each([&](TestWorld& w) {
                 for (const ShapeDef* surface : {&mixed, &neighbor}) {
@@ -183,7 +183,7 @@ TEST(Lanes, AnImageWhoseContactsAreNotAsTheirShapesSay) {
             if (random.one_in(8)) m.anchors[random.below(2)].x = random.between(-1, 1) * size;
         }
         seal(image.bytes());
-        ThreeLanes lanes;
+        AllLanes lanes;
         bool loaded = true;
         lanes.each([&](TestWorld& to) { loaded = loaded && to->load(image.bytes()); });
         ASSERT_TRUE(loaded);

@@ -3,7 +3,7 @@
 # and clang++ at -O0 to -O3 and -O3 -march=native, and once more for a user who compiles and links with -ffast-math.
 #   tests/determinism/matrix.sh [WORK_FOLDER]
 # Small scenes run to their near checkpoint in all builds and to their far one in some optimised ones; the benchmark scenes run to their near one.
-# Each at lanes 1, 4 and 8. The scenes themselves are built once per compiler, with the same flags for exactness as the engine. Prints one line per
+# Each at lanes 1, 4, 8 and 16. The scenes themselves are built once per compiler, with the same flags for exactness as the engine. Prints one line per
 # build; exit status 1 if a hash differs or a build fails. Takes about two minutes on two cores. Other processors: targets.sh.
 set -euo pipefail
 
@@ -34,7 +34,7 @@ check() {
         return
     fi
     if build "$name" "$compiler" "$@" >"$work/$name.log" 2>&1; then
-        result=$("$work/$name/hashes" "$root/tests/determinism/golden.txt" --lanes 1,4,8 --most-steps "$most_steps" --large-steps "${large_steps:-10}" 2>&1) || status=$?
+        result=$("$work/$name/hashes" "$root/tests/determinism/golden.txt" --lanes 1,4,8,16 --most-steps "$most_steps" --large-steps "${large_steps:-10}" 2>&1) || status=$?
     else
         result="does not build: $(grep -m 1 -E 'error|undefined' "$work/$name.log" || tail -n 1 "$work/$name.log")"
         status=1

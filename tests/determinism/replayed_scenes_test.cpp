@@ -39,7 +39,7 @@ TEST_P(Recorded, SceneIsReplayedToTheSameHashesAtAnyNumberOfLanes) {
 
     RecordingInfo head;
     ASSERT_EQ(read_recording(bytes, head), Error::none);
-    for (const std::uint32_t lanes : {1u, 4u, 8u, 0u}) {
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 16u, 0u}) {
         WorldDef def = {.lanes = lanes};
         TestWorld other(lanes != 0 ? head.needed : head.capacity, def);
         const ReplayResult result = replay(*other, bytes);

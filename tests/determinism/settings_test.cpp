@@ -82,6 +82,7 @@ TEST_P(SolverSettings, KeepTheBits) {
         const Seen one = play(scene, GetParam().def, 1, {});
         EXPECT_EQ(play(scene, GetParam().def, 4, {}), one) << scene << ", 4 lanes";
         EXPECT_EQ(play(scene, GetParam().def, 8, {}), one) << scene << ", 8 lanes";
+        EXPECT_EQ(play(scene, GetParam().def, 16, {}), one) << scene << ", 16 lanes";
         EXPECT_EQ(play(scene, GetParam().def, 0, {}, true).hash, one.hash) << scene << ", from a snapshot";
         samples::ThreadPool pool(4);
         EXPECT_EQ(play(scene, GetParam().def, 0, pool.tasks()), one) << scene << ", 4 workers";

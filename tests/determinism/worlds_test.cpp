@@ -136,7 +136,7 @@ TEST(History, TheSameCallsGiveTheSameBits) {
         return world.hash();
     };
     std::uint64_t first = 0;
-    for (const std::uint32_t lanes : {1u, 4u, 8u}) {
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 16u}) {
         WorldDef def;
         def.lanes = lanes;
         TestWorld world(heap_capacity, def);

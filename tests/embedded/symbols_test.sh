@@ -24,12 +24,26 @@ if [ -n "$bad" ]; then
     status=1
 fi
 
-# Of a function that is inline in several objects the linker keeps one copy. If that were one compiled for AVX2, the engine would crash on
-# a processor without it: so the AVX2 object must define nothing that another object defines too.
-names() { "$nm" --defined-only --format=posix "$archive" | awk -v wanted="$1" '/:$/ { avx2 = /_avx2/ } NF > 1 && avx2 == wanted && $2 ~ /[A-Zu]/ { print $1 }' | sort -u; }
-shared=$(comm -12 <(names 1) <(names 0) | grep . || true)
-if [ -n "$shared" ]; then
-    printf 'defined for AVX2 and elsewhere too:\n%s\n' "$shared" | c++filt
-    status=1
+# Of a function that is inline in several objects the linker keeps one copy. If that were one compiled for AVX2 or AVX-512, the engine would crash on
+# a processor without it: so such an object must define nothing that another object defines too.
+names() {
+    "$nm" --defined-only --format=posix "$archive" |
+        awk -v wanted="$1" -v is="$2" '/:$/ { wide = $0 ~ wanted } NF > 1 && wide == is && $2 ~ /[A-Zu]/ { print $1 }' | sort -u
+}
+for wide in avx2 avx512; do
+    shared=$(comm -12 <(names "_$wide" 1) <(names "_$wide" 0) | grep . || true)
+    if [ -n "$shared" ]; then
+        printf 'defined for %s and elsewhere too:\n%s\n' "$wide" "$shared" | c++filt
+        status=1
+    fi
+done
+
+# A fused operation rounds once where others round twice. (AVX-512 has such operations of its own, which no flag takes away.)
+if [ "$(uname -m)" = x86_64 ] && [ "$nm" = nm ]; then
+    fused=$(objdump -d --no-show-raw-insn "$archive" | grep -E '\<vfn?m(add|sub)' | head -n 5 || true)
+    if [ -n "$fused" ]; then
+        printf 'fused operations:\n%s\n' "$fused"
+        status=1
+    fi
 fi
 exit "$status"

@@ -2,7 +2,7 @@
 // are made right afterwards, so that what gets through the gate is decided by what the image holds. Every third input is taken as it is instead,
 // checksum and all.
 //
-// What is refused must leave the world as it was; what is accepted is stepped 10 times on one, four and eight lanes, with disabled bodies enabled and masses
+// What is refused must leave the world as it was; what is accepted is stepped 10 times on one, four and sixteen lanes, with disabled bodies enabled and masses
 // worked out anew on the way, and must stay sound and equal. Prints how many were accepted
 // when it ends.
 #include <algorithm>
@@ -26,7 +26,7 @@ using namespace islet::test;
 }
 
 struct Fixture {
-    StaticWorld<busy_capacity> source_storage, victim_storage, four_storage, eight_storage;
+    StaticWorld<busy_capacity> source_storage, victim_storage, four_storage, sixteen_storage;
     World& source = source_storage.create();
     World& victim = victim_storage.create({.lanes = 1});
     Chorus all;  // the victim, and what it must stay equal to
@@ -36,7 +36,7 @@ struct Fixture {
     Fixture() {
         all.add(&victim, "one lane");
         all.add(&four_storage.create({.lanes = 4}), "four lanes");
-        all.add(&eight_storage.create({.lanes = 8}), "eight lanes");
+        all.add(&sixteen_storage.create({.lanes = 16}), "sixteen lanes");
         fill_busy(source);
         before = save(source);
         for (int i = 0; i < 4; ++i) source.step(1.0f / 60);

@@ -122,8 +122,8 @@ g++ -std=gnu++17 -fsyntax-only -DWANTED=true -I "$scratch/with/src" "$scratch/ch
 # In the small profile, with what they need beside it, the balls are the same.
 options small '(SMALL|WITH_chains|WITH_continuous) '
 [ "$(grep -c '^#define ISLET_' "$scratch/small/src/islet_options.h")" -eq 5 ] || fail "islet_options.h: the small profile cannot be switched on"
-# (As one file, which must not hold the code of eight lanes.)
-find "$scratch/small/src/engine" -name '*.cpp' ! -name '*_avx2.cpp' -printf '#include "%p"\n' | LC_ALL=C sort >"$scratch/small/all.cpp"
+# (As one file, which must not hold the code of eight lanes and more.)
+find "$scratch/small/src/engine" -name '*.cpp' ! -name '*_avx*.cpp' -printf '#include "%p"\n' | LC_ALL=C sort >"$scratch/small/all.cpp"
 if g++ -std=gnu++17 -O1 -DISLET_MAX_LANES=4 -I "$scratch/small/src" -c "$scratch/small/all.cpp" -o "$scratch/small/islet.o" &&
     g++ -std=gnu++17 -O1 -DISLET_MAX_LANES=4 -DSKETCH_FILE="\"$scratch/small/examples/Balls/Balls.ino\"" -DSKETCH_NAME='"Balls"' -DSKETCH_FRAMES=300 -DSKETCH_SHOWN=10 \
         -I "$islet/samples/boards/stub" -I "$scratch/small/src" "$islet"/samples/boards/stub/stub.cpp "$islet"/samples/firmware/{console,board_host}.cpp \

@@ -2,7 +2,7 @@
 # one_file_test.sh ISLET BUILD PROGRAM LIBRARY...: what tools/amalgamate.sh writes compiles by one command without flags, by each compiler there is; the
 # README's program prints the same as PROGRAM, which CMake built; and scenes come to the golden hashes. (With flags that ruin bits
 # elsewhere: tests/determinism/by_hand.sh.)
-# AVX2 stays in the copies that only processors with AVX2 run. The LIBRARYs are those of the scenes. BUILD is a folder for it all.
+# AVX2 and AVX-512 stay in the copies that only processors with them run. The LIBRARYs are those of the scenes. BUILD is a folder for it all.
 set -euo pipefail
 
 islet=$1 build=$2 program=$3
@@ -38,8 +38,8 @@ compare_hashes() {
     printf '%-8s %s\n' "$1" "$(tail -n 1 <<<"$result")"
 }
 
-# Functions that use wide registers: the copies for eight lanes must, and no others may.
-wide_functions() { objdump -d --no-show-raw-insn "$1" | awk '/^[0-9a-f]+ </ { name = $2 } /%ymm/ { print name }' | sort -u; }
+# Functions that use registers of a kind: the copies for eight and sixteen lanes must, and no others may.
+functions_with() { objdump -d --no-show-raw-insn "$2" | awk -v register="%$1" '/^[0-9a-f]+ </ { name = $2 } $0 ~ register { print name }' | sort -u; }
 
 for compiler in g++ clang++; do
     command -v "$compiler" >/dev/null || { printf '%s: left out, there is none\n' "$compiler" && continue; }
@@ -61,9 +61,12 @@ for compiler in g++ clang++; do
     "./lcp-c-$compiler" >/dev/null || fail "$compiler: the matrix solvers in C find no solution"
     compare_hashes "$compiler" "$compiler.o"
     if [ "$(uname -m)" = x86_64 ]; then
-        wide_functions "$compiler.o" >wide.txt
+        functions_with '[yz]mm' "$compiler.o" >wide.txt
         grep -q eight_lanes wide.txt || fail "$compiler: no AVX2 anywhere"
-        grep -v eight_lanes wide.txt && fail "$compiler: AVX2 where every processor runs it"
+        grep -v -E 'eight_lanes|sixteen_lanes' wide.txt && fail "$compiler: AVX2 where every processor runs it"
+        functions_with zmm "$compiler.o" >widest.txt
+        grep -q sixteen_lanes widest.txt || fail "$compiler: no AVX-512 anywhere"
+        grep -v sixteen_lanes widest.txt && fail "$compiler: AVX-512 where processors without it run it"
     fi
 done
 

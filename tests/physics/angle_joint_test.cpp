@@ -238,7 +238,7 @@ void build_row(World& w) {
 
 TEST(AngleJoint, GivesTheSameBitsForEveryWidthOfLanes) {
     std::vector<std::uint64_t> hashes;
-    for (const std::uint32_t lanes : {1u, 4u, 8u}) {
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 16u}) {
         Storage storage;
         World& w = storage.create({.gravity = {0, -1}, .lanes = lanes});
         build_row(w);

@@ -451,8 +451,8 @@ TEST(HalfSpace, TheBitsAreTheSame) {
         }
     };
     std::vector<std::uint64_t> hashes;
-    for (const std::uint32_t lanes : {1u, 4u, 8u}) {
-        for (const std::uint32_t workers : {1u, 4u, 8u}) {
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 16u}) {
+        for (const std::uint32_t workers : {1u, 4u, 8u, 16u}) {
             samples::ThreadPool pool(workers);
             TestWorld world(roomy, {.lanes = lanes, .tasks = pool.tasks()});
             fill(world);

@@ -290,7 +290,7 @@ TEST_F(BadInput, AWorldTakesOnlyNumbersInRange) {
     WorldDef still;
     still.max_speed = 0;
     expect_no_world(still, Error::out_of_range);
-    for (const std::uint32_t lanes : {2u, 3u, 5u, 16u, 0xffffffffu}) {
+    for (const std::uint32_t lanes : {2u, 3u, 5u, 15u, 32u, 0xffffffffu}) {
         WorldDef def;
         def.lanes = lanes;
         expect_no_world(def, Error::out_of_range);

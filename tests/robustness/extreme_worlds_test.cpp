@@ -1,4 +1,4 @@
-// Random worlds of absurd numbers: sound after each step, and with the same hash on one, four and eight lanes.
+// Random worlds of absurd numbers: sound after each step, and with the same hash on one, four, eight and sixteen lanes.
 #include <algorithm>
 #include <cmath>
 #include <memory>

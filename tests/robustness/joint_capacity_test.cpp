@@ -149,7 +149,7 @@ TEST(JointCapacity, NothingIsWrittenBeyondTheBlock) {
     // Every joint of another type than its neighbours and in many islands, so that runs are short and padding is long.
     constexpr Capacity capacity{.bodies = 60, .shapes = 60, .contacts = 60, .joints = 96};
     constexpr std::size_t bytes = world_bytes(capacity);
-    for (const std::uint32_t lanes : {1u, 4u, 8u}) {
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 16u}) {
         const Block block(bytes + 256);
         const std::span<std::byte> guard = block.span().subspan(bytes);
         for (std::byte& b : guard) b = std::byte{0x77};

@@ -177,7 +177,7 @@ struct Twins {
 /// The numbers of lanes that this build and processor have.
 std::vector<std::uint32_t> lanes_to_try() {
     std::vector<std::uint32_t> found;
-    for (const std::uint32_t lanes : {1u, 4u, 8u})
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 16u})
         if (const TestWorld world(capacity, {.lanes = lanes}); world->lanes() == lanes) found.push_back(lanes);
     return found;
 }

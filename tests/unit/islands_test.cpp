@@ -80,7 +80,7 @@ void check_batches(const Core& core, const Plan& plan, const std::vector<Touch>&
     }
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) ASSERT_NE(owner[slot], -1) << "a body is in no batch";
 
-    const std::uint32_t lanes = core.lanes;
+    const std::uint32_t lanes = core.block_lanes();
     const auto place = [&](std::uint32_t contact, std::uint32_t batch, std::set<std::uint32_t>* used) {
         ++planned[contact];
         const ContactManifold& m = core.manifolds[contact];
@@ -175,7 +175,7 @@ TEST(Islands, ATowerSplitsWhereABoxIsTakenOut) {
 }
 
 TEST(Islands, MatchASearchThroughTheGraphInARandomHeap) {
-    for (const std::uint32_t lanes : {1u, 4u, 8u}) {
+    for (const std::uint32_t lanes : {1u, 4u, 8u, 16u}) {
         TestWorld w(islet::test::roomy, with_lanes(lanes));
         Random random(lanes);
         w.add_ground(0, 30);

@@ -27,7 +27,7 @@ void run_all(void*, std::uint32_t count, void (*task)(void*, std::uint32_t), voi
 WorldDef greedy(Random& random) {
     WorldDef def;
     def.gravity = {0, -1};
-    constexpr std::uint32_t lanes[] = {0, 1, 4, 8};
+    constexpr std::uint32_t lanes[] = {0, 1, 4, 8, 16};
     def.lanes = lanes[random.below(4)];
     def.solver.substeps = 1;
     def.solver.joint_trees = JointTrees::all;

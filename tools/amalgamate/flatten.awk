@@ -25,15 +25,16 @@ function resolved(name, from) {
     return plain(from name)
 }
 
-# The text of a class template, for its specialisation of 8 lanes: declared here, defined with the copy for AVX2.
-function specialised(name, line, text) {
+# The text of a class template, for its specialisation of 8 or 16 lanes: declared here, defined with the copy for AVX2 or AVX-512.
+function specialised(name, lanes, text) {
     text = class_text[name]
     if (text == "") fail("there is no class " name " to specialise")
-    gsub(/ = width;/, " = 8;", text)
-    return "template <>\n" text
+    gsub(/ = width;/, " = " lanes ";", text)
+    return where_there_are(lanes, "template <>\nstruct " name "<" lanes "> {" text)
 }
+function where_there_are(lanes, text) { return "#if ISLET_MAX_LANES >= " lanes "\n" text "\n#endif" }
 
-function emit(path, depth, line, name, quoted, class, words, outside) {
+function emit(path, depth, line, name, lanes, quoted, class, words, outside) {
     if (path in done) return
     if (depth > 0) fail(path " is first included under a condition")
     done[path] = 1
@@ -64,21 +65,21 @@ function emit(path, depth, line, name, quoted, class, words, outside) {
             if (line ~ /^struct [A-Za-z]+ \{/) {
                 split(line, words, " ")
                 class = words[2]
-                class_text[class] = "#if ISLET_MAX_LANES >= 8\nstruct " class "<8> {"
+                class_text[class] = ""
             } else if (class != "") {
                 class_text[class] = class_text[class] "\n" line
                 if (line ~ /^};/) class = ""
             }
-            if (line ~ /^extern template struct [A-Za-z]+<8>;/) {
-                name = line
-                gsub(/^extern template struct |<8>;$/, "", name)
-                line = specialised(name)
-                sub(/template <>\n#if ISLET_MAX_LANES >= 8\n/, "#if ISLET_MAX_LANES >= 8\ntemplate <>\n", line)
-                line = line "\n#endif"
-            }
-            if (line ~ /^extern template [a-z]+ [a-z_]+<8>/) {
-                sub(/^extern template/, "template <>", line)
-                line = "#if ISLET_MAX_LANES >= 8\n" line "\n#endif"
+            if (line ~ /^extern template [^(]*<(8|16)>/) {
+                lanes = line ~ /<8>/ ? 8 : 16
+                if (line ~ /^extern template struct /) {
+                    name = line
+                    gsub(/^extern template struct |<[0-9]+>;$/, "", name)
+                    line = specialised(name, lanes)
+                } else {
+                    sub(/^extern template/, "template <>", line)
+                    line = where_there_are(lanes, line)
+                }
             }
         }
         print line

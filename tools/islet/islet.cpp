@@ -502,7 +502,7 @@ struct CommandLine {
         run->add_option("--tolerance", o.tolerance, "end sweeps at this residual, m/s")->check(CLI::NonNegativeNumber)->check(finite_number);
         run->add_flag("--residual", o.measure_residual, "measure how far the impulses are from a solution");
         run->add_option("--workers", o.workers, "threads to step with")->check(CLI::Range(1u, islet::max_workers));
-        run->add_option("--lanes", o.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
+        run->add_option("--lanes", o.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8, 16}));
         run->add_option("--hash-every", o.hash_every, "print the state's hash every so many steps")->check(CLI::Range(1, 100'000'000));
         run->add_option("--csv", command.csv_path, "write a line of numbers per step to this file")->check(not_empty);
         run->add_option("--svg", command.svg_path, "draw the last state to this file")->check(not_empty);
@@ -516,7 +516,7 @@ struct CommandLine {
 
         replay->add_option("file", replay_command.path, "a recording, made by `islet run --record` or by a program of yours")->required();
         replay->add_option("--until", replay_command.until, "stop after so many steps")->check(CLI::Range(1ull, ~0ull));
-        replay->add_option("--lanes", replay_command.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8}));
+        replay->add_option("--lanes", replay_command.lanes, "constraints solved at once; 0 picks the widest")->check(CLI::IsMember({0, 1, 4, 8, 16}));
         limit_memory(*replay, replay_command.memory_limit);
 
         // The bounds keep the number of all steps below 2^31.
@@ -541,7 +541,7 @@ struct CommandLine {
         std::vector<std::string> worlds;
         for (const SmallWorld& world : small_worlds()) worlds.emplace_back(world.name);
         bench->add_option("--small-world", bench_command.small_world, "step this small world and print nothing")->check(CLI::IsMember(worlds))->group("");
-        bench->add_option("--lanes", bench_command.lanes, "of --small-world")->check(CLI::IsMember({0, 1, 4, 8}))->group("");
+        bench->add_option("--lanes", bench_command.lanes, "of --small-world")->check(CLI::IsMember({0, 1, 4, 8, 16}))->group("");
         bench->add_flag("--json", bench_command.json, "print a JSON list; its profile is Islet's stages in ms, of all steps together");
 
         SteadyCommand& s = steady_command;

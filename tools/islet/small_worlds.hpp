@@ -36,7 +36,7 @@ struct SmallOptions {
     std::string program;  // this program, which valgrind runs for a world with --small-world; empty: no instructions are counted, the steps are timed
 };
 
-/// The lanes that are compared: one, and the widest that this build and processor have.
+/// The lanes that are compared: one, and the widest that this build, the processor and callgrind have.
 std::vector<std::uint32_t> compared_lanes();
 /// Whether valgrind can be run.
 bool has_valgrind();

@@ -40,8 +40,8 @@ namespace detail {
 inline constexpr std::size_t core_bytes = sizeof(void*) >= 8 ? 640 : 448;  // room for Core inside World
 inline constexpr std::size_t host_bytes = (core_bytes + 63) / 64 * 64;     // room for World at the start of the block
 
-// The widest lanes that an engine for this processor can have decide how constraint rows are padded in scratch. They depend on the processor alone, never on
-// compiler flags, because a program and the engine are compiled apart and must agree.
+// The most constraints that an engine for this processor can have in a block decide how constraint rows are padded in scratch. They depend on the processor
+// alone, never on compiler flags, because a program and the engine are compiled apart and must agree.
 #if defined(__x86_64__) || defined(_M_X64)
 inline constexpr std::uint32_t layout_lanes = 8;
 #elif defined(__i386__) || defined(_M_IX86) || defined(__aarch64__) || defined(__wasm__)
@@ -51,7 +51,8 @@ inline constexpr std::uint32_t layout_lanes = 1;
 #endif
 inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
 inline constexpr std::uint32_t min_lanes = ISLET_MIN_LANES < ISLET_MAX_LANES ? ISLET_MIN_LANES : ISLET_MAX_LANES;
-static_assert(max_lanes <= layout_lanes, "this processor has no such ISLET_MAX_LANES");
+inline constexpr std::uint32_t max_block_lanes = max_lanes < layout_lanes ? max_lanes : layout_lanes;  // constraints in a block; two blocks make sixteen
+static_assert(max_lanes <= layout_lanes || (max_lanes == 16 && layout_lanes == 8), "this processor has no such ISLET_MAX_LANES");
 
 // Sizes of the records. data/arrays.hpp checks those of the arrays below; the others are checked beside each struct.
 inline constexpr std::size_t state_bytes = 256;

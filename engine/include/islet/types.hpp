@@ -214,7 +214,7 @@ struct WorldDef {
     bool continuous = true;              ///< Continuous collision: however fast bodies move and turn, and however hard they are pressed, dynamic ones do not
                                          ///< pass through static shapes, and bullets pass through no other body. (Other bullets may still crowd a bullet
                                          ///< into a moving body.)
-    std::uint32_t lanes = 0;             ///< How many constraints are solved at once: 1, 4 or 8, or 0 for as many as the processor can. The bits are the same.
+    std::uint32_t lanes = 0;             ///< How many constraints are solved at once: at most 1, 4, 8 or 16; 0: as many as can be. The bits are the same.
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     Hooks hooks = {};       ///< See World::set_hooks.

@@ -93,7 +93,7 @@ public:
     /// WorldDef::max_speed, m/s, above 0 and at most max_speed_limit. A lower one slows faster bodies down in the next step.
     float max_speed() const;
     void set_max_speed(float speed);
-    /// How many constraints this world solves at once: 1, 4 or 8 (WorldDef::lanes).
+    /// How many constraints this world solves at once, at most: 1, 4, 8 or 16 (WorldDef::lanes).
     std::uint32_t lanes() const;
     /// WorldDef::continuous.
     bool continuous() const;

@@ -83,9 +83,9 @@ struct PairBuffer {
 
 Columns take_columns(Arena& arena, std::uint32_t n) {
     Columns c;
-    for (float** column : {&c.lower, &c.upper, &c.lower2, &c.upper2}) *column = arena.take<float>(n + max_lanes);
-    c.shape = arena.take<std::uint32_t>(n + max_lanes);
-    c.place = arena.take<std::uint32_t>(n + max_lanes);
+    for (float** column : {&c.lower, &c.upper, &c.lower2, &c.upper2}) *column = arena.take<float>(n + max_block_lanes);
+    c.shape = arena.take<std::uint32_t>(n + max_block_lanes);
+    c.place = arena.take<std::uint32_t>(n + max_block_lanes);
     return c;
 }
 
@@ -104,7 +104,7 @@ void push_box(Columns& c, float lower, float upper, float lower2, float upper2, 
 
 void close_columns(Columns& c) {
     const std::uint32_t count = c.count;
-    for (std::uint32_t i = 0; i < max_lanes; ++i) push_box(c, 3.4e38f, -3.4e38f, 3.4e38f, -3.4e38f, null_index, null_index);
+    for (std::uint32_t i = 0; i < max_block_lanes; ++i) push_box(c, 3.4e38f, -3.4e38f, 3.4e38f, -3.4e38f, null_index, null_index);
     c.count = count;
 }
 
@@ -314,7 +314,7 @@ ISLET_ALWAYS_INLINE inline void scan([[maybe_unused]] const Scan& how, const Col
                                      Visit&& visit) {
 #if ISLET_MAX_LANES >= 4
     const std::uint32_t count =
-        ISLET_MAX_LANES == 8 && how.lanes == 8 ? scan_columns_8(c, first, from, i, how.found) : scan_columns<Lane4>(c, first, from, i, how.found);
+        ISLET_MAX_LANES >= 8 && how.lanes >= 8 ? scan_columns_8(c, first, from, i, how.found) : scan_columns<Lane4>(c, first, from, i, how.found);
     for (std::uint32_t k = 0; k < count; ++k) visit(how.found[k]);
 #else
     for (std::uint32_t j = first; c.lower[j] <= from.upper[i]; ++j)

@@ -226,9 +226,9 @@ ISLET_PART void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint
             ContactBlock<L> s(bodies, r);
             solve_rows<L>(s, r, sweep, biased, AllLanes{});
             s.scatter(bodies, r.body_a, r.body_b);
-            std::uint64_t landing = 0;  // not 0 if any lane lands
-            std::memcpy(&landing, r.extra_passes, W);
-            if (landing != 0) ContactKernel<W>::land(bodies, r, L::bits(has_changed<L>(s, r)), numbers);
+            std::uint64_t landing[2] = {};  // not 0 if any lane lands
+            std::memcpy(landing, r.extra_passes, W);
+            if ((landing[0] | landing[1]) != 0) ContactKernel<W>::land(bodies, r, L::bits(has_changed<L>(s, r)), numbers);
         }
         if (!biased && r.two_points) r.two_points ^= 3;  // the next substep begins with the other point
     }

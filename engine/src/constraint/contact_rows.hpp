@@ -82,6 +82,7 @@ struct ContactRows<1> : SurfaceOfRow<>, BounceOfRow<> {
 
 static_assert(sizeof(ContactRows<4>) == 4 * row_bytes || max_lanes == 1);
 static_assert(sizeof(ContactRows<8>) == 8 * row_bytes || max_lanes == 1);
+static_assert(sizeof(ContactRows<16>) == 2 * sizeof(ContactRows<8>));
 static_assert(sizeof(ContactRows<1>) <= row_bytes && max_bodies <= static_cast<ContactRows<1>::Slot>(~0u));
 
 // What single rows have in their manifolds, and blocks of lanes in themselves.

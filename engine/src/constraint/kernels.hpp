@@ -4,6 +4,7 @@
 //   1      Lane1   solver/kernel_scalar.cpp; joints in solver/joint_solve.cpp, which a program without joints does not link
 //   4      Lane4   solver/kernel_scalar.cpp, where the processor's baseline has vectors
 //   8      Lane8   solver/kernel_avx2.cpp, and LoneKernel8
+//   16     Lane16  solver/kernel_avx512.cpp: two blocks of eight that lie side by side in memory are one of sixteen
 //
 // World::create chooses a world's width (Core::lanes). with_lanes turns it into a constant.
 #pragma once
@@ -61,6 +62,7 @@ struct ContactKernel {
 extern template struct ContactKernel<1>;
 extern template struct ContactKernel<4>;
 extern template struct ContactKernel<8>;
+extern template struct ContactKernel<16>;
 
 /// One contact at a time, with AVX: an operation need not overwrite what it reads, which saves a tenth of the instructions.
 struct LoneKernel8 : ContactKernel<1> {
@@ -76,6 +78,7 @@ template <std::uint32_t W>
 void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::uint32_t blocks, const JointSweep& sweep);
 extern template void solve_joints<4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 extern template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
+extern template void solve_joints<16>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 
 /// A width of lanes as a type, so that it is known when the code is compiled.
 template <std::uint32_t lanes>
@@ -83,9 +86,11 @@ struct Width {
     constexpr operator std::uint32_t() const { return lanes; }
 };
 
-/// Calls visit(Width) for a number of lanes that this build has, and that is not below `least`.
-template <std::uint32_t least = 1, class Visit>
+/// Calls visit(Width) for a number of lanes that this build has, from `least` to `most`.
+template <std::uint32_t least = 1, std::uint32_t most = max_block_lanes, class Visit>
 ISLET_LANE auto with_lanes(std::uint32_t lanes, Visit&& visit) {
+    if constexpr (most >= 16)
+        if (lanes == 16) return visit(Width<16>{});
     if constexpr (max_lanes >= 8)
         if (lanes == 8) return visit(Width<8>{});
     if constexpr (max_lanes >= 4 && least < 4)

@@ -27,7 +27,7 @@ enum Inside : std::uint32_t {
 
 struct Core {
     Capacity capacity;
-    std::uint32_t lanes = 1;
+    std::uint32_t lanes = 1;  // constraints that are solved at once, at most
     // Not part of the world's value: functions that only read record errors too, and close the world while they call the user's functions.
     mutable Error last_error = Error::none;
     Error kept_error = Error::none;    // the last error before a call of another language (begin_call)
@@ -79,6 +79,8 @@ struct Core {
     std::uint64_t last_tick = 0;
 
     Arena arena() const { return {scratch, scratch_end}; }
+    /// Constraints in a block of rows.
+    std::uint32_t block_lanes() const { return lanes < max_block_lanes ? lanes : max_block_lanes; }
 
     ISLET_SHARED void fail(Error error) const {
         last_error = error;

@@ -74,7 +74,7 @@ constexpr std::size_t odd_stride = fleet_stride(layout_of(odd_capacity));
 static_assert(odd_stride % alignof(World) == 0 && (Fleet::bytes(1, odd_capacity) - odd_stride) % alignof(World) == 0);
 
 /// Worlds that a worker takes at a time.
-constexpr std::uint32_t worlds_at_a_time = max_lanes > 4 ? max_lanes : 4;
+constexpr std::uint32_t worlds_at_a_time = max_block_lanes > 4 ? max_block_lanes : 4;
 
 /// Calls work(first, end, worker) for ranges that together are the worlds k < count. Each worker takes the next worlds until none are left, so none waits for
 /// another.

@@ -20,7 +20,7 @@ struct Group {
 
     void add(Core& core, const Plan& plan, Arena left) {
         worlds[count++] = {&core, plan};
-        rows += plan.block_count * core.lanes + plan.overflow_count;
+        rows += plan.block_count * core.block_lanes() + plan.overflow_count;
         rest = left;
     }
 };

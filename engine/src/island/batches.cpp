@@ -99,7 +99,7 @@ ContactList list_contacts(const Core& core, Plan& plan, Arena& temporary) {
 template <class BatchOf>
 void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchOf&& batch_of, Arena temporary) {
     constexpr std::uint32_t places = color_count + 1;  // per batch, the last for contacts without a colour
-    const std::uint32_t lanes = core.lanes;
+    const std::uint32_t lanes = core.block_lanes();
     const std::size_t part_size = std::size_t{plan.batch_count} * places;
     std::uint32_t* next =
         temporary.take<std::uint32_t>(part_size * list.parts());  // by part and place: how many there are; once laid out, the next one's index
@@ -185,7 +185,7 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
         for (std::uint32_t group = 0; plan.batches[b].body_count != 0 && group <= color_count; ++group) {  // without a colour, then colour by colour
             const bool overflow = group == 0;
             if (overflow ? plan.overflow_joints == 0 : (colors >> (group - 1) & 1) == 0) continue;
-            const std::uint32_t lanes = overflow ? 1 : core.lanes;
+            const std::uint32_t lanes = overflow ? 1 : core.block_lanes();
             for (std::uint32_t kernel = 0; kernel < joint_kernel_count; ++kernel) {
                 const std::uint32_t count = lay_out(next[b * places + group * joint_kernel_count + kernel], at) - at;
                 if (count == 0) continue;

@@ -1,4 +1,4 @@
-// Lanes: 1, 4 or 8 floats that one operation computes at once. The solver's kernels are written once, over these types.
+// Lanes: 1, 4, 8 or 16 floats that one operation computes at once. The solver's kernels are written once, over these types.
 //
 // A lane never sees another lane's value, and every operation is a single IEEE operation, so each width gives the same bits.
 #pragma once
@@ -229,6 +229,79 @@ private:
     }
 };
 #endif
+
+#if defined(ISLET_AVX512)
+// Sixteen lanes, for files compiled with AVX-512 alone (math/avx512.hpp).
+typedef float f16 __attribute__((vector_size(64)));
+typedef int i16 __attribute__((vector_size(64)));
+
+// (The plain functions of these names begin from an undefined register, at which GCC 12 warns.)
+ISLET_LANE f16 select(i16 mask, f16 a, f16 b) { return mask ? a : b; }
+ISLET_LANE f16 min(f16 a, f16 b) { return _mm512_maskz_min_ps(0xffff, a, b); }
+ISLET_LANE f16 max(f16 a, f16 b) { return _mm512_maskz_max_ps(0xffff, a, b); }
+
+struct Lane16 {
+    using F = f16;
+    static constexpr std::uint32_t width = 16;
+    ISLET_LANE static F splat(float a) { return _mm512_set1_ps(a); }
+    ISLET_LANE static F load(const float* p) { return _mm512_loadu_ps(p); }
+    ISLET_LANE static void store(float* p, F a) { _mm512_storeu_ps(p, a); }
+    ISLET_LANE static F sqrt(F a) { return _mm512_maskz_sqrt_ps(0xffff, a); }
+    ISLET_LANE static F abs(F a) { return reinterpret_cast<F>(reinterpret_cast<i16>(a) & 0x7fffffff); }
+
+    template <std::uint32_t n>
+    using Columns = F[n];
+    template <std::uint32_t stride>
+    ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
+        gather4<stride>(base, index, out);
+        gather4<stride>(base + 4, index, out + 4);
+    }
+    template <std::uint32_t stride>
+    ISLET_LANE static void gather4(const float* base, const std::uint32_t* index, F out[4]) {
+        // Rows i, i + 4, i + 8 and i + 12 share a register, so four 4 x 4 transpositions side by side remain.
+        f16 r[4];
+        for (int i = 0; i < 4; ++i) {
+            const auto row = [&](int at) ISLET_INLINED_LAMBDA { return load4(base + std::size_t{stride} * index[at]); };
+            r[i] = __builtin_shufflevector(__builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7),
+                                           __builtin_shufflevector(row(i + 8), row(i + 12), 0, 1, 2, 3, 4, 5, 6, 7), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
+                                           13, 14, 15);
+        }
+        transpose(r, out);
+    }
+    template <std::uint32_t stride>
+    ISLET_LANE static void scatter4(float* base, const std::uint32_t* index, const F in[4]) {
+        scatter4_where<stride>(0xffff, base, index, in);
+    }
+    template <std::uint32_t stride>
+    ISLET_LANE static void scatter4_where(std::uint32_t bits, float* base, const std::uint32_t* index, const F in[4]) {
+        f16 r[4];
+        transpose(in, r);
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const auto put = [&](std::uint32_t at, f4 row) ISLET_INLINED_LAMBDA {
+                if ((bits >> at & 1u) != 0) store4(base + std::size_t{stride} * index[at], row);
+            };
+            put(i, __builtin_shufflevector(r[i], r[i], 0, 1, 2, 3));
+            put(i + 4, __builtin_shufflevector(r[i], r[i], 4, 5, 6, 7));
+            put(i + 8, __builtin_shufflevector(r[i], r[i], 8, 9, 10, 11));
+            put(i + 12, __builtin_shufflevector(r[i], r[i], 12, 13, 14, 15));
+        }
+    }
+    ISLET_LANE static std::uint32_t bits(i16 mask) { return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask)); }
+    ISLET_LANE static std::uint32_t positive(F a) { return _mm512_cmp_ps_mask(a, F{}, _CMP_GT_OQ); }
+
+private:
+    ISLET_LANE static void transpose(const f16 r[4], f16 out[4]) {
+        const f16 a = _mm512_maskz_unpacklo_ps(0xffff, r[0], r[1]);
+        const f16 b = _mm512_maskz_unpacklo_ps(0xffff, r[2], r[3]);
+        const f16 c = _mm512_maskz_unpackhi_ps(0xffff, r[0], r[1]);
+        const f16 d = _mm512_maskz_unpackhi_ps(0xffff, r[2], r[3]);
+        out[0] = _mm512_maskz_shuffle_ps(0xffff, a, b, 0x44);
+        out[1] = _mm512_maskz_shuffle_ps(0xffff, a, b, 0xee);
+        out[2] = _mm512_maskz_shuffle_ps(0xffff, c, d, 0x44);
+        out[3] = _mm512_maskz_shuffle_ps(0xffff, c, d, 0xee);
+    }
+};
+#endif
 #endif  // !ISLET_FOR_MSVC
 
 template <std::uint32_t width>
@@ -247,6 +320,12 @@ struct LanesByWidth<4> {
 template <>
 struct LanesByWidth<8> {
     using Type = Lane8;
+};
+#endif
+#if defined(ISLET_AVX512)
+template <>
+struct LanesByWidth<16> {
+    using Type = Lane16;
 };
 #endif
 

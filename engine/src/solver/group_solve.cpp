@@ -274,7 +274,7 @@ void solve_group(GroupWorld* worlds, std::uint32_t count, Arena& arena, float dt
     auto* const bodies = arena.take<SolverBody>(slots);
     auto* const motions = arena.take<SolverMotion>(slots);
     Arena rows = arena;  // the rows are not read after the solve
-    auto* const block_rows = rows.take<std::byte>(std::size_t{blocks} * first.lanes * row_bytes);
+    auto* const block_rows = rows.take<std::byte>(std::size_t{blocks} * first.block_lanes() * row_bytes);
     std::uint32_t slot = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         GroupWorld& world = worlds[i];
@@ -284,14 +284,14 @@ void solve_group(GroupWorld* worlds, std::uint32_t count, Arena& arena, float dt
         s.bodies[0] = SolverBody{};
         s.motions[0] = SolverMotion{};
         s.overflow = rows.take<ContactRows<1>>(world.plan.overflow_count);
-        s.joint_rows = place_joint_rows(world.plan, first.lanes, rows);
+        s.joint_rows = place_joint_rows(world.plan, first.block_lanes(), rows);
         s.links = rows.take<TreeLink>(world.plan.link_count);
         members[i].first_slot = slot;
         members[i].first_contact = static_cast<std::uint32_t>(world.core->manifolds - first.manifolds);
         members[i].first_body = static_cast<std::uint32_t>(world.core->poses - first.poses);
         slot += world.plan.slot_count;
     }
-    with_lanes(first.lanes, [&](auto lanes) {
+    with_lanes(first.block_lanes(), [&](auto lanes) {
         if constexpr (lanes > 1) GroupSolve<ContactKernel<lanes>>{members, count, slots, reinterpret_cast<ContactRows<lanes>*>(block_rows)}.run();
     });
     for (std::uint32_t i = 0; i < count; ++i) {

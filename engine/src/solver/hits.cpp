@@ -39,6 +39,9 @@ void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std
 #if ISLET_MAX_LANES >= 8
 void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, Hit* hits) { note(manifolds, rows, count, hits); }
 #endif
+#if ISLET_MAX_LANES >= 16
+void note_hits(const ContactManifold* manifolds, const ContactRows<16>* rows, std::uint32_t count, Hit* hits) { note(manifolds, rows, count, hits); }
+#endif
 
 void report_hits(Core& core, const Hit* hits) {
     const float threshold = core.state->hit_threshold;

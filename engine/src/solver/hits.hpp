@@ -25,6 +25,7 @@ private:
 void note_hits(const ContactManifold* manifolds, const ContactRows<1>* rows, std::uint32_t count, Hit* hits);
 void note_hits(const ContactManifold* manifolds, const ContactRows<4>* rows, std::uint32_t count, Hit* hits);
 void note_hits(const ContactManifold* manifolds, const ContactRows<8>* rows, std::uint32_t count, Hit* hits);
+void note_hits(const ContactManifold* manifolds, const ContactRows<16>* rows, std::uint32_t count, Hit* hits);
 
 /// Reports the contacts whose shapes came together faster than the threshold, in slot order.
 void report_hits(Core& core, const Hit* hits);

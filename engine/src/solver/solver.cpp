@@ -24,14 +24,16 @@ namespace {
 inline constexpr std::uint32_t wide_rows = 1024;     // contacts and joints of a batch that all workers may solve together
 inline constexpr std::uint32_t contact_grain = 192;  // contacts of a colour, joints of a run, and bodies that are worth a task
 inline constexpr std::uint32_t joint_grain = 128;
+static_assert(contact_grain % (2 * max_block_lanes) == 0 && joint_grain % (2 * max_block_lanes) == 0);  // with_rows says why
 inline constexpr std::uint32_t slot_grain = 512;
 
 /// One batch. One thread solves it; a wide one is solved by all workers together, stage by stage. Constraints of one colour are independent, and so are bodies
 /// while they are integrated, so no result depends on how the workers share them.
-template <class K>
+template <std::uint32_t lanes>
 struct BatchSolve {
+    static constexpr std::uint32_t W = lanes < max_block_lanes ? lanes : max_block_lanes;  // contacts in a block
+    using K = ContactKernel<W>;
     using Rows = typename K::Rows;
-    static constexpr std::uint32_t W = K::W;
     using One = LoneKernel<W>;
 
     Solve& s;
@@ -48,12 +50,20 @@ struct BatchSolve {
     bool is_lone(std::uint32_t color) const { return W > 1 && (lone_colors >> color & 1) != 0; }
     void find_lone_colors();
 
-    /// Calls work(kernel, its rows, how many) for some of a colour's blocks.
+    /// Calls work(kernel, its rows, how many, first block) for some of a colour's blocks. Sixteen lanes solve them two by two, and one that is left over by
+    /// itself; so the parts of a colour must begin at even blocks of it, as they do where workers share it.
     template <class Work>
     void with_rows(std::uint32_t color, std::uint32_t first, std::uint32_t end, Work&& work) {
         if constexpr (W > 1)
-            if (is_lone(color)) return work(One{}, lone_row(first), 1u);
-        work(K{}, row(first), end - first);
+            if (is_lone(color)) return work(One{}, lone_row(first), 1u, first);
+        if constexpr (lanes > W) {
+            using Wide = ContactKernel<lanes>;
+            const std::uint32_t pairs = (end - first) / 2;
+            if (pairs != 0) work(Wide{}, reinterpret_cast<typename Wide::Rows*>(row(first)), pairs, first);
+            first += 2 * pairs;
+            if (first == end) return;
+        }
+        work(K{}, row(first), end - first, first);
     }
 
     template <class Work>
@@ -116,8 +126,8 @@ struct BatchSolve {
     void store();
 };
 
-template <class K>
-void BatchSolve<K>::find_lone_colors() {
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::find_lone_colors() {
     if (W == 1 || s.residuals != nullptr) return;  // a measure tries whole blocks
     for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
         const auto c = trailing_zeros(left);
@@ -126,14 +136,14 @@ void BatchSolve<K>::find_lone_colors() {
     }
 }
 
-template <class K>
-void BatchSolve<K>::prepare() {
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::prepare() {
     over_bodies([&](std::uint32_t first, std::uint32_t end) { gather_bodies(s, first, end); });
     const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers.step};
     find_lone_colors();
     over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) {
-        with_rows(c, first, end, [&](auto kernel, auto* rows, std::uint32_t count) {
-            name_contacts(s.core, rows, count, s.plan.contacts + std::size_t{first} * W);
+        with_rows(c, first, end, [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t block) {
+            name_contacts(s.core, rows, count, s.plan.contacts + std::size_t{block} * W);
             decltype(kernel)::prepare(in, rows, count);
         });
     });
@@ -144,15 +154,15 @@ void BatchSolve<K>::prepare() {
     if (link_count() != 0) prepare_trees(s.plan, batch, s.links, joints, s.motions);
     for (std::uint32_t i = batch.first_run; has_run(i); ++i) {
         const JointRun& r = s.plan.runs[i];
-        over_run(r, [&](const JointRun& part, std::byte* blocks) { prepare_joint_run(part, W, blocks, s.plan.joints + part.first, joints); });
+        over_run(r, [&](const JointRun& part, std::byte* blocks) { prepare_joint_run(part, lanes, blocks, s.plan.joints + part.first, joints); });
     }
 }
 
 // One sweep: first the constraints without a colour, then the colours in order, in each joints before contacts. The colours of contacts with static bodies come
 // last, and joint trees after them, so that their hinges hold when positions are integrated. (A ball of 100 link masses that falls on a stack with its chain
 // tears the hinges apart by 121 mm if trees come before the contacts, and by 6 mm if they come after.)
-template <class K>
-void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::sweep(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
     std::uint32_t run = batch.first_run;
     for (; has_run(run) && s.plan.runs[run].color == no_color; ++run) {
         const JointRun& r = s.plan.runs[run];
@@ -163,17 +173,16 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const auto c = trailing_zeros(left);
         for (; has_run(run) && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
-            over_run(r, [&](const JointRun& part, std::byte* blocks) { solve_joint_run(part, W, s.bodies, blocks, joints); });
+            over_run(r, [&](const JointRun& part, std::byte* blocks) { solve_joint_run(part, lanes, s.bodies, blocks, joints); });
         }
         const std::uint32_t begin = batch.first_block[c];
         const std::uint32_t count = batch.first_block[c + 1] - begin;
         if (count == 0) continue;
         const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
-        if (is_lone(c)) {
-            One::solve(s.bodies, lone_row(begin), 1, numbers);
-            continue;
-        }
-        over(count, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { K::solve(s.bodies, row(begin + first), end - first, numbers); });
+        over(count, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) {
+            with_rows(c, begin + first, begin + end,
+                      [&](auto kernel, auto* rows, std::uint32_t blocks, std::uint32_t) { decltype(kernel)::solve(s.bodies, rows, blocks, numbers); });
+        });
     }
     if (has_tuning && s.numbers.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
     if (link_count() != 0) solve_trees(s.bodies, s.links + batch.first_link, link_count(), s.core.joints, joints);
@@ -181,8 +190,8 @@ void BatchSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
 }
 
 // The largest residual of the batch's islands. (Joint trees leave none: they are solved last, and exactly.)
-template <class K>
-float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
+template <std::uint32_t lanes>
+float BatchSolve<lanes>::measure(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
     const std::uint32_t* const island_of = s.plan.island_of;
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
         if (island_of[slot] != null_index) s.residuals[island_of[slot]] = 0;
@@ -216,29 +225,29 @@ float BatchSolve<K>::measure(const SweepNumbers& dynamic, const SweepNumbers& gr
     return largest;
 }
 
-template <class K>
-void BatchSolve<K>::try_joints(const JointRun& r, const JointSweep& joints) {
-    const std::uint32_t lanes = r.color == no_color ? 1 : W;
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::try_joints(const JointRun& r, const JointSweep& joints) {
+    const std::uint32_t width = r.color == no_color ? 1 : W;
     JointRun block = r;
     block.blocks = 1;
-    const std::size_t block_bytes = joint_run_bytes_of(block, lanes);
+    const std::size_t block_bytes = joint_run_bytes_of(block, width);
     for (std::uint32_t i = 0; i < r.blocks; ++i) {
         Trial trial(s.joint_rows + r.offset + i * block_bytes, block_bytes);
-        for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-            const std::uint32_t joint = s.plan.joints[r.first + i * lanes + lane];
+        for (std::uint32_t lane = 0; lane < width; ++lane) {
+            const std::uint32_t joint = s.plan.joints[r.first + i * width + lane];
             if (joint == null_index) continue;
             for (const std::uint32_t body : bodies_of(s.core, s.core.joints[joint]).body)
                 if (body != null_index) trial.add(s.plan.slot_of[body]);
         }
         begin_trial(trial, s.bodies);
-        solve_joint_run(block, lanes, s.bodies, trial.rows, joints);
+        solve_joint_run(block, width, s.bodies, trial.rows, joints);
         end_trial(trial, s.bodies, s.plan.island_of, s.residuals);
     }
 }
 
 // Makes so many sweeps, or fewer if the tolerance is reached before.
-template <class K>
-void BatchSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
     if (is_idle()) {
         batch.sweeps += most;
         return;
@@ -250,16 +259,16 @@ void BatchSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, cons
     }
 }
 
-template <class K>
-void BatchSolve<K>::store() {
-    const auto store_rows = [&](auto kernel, auto* rows, std::uint32_t count) ISLET_INLINED_LAMBDA {
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::store() {
+    const auto store_rows = [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t) ISLET_INLINED_LAMBDA {
         decltype(kernel)::store(s.core.manifolds, rows, count);
         if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, rows, count, s.hits);
     };
     const std::uint32_t begin = batch.first_block[0];
-    if (W == 1 || lone_colors == 0) {
+    if (lanes == W && lone_colors == 0) {
         over(batch.first_block[color_count] - begin, 4 * contact_grain / W,
-             [&](std::uint32_t first, std::uint32_t end) { store_rows(K{}, row(begin + first), end - first); });
+             [&](std::uint32_t first, std::uint32_t end) { store_rows(K{}, row(begin + first), end - first, begin + first); });
     } else {
         over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) { with_rows(c, first, end, store_rows); });
     }
@@ -270,12 +279,12 @@ void BatchSolve<K>::store() {
     if (link_count() != 0) store_trees(s.links + batch.first_link, link_count(), out);
     for (std::uint32_t i = batch.first_run; has_run(i); ++i) {
         const JointRun& r = s.plan.runs[i];
-        over_run(r, [&](const JointRun& part, std::byte* blocks) { store_joint_run(part, W, blocks, out); });
+        over_run(r, [&](const JointRun& part, std::byte* blocks) { store_joint_run(part, lanes, blocks, out); });
     }
 }
 
-template <class K>
-void BatchSolve<K>::run() {
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::run() {
     const SolverState& def = s.core.state->solver;
     prepare();
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
@@ -293,7 +302,8 @@ void BatchSolve<K>::run() {
     const float threshold = s.numbers.step.restitution_threshold;
     One::restitute(s.bodies, overflow, overflow_count, threshold);
     over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) {
-        with_rows(c, first, end, [&](auto kernel, auto* rows, std::uint32_t count) { decltype(kernel)::restitute(s.bodies, rows, count, threshold); });
+        with_rows(c, first, end,
+                  [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t) { decltype(kernel)::restitute(s.bodies, rows, count, threshold); });
     });
     hold();
     store();
@@ -304,9 +314,11 @@ void BatchSolve<K>::run() {
 //
 // A batch needs its rows only while it is solved, so the batches that a worker solves take turns in the same memory, which stays in the core's cache. If there
 // is no room for the largest batch once a worker, each batch has rows of its own.
-template <class K>
+template <std::uint32_t lanes>
 struct SharedSolve {
-    using Rows = typename K::Rows;
+    using Solver = BatchSolve<lanes>;
+    using Rows = typename Solver::Rows;
+    static constexpr std::uint32_t W = Solver::W;
     Solve& s;
     Rows* rows = reinterpret_cast<Rows*>(s.blocks);
     std::uint32_t first_batch = s.plan.batches[kinematic_batch].body_count == 0 ? kinematic_batch + 1 : kinematic_batch;
@@ -316,13 +328,13 @@ struct SharedSolve {
     std::uint32_t joints_of(const Batch& b) const {
         std::uint32_t blocks = 0;
         for (std::uint32_t i = b.first_run; i < b.end_run; ++i) blocks += s.plan.runs[i].blocks;
-        return blocks * K::W;
+        return blocks * W;
     }
     // An estimate of how long the batch takes, in contacts: a joint counts for two, a link of a tree for ten.
     std::uint32_t weight_of(const Batch& b) const {
-        return blocks_of(b) * K::W + 2 * joints_of(b) + 10 * b.link_count + 4 * (b.end_overflow - b.first_overflow) + b.body_count / 2 + 1;
+        return blocks_of(b) * W + 2 * joints_of(b) + 10 * b.link_count + 4 * (b.end_overflow - b.first_overflow) + b.body_count / 2 + 1;
     }
-    bool is_wide(const Batch& b) const { return blocks_of(b) * K::W + joints_of(b) >= wide_rows && weight_of(b) > fair; }
+    bool is_wide(const Batch& b) const { return blocks_of(b) * W + joints_of(b) >= wide_rows && weight_of(b) > fair; }
 
     // Calls visit(batch, share) for the narrow batches. A heavy one, of half a fair share and more, goes to the share that is lightest so far. Neighbours among
     // the others fill up the shares one by one.
@@ -359,7 +371,7 @@ struct SharedSolve {
         for (std::uint32_t i = first_batch; i < s.plan.batch_count; ++i) {
             Batch& b = s.plan.batches[i];
             if (is_wide(b)) {
-                BatchSolve<K>{s, b, true, rows + b.first_block[0]}.run();
+                Solver{s, b, true, rows + b.first_block[0]}.run();
             } else {
                 largest = largest > blocks_of(b) ? largest : blocks_of(b);
                 total += weight_of(b);
@@ -371,17 +383,17 @@ struct SharedSolve {
         const bool take_turns = std::uint64_t{shares} * largest <= s.plan.block_count;
         for_ranges(s.core, shares, 1, [&](std::uint32_t first, std::uint32_t end) {
             share_out(shares, total, [&](Batch& b, std::uint32_t share) {
-                if (share >= first && share < end) BatchSolve<K>{s, b, false, rows + (take_turns ? share * largest : b.first_block[0])}.run();
+                if (share >= first && share < end) Solver{s, b, false, rows + (take_turns ? share * largest : b.first_block[0])}.run();
             });
         });
     }
 };
 
-template <class K>
+template <std::uint32_t lanes>
 void solve_batches(Solve& s) {
-    SharedSolve<K> shared{s};
+    SharedSolve<lanes> shared{s};
     if (has_workers(s.core)) return shared.run();
-    for (std::uint32_t i = shared.first_batch; i < s.plan.batch_count; ++i) BatchSolve<K>{s, s.plan.batches[i], false, shared.rows}.run();
+    for (std::uint32_t i = shared.first_batch; i < s.plan.batch_count; ++i) BatchSolve<lanes>{s, s.plan.batches[i], false, shared.rows}.run();
 }
 
 // Reports to each body its island's residual; bodies that were not solved have none.
@@ -417,11 +429,12 @@ SolverBody* solve(Core& core, const Plan& plan, SolverMotion* motions, Arena& ar
     if (has_tuning && measures_residual(core.state->solver)) s.residuals = arena.take<float>(plan.island_count);
     if (has_hits && (core.state->asked & shape_hit_events) != 0) s.hits = arena.take<Hit>(core.state->contact_pool.high_water);
     Arena rows = arena;  // the rows are not read after the solve
-    s.blocks = rows.take<std::byte>(std::size_t{plan.block_count} * core.lanes * row_bytes);
+    s.blocks = rows.take<std::byte>(std::size_t{plan.block_count} * core.block_lanes() * row_bytes);
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
-    s.joint_rows = place_joint_rows(plan, core.lanes, rows);
+    s.joint_rows = place_joint_rows(plan, core.block_lanes(), rows);
     s.links = rows.take<TreeLink>(plan.link_count);
-    with_lanes<min_lanes>(core.lanes, [&](auto lanes) { solve_batches<ContactKernel<lanes>>(s); });
+    // A measure tries block by block.
+    with_lanes<min_lanes, max_lanes>(s.residuals != nullptr ? core.block_lanes() : core.lanes, [&](auto lanes) { solve_batches<lanes>(s); });
     core.state->last_substep = s.numbers.step.h;
     if (has_shock(core.state->solver)) restore_impulses(core, plan.lightness, arena);
     core.has_residuals = s.residuals != nullptr;

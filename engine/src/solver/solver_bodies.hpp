@@ -75,7 +75,7 @@ ISLET_PART void integrate_velocities(Solve& s, std::uint32_t first_slot, std::ui
     const auto many = [&](std::uint32_t slot) ISLET_INLINED_LAMBDA {
         [[maybe_unused]] const VelocityVectors all{s.bodies, s.motions, 0.7f * max_speed, max_turn, first};
 #if ISLET_BODY_VECTORS
-        return ISLET_MAX_LANES == 8 && s.core.lanes == 8 ? integrate_velocities_8(all, slot, end_slot) : integrate_vectors<OneBody>(all, slot, end_slot);
+        return ISLET_MAX_LANES >= 8 && s.core.lanes >= 8 ? integrate_velocities_8(all, slot, end_slot) : integrate_vectors<OneBody>(all, slot, end_slot);
 #else
         return slot;
 #endif
@@ -89,7 +89,7 @@ ISLET_PART void integrate_positions(Solve& s, std::uint32_t first_slot, std::uin
     const auto many = [&](std::uint32_t slot) ISLET_INLINED_LAMBDA {
         [[maybe_unused]] const WayVectors all{s.bodies, 0.7f * max_speed, max_turn, h};
 #if ISLET_BODY_VECTORS
-        return ISLET_MAX_LANES == 8 && s.core.lanes == 8 ? integrate_positions_8(all, slot, end_slot) : integrate_vectors<OneBody>(all, slot, end_slot);
+        return ISLET_MAX_LANES >= 8 && s.core.lanes >= 8 ? integrate_positions_8(all, slot, end_slot) : integrate_vectors<OneBody>(all, slot, end_slot);
 #else
         return slot;
 #endif

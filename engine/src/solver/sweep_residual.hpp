@@ -16,7 +16,7 @@
 namespace islet::detail {
 
 /// Most slots that one block of rows may name: four for a gear, two for each lane of other constraints.
-inline constexpr std::uint32_t most_trial_slots = 2 * (max_lanes > 2 ? max_lanes : 2);
+inline constexpr std::uint32_t most_trial_slots = 2 * (max_block_lanes > 2 ? max_block_lanes : 2);
 
 /// m/s: by how much the velocity of a body changed. A turn counts by its speed at the radius of gyration.
 inline float velocity_change(const SolverBody& before, const SolverBody& after) {
@@ -36,7 +36,7 @@ struct Trial {
     std::uint32_t slots[most_trial_slots];  // in any order and number
     std::uint32_t count = 0;
     SolverBody before[most_trial_slots];
-    alignas(16) std::byte saved[max_lanes * (row_bytes > joint_row_bytes ? row_bytes : joint_row_bytes)];
+    alignas(16) std::byte saved[max_block_lanes * (row_bytes > joint_row_bytes ? row_bytes : joint_row_bytes)];
 
     Trial(std::byte* from, std::size_t n) : rows(from), bytes(n) {}
     void add(std::uint32_t slot) { slots[count++] = slot; }

@@ -162,7 +162,7 @@ FieldFault find_fault(const WorldDef& d) {
     f.range("max_speed", d.max_speed, 0, max_speed_limit);
     f.positive("max_speed", d.max_speed);
     f.not_negative("hit_threshold", d.hit_threshold);
-    f.rule("lanes", d.lanes == 0 || d.lanes == 1 || d.lanes == 4 || d.lanes == 8, Error::out_of_range);
+    f.rule("lanes", d.lanes == 0 || d.lanes == 1 || d.lanes == 4 || d.lanes == 8 || d.lanes == 16, Error::out_of_range);
     f.there("hooks", are_there(d.hooks));
     f.count("tasks.workers", d.tasks.workers, 1, max_workers);
     f.there("clock", has_profile || d.clock == nullptr);

@@ -51,7 +51,7 @@ Error check_def(const WorldDef& def) {
     if (!all_finite(def.gravity.x, def.gravity.y, def.restitution_threshold, def.max_speed, def.hit_threshold)) return Error::not_finite;
     if (!are_there(def.hooks)) return Error::feature_cut;
     if (def.restitution_threshold < 0 || def.hit_threshold < 0 || def.max_speed <= 0 || def.max_speed > max_speed_limit) return Error::out_of_range;
-    if (def.lanes != 0 && def.lanes != 1 && def.lanes != 4 && def.lanes != 8) return Error::out_of_range;
+    if (def.lanes != 0 && def.lanes != 1 && def.lanes != 4 && def.lanes != 8 && def.lanes != 16) return Error::out_of_range;
     if (!is_usable(def.tasks)) return Error::out_of_range;
     if (!has_profile && def.clock != nullptr) return Error::feature_cut;
     Error error = Error::none;
@@ -61,6 +61,7 @@ Error check_def(const WorldDef& def) {
 
 std::uint32_t choose_lanes(std::uint32_t wanted) {
     std::uint32_t widest = max_lanes;
+    if (widest == 16 && !cpu_has_avx512()) widest = 8;
     if (widest == 8 && !cpu_has_avx2()) widest = 4;
     return wanted == 0 || wanted > widest || wanted < min_lanes ? widest : wanted;
 }

@@ -81,13 +81,13 @@ Stand::Stand()
 
 void Stand::begin(const Setup& setup, Chorus& all) {
     all.clear();
-    static constexpr const char* names[] = {"one lane", "four lanes", "eight lanes", "other capacity"};
+    static constexpr const char* names[] = {"one lane", "four lanes", "sixteen lanes", "other capacity"};
     test::Random random(setup.seed ^ 0x5bd1e995u);
     for (std::uint32_t i = 0; i < 5; ++i) {
         WorldDef def = setup.def;
         Capacity capacity = setup.capacity;
         if (i == 3) capacity = other_room;
-        def.lanes = i == 0 ? 1 : i == 1 ? 4 : i == 2 ? 8 : random.one_in(2) ? 4 : 8;
+        def.lanes = i == 0 ? 1 : i == 1 ? 4 : i == 2 ? 16 : random.one_in(2) ? 4 : 8;
         if (i == 1) def.tasks = {backwards, nullptr, 2};
         if (i == 2) def.tasks = {setup.threads ? on_threads : odd_first, nullptr, 2};
         Error error = Error::none;

@@ -13,7 +13,7 @@ double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_
 
 namespace {
 
-// "worlds differ: four lanes, poses" and "worlds differ: eight lanes, motions" are the same finding.
+// "worlds differ: four lanes, poses" and "worlds differ: sixteen lanes, motions" are the same finding.
 std::string kind_of(const std::string& what) { return what.substr(0, what.find(':')); }
 
 bool breaks(const Setup& setup, const Deeds& deeds, const std::string& what) { return kind_of(attempt(setup, deeds)) == kind_of(what); }
@@ -251,7 +251,7 @@ std::string program(const Setup& setup, const Deeds& deeds, const std::string& w
     s += "int main() {\n"
          "    static void (*const backwards)(void*, unsigned, void (*)(void*, unsigned), void*) =\n"
          "        [](void*, unsigned count, void (*task)(void*, unsigned), void* data) { for (unsigned i = count; i-- > 0;) task(data, i); };\n"
-         "    const unsigned lanes[] = {1, 4, 8, 8};\n"
+         "    const unsigned lanes[] = {1, 4, 16, 16};\n"
          "    std::vector<unsigned long long> first;\n"
          "    for (mode = 0; mode < 4; ++mode) {\n"
          "        WorldDef def{" + text_of(setup.def) + "};\n"

@@ -687,7 +687,7 @@ typedef struct IsletWorldDef {
     /// Continuous collision: however fast bodies move and turn, and however hard they are pressed, dynamic ones do not pass through static shapes, and
     /// bullets pass through no other body. (Other bullets may still crowd a bullet into a moving body.)
     bool continuous;
-    /// How many constraints are solved at once: 1, 4 or 8, or 0 for as many as the processor can. The bits are the same.
+    /// How many constraints are solved at once: at most 1, 4, 8 or 16; 0: as many as can be. The bits are the same.
     uint32_t lanes;
     IsletErrorHook error_hook;
     void* error_context;
@@ -2439,7 +2439,7 @@ ISLET_C_API IsletError islet_world_set_restitution_threshold(IsletWorld* world, 
 ISLET_C_API float islet_world_max_speed(const IsletWorld* world);
 ISLET_C_API IsletError islet_world_set_max_speed(IsletWorld* world, float speed);
 
-/// How many constraints this world solves at once: 1, 4 or 8 (IsletWorldDef.lanes).
+/// How many constraints this world solves at once, at most: 1, 4, 8 or 16 (IsletWorldDef.lanes).
 ISLET_C_API uint32_t islet_world_lanes(const IsletWorld* world);
 
 /// IsletWorldDef.continuous.
