@@ -253,8 +253,19 @@ struct Lane16 {
     using Columns = F[n];
     template <std::uint32_t stride>
     ISLET_LANE static void gather8(const float* base, const std::uint32_t* index, F out[8]) {
-        gather4<stride>(base, index, out);
-        gather4<stride>(base + 4, index, out + 4);
+        // The halves of rows i, i + 4, i + 8 and i + 12 share a register each, so four 4 x 4 transpositions side by side remain of each half.
+        f16 low[4], high[4];
+        for (int i = 0; i < 4; ++i) {
+            const auto two_rows = [&](int a, int b) ISLET_INLINED_LAMBDA {
+                return __builtin_shufflevector(_mm256_loadu_ps(base + std::size_t{stride} * index[a]), _mm256_loadu_ps(base + std::size_t{stride} * index[b]),
+                                               0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+            };
+            const f16 a = two_rows(i, i + 4), b = two_rows(i + 8, i + 12);
+            low[i] = _mm512_maskz_shuffle_f32x4(0xffff, a, b, 0x88);
+            high[i] = _mm512_maskz_shuffle_f32x4(0xffff, a, b, 0xdd);
+        }
+        transpose(low, out);
+        transpose(high, out + 4);
     }
     template <std::uint32_t stride>
     ISLET_LANE static void gather4(const float* base, const std::uint32_t* index, F out[4]) {
