@@ -118,7 +118,7 @@ ISLET_INLINE Aabb expand(const Aabb& a, float margin) { return {{a.lower.x - mar
 ISLET_INLINE float perimeter(const Aabb& a) { return 2.0f * ((a.upper.x - a.lower.x) + (a.upper.y - a.lower.y)); }
 
 /// True for every number but NaN and the infinities, in any unit.
-ISLET_INLINE bool is_finite(float a) { return a - a == 0.0f; }
+ISLET_INLINE bool is_finite(float a) { return (__builtin_bit_cast(std::uint32_t, a) << 1) < 0xff000000u; }
 ISLET_INLINE bool is_finite(Vec2 a) { return is_finite(a.x) && is_finite(a.y); }
 
 /// Euclidean length, in the unit of a; correctly rounded square root, the same bits everywhere.

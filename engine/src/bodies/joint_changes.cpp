@@ -121,8 +121,9 @@ namespace {
 inline constexpr std::uint32_t checked_grain = 4;  // words of 64 joints that are worth a task
 
 bool breaks(const Joint& j, float inv_h) {
-    if ((j.generation & 1u) == 0 || (j.break_force == 0 && j.break_torque == 0)) return false;
-    return (j.break_force > 0 && length(inv_h * j.force_impulse) > j.break_force) || (j.break_torque > 0 && abs(inv_h * j.torque_impulse) > j.break_torque);
+    if ((j.generation & 1u) == 0 || !(is_positive(j.break_force) || is_positive(j.break_torque))) return false;
+    return (is_positive(j.break_force) && length(inv_h * j.force_impulse) > j.break_force) ||
+           (is_positive(j.break_torque) && abs(inv_h * j.torque_impulse) > j.break_torque);
 }
 
 // Notes what a joint bore, and breaks it if that was too much.
@@ -139,7 +140,7 @@ ISLET_PART void finish_joint(Core& core, std::uint32_t i, float inv_h) {
 }  // namespace
 
 void finish_joints(Core& core, Arena arena) {
-    const float inv_h = core.state->last_substep > 0 ? 1.0f / core.state->last_substep : 0;
+    const float inv_h = is_positive(core.state->last_substep) ? 1.0f / core.state->last_substep : 0;
     const BitSet awake = core.awake_joints;
     if (!has_workers(core)) return awake.for_each([&](std::uint32_t i) { finish_joint(core, i, inv_h); });
     // Workers find the few joints for which there is something to do.

@@ -22,7 +22,7 @@ inline constexpr float fast_way = 0.25f * speculative_distance + 0.4f * linear_s
 /// The acceleration by gravity and forces of a body that nothing holds, m/s^2.
 inline Vec2 pull_on(const Core& core, std::uint32_t body) {
     const float inv_mass = core.poses[body].inv_mass;
-    return inv_mass > 0 ? core.bodies[body].gravity_scale * core.state->gravity + inv_mass * core.motions[body].force : Vec2{0, 0};
+    return is_positive(inv_mass) ? core.bodies[body].gravity_scale * core.state->gravity + inv_mass * core.motions[body].force : Vec2{0, 0};
 }
 
 /// How two bodies approach each other within a step, if nothing else touches them: the way of the smaller one, seen from the other.
@@ -37,7 +37,7 @@ struct Approach {
 inline constexpr float pull_share = 0.625f;
 
 /// `fall` (m) is the way that gravity adds; 0 for bodies that hold each other.
-inline Approach approach_of(const Pose& a, const Pose& b, const Motion& ma, const Motion& mb, float dt, float fall) {
+ISLET_SHARED Approach approach_of(const Pose& a, const Pose& b, const Motion& ma, const Motion& mb, float dt, float fall) {
     const bool a_is_smaller = a.max_extent < b.max_extent;
     const Vec2 way = dt * (mb.v - ma.v - cross(a_is_smaller ? mb.w : ma.w, b.center - a.center));
     return {way, min(dt * abs(mb.w - ma.w), 2.0f) * min(a.max_extent, b.max_extent) + fall};

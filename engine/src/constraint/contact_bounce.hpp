@@ -30,7 +30,7 @@ ISLET_PART void note_approach([[maybe_unused]] const StepNumbers& n, ContactRows
     } else {
         const float e = *restitution_of(r);
         r.rebound[i] = e * approach;
-        if (approach < -n.restitution_threshold && e > 0) r.bouncy |= static_cast<std::uint8_t>(2u << i);
+        if (approach < -n.restitution_threshold && is_positive(e)) r.bouncy |= static_cast<std::uint8_t>(2u << i);
     }
 }
 

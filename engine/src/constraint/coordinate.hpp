@@ -52,7 +52,7 @@ inline float within_bound(float a) { return within_bounds(a, no_bound); }
 
 inline std::uint32_t coordinate_parts(const Joint& j) {
     return ((j.flags & joint_spring) != 0 ? std::uint32_t{part_spring} : 0u) | ((j.flags & joint_motor) != 0 ? std::uint32_t{part_motor} : 0u) |
-           (j.friction > 0 ? std::uint32_t{part_friction} : 0u) | ((j.flags & joint_limit) != 0 ? std::uint32_t{part_limit} : 0u);
+           (is_positive(j.friction) ? std::uint32_t{part_friction} : 0u) | ((j.flags & joint_limit) != 0 ? std::uint32_t{part_limit} : 0u);
 }
 
 /// What the joint's own motor put on its limits in the last substep. (A wheel's motor turns it, and its limits are the strut's.)

@@ -49,10 +49,8 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, DistanceRows<
     const F x = L::sqrt(dot(d, d));
     const F inv_x = select(x > L::splat(least_distance), L::splat(1.0f) / x, zero);
     const LaneVec<F> u = inv_x * d;
-    const F sa = cross(ra, u), sb = cross(rb, u);
-    const F k = select(inv_x > zero, s.ma + s.mb + s.ia * sa * sa + s.ib * sb * sb, zero);
-    const auto speed = [&] { return dot(u, s.vb - s.va) + sb * s.wb - sa * s.wa; };
-    const auto push = [&](F impulse) { s.push(impulse * u, sa * impulse, sb * impulse); };
+    const DirectionRow<L> along(s, u, ra, rb);
+    const F k = select(inv_x > zero, along.k, zero);
     const F rod = L::load(r.rod);
     const LaneVec<F> total = (rod + coordinate_impulse<L>(r.free)) * u;
     aim<L>(s, n, total, cross(ra, total), cross(rb, total));
@@ -60,14 +58,13 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, DistanceRows<
     const LaneVec<F> d_dot = s.point_velocity(ra, rb);
     const F x_dot = dot(u, d_dot);
     const F bend = dot(u, s.point_curvature(ra, rb)) + inv_x * (dot(d_dot, d_dot) - x_dot * x_dot);
-    push(solve_motor_and_friction<L>(r.free, k, speed(), n));
-    push(solve_spring_and_limits<L>(r.free, x, k, speed(), bend, n));
+    along.push(s, solve_motor_and_friction<L>(r.free, k, along.speed(s), n));
+    along.push(s, solve_spring_and_limits<L>(r.free, x, k, along.speed(s), bend, n));
 
-    const F rigid = L::load(r.rigid);
-    const F residual = speed() + curve<L>(bend, n) + L::splat(n.soft.rate) * (x - L::load(r.length));
-    const F delta = -(rigid * L::splat(n.omega * n.soft.mass_scale) * inverse_or_zero<L>(k) * residual) - L::splat(n.omega * n.soft.impulse_scale) * rod;
+    const F residual = along.speed(s) + curve<L>(bend, n) + L::splat(n.soft.rate) * (x - L::load(r.length));
+    const F delta = rigid_delta<L>(n, L::load(r.rigid) * k, residual, rod);
     L::store(r.rod, rod + delta);
-    push(delta);
+    along.push(s, delta);
 }
 
 template <std::uint32_t W>

@@ -71,7 +71,7 @@ inline WarmStart prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const Jo
     r.mass = inverse_or_zero<Lane1>(k);
     for (std::uint32_t i = 0; i < 4; ++i) {
         SolverBody& b = in.bodies[r.slots[i]];
-        if (!(b.inv_mass > 0)) continue;  // only read: see scatter_pushed
+        if (!is_positive(b.inv_mass)) continue;  // only read: see scatter_pushed
         b.warm_v += (b.inv_mass * r.impulse) * Vec2{r.ux[i], r.uy[i]};
         b.warm_w += b.inv_inertia * r.impulse * r.s[i];
     }
@@ -92,7 +92,7 @@ void solve(SolverBody* bodies, GearRows<1>& r, const JointSweep& n) {
     r.impulse += delta;
     for (std::uint32_t i = 0; i < 4; ++i) {
         SolverBody& b = bodies[r.slots[i]];
-        if (!(b.inv_mass > 0)) continue;
+        if (!is_positive(b.inv_mass)) continue;
         b.v += effect<Lane1>(b.inv_mass, delta) * Vec2{r.ux[i], r.uy[i]};
         b.w += effect<Lane1>(b.inv_inertia, delta) * r.s[i];
     }

@@ -179,7 +179,7 @@ void set_ends(JointEnds<W>& r, std::uint32_t lane, const Joint& j, const JointIn
 /// What an impulse adds to a body's velocity waits in its warm_v and warm_w for the first substep. Bodies that cannot be pushed are only read (see
 /// scatter_pushed).
 inline void add_warm_start(SolverBody& b, Vec2 impulse, float angular) {
-    if (!(b.inv_mass > 0)) return;
+    if (!is_positive(b.inv_mass)) return;
     b.warm_v += b.inv_mass * impulse;
     b.warm_w += b.inv_inertia * angular;
 }
@@ -227,6 +227,26 @@ struct JointArms {
     LaneVec<F> ra, rb, d;  // m
     ISLET_LANE JointArms(const JointEnds<L::width>& r, const JointBodies<L>& s)
         : ra(turn<L>(s.dqa, load<L>(r.rax, r.ray))), rb(turn<L>(s.dqb, load<L>(r.rbx, r.rby))), d(load<L>(r.dx, r.dy) + (s.dpb - s.dpa) + rb - ra) {}
+};
+
+/// A direction e along which B's point moves against a point of A, given by its arm: the Jacobian.
+template <class L>
+struct DirectionRow {
+    using F = typename L::F;
+    LaneVec<F> e;
+    F sa, sb;  // angular entries
+    F k;       // 1/kg
+
+    ISLET_LANE DirectionRow(const JointBodies<L>& s, LaneVec<F> direction, LaneVec<F> arm_a, LaneVec<F> rb)
+        : e(direction), sa(cross(arm_a, direction)), sb(cross(rb, direction)), k(s.ma + s.mb + s.ia * sa * sa + s.ib * sb * sb) {}
+
+    ISLET_LANE F speed(const JointBodies<L>& s) const { return dot(e, s.vb - s.va) + sb * s.wb - sa * s.wa; }
+    /// The second derivative, if e is fixed in A.
+    ISLET_LANE F bend(const JointBodies<L>& s, const JointArms<L>& arms) const {
+        const LaneVec<F> d_dot = s.point_velocity(arms.ra, arms.rb);
+        return dot(e, s.point_curvature(arms.ra, arms.rb)) + (s.wa + s.wa) * dot(left_perp(e), d_dot) - s.wa * s.wa * dot(e, arms.d);
+    }
+    ISLET_LANE void push(JointBodies<L>& s, F impulse) const { s.push(impulse * e, sa * impulse, sb * impulse); }
 };
 
 template <class L>
@@ -313,7 +333,7 @@ ISLET_ALWAYS_INLINE inline Vec2 turned(float angle, float x, float y) {
 
 /// Forgets all impulses of a joint if what it applies is beyond unsound_impulse, or if any single impulse is not finite. (Single impulses may cancel out in
 /// what it applies; the sum of all is not finite if one of them is not.)
-inline void forget_unsound(Joint& j) {
+ISLET_SHARED void forget_unsound(Joint& j) {
     // Field by field: wide loads would wait for the narrow stores just made, and so would a long chain of sums for each other.
     const float applied = abs(j.force_impulse.x) + abs(j.force_impulse.y) + abs(j.torque_impulse);
     const float others =
@@ -328,7 +348,7 @@ inline void forget_unsound(Joint& j) {
 /// be pushed is not stretched.
 inline void add_stretch(const JointOutput& out, std::uint32_t slot, std::uint32_t body, Vec2 arm, Vec2 p) {
     const SolverBody& b = out.solved[slot];
-    if (!(b.inv_mass > 0)) return;
+    if (!is_positive(b.inv_mass)) return;
     constexpr float most = 1.0e37f;  // many joints may pull at one body: their sum must not overflow
     float& stretch = out.bodies[body].stretch;
     stretch = within_bounds(stretch + out.h * dot(turned(b.dq, arm.x, arm.y), p), most);

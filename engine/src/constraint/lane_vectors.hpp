@@ -92,8 +92,8 @@ ISLET_LANE void scatter_pushed(SolverBody* bodies, const Slot* body_a, const Slo
     if constexpr (L::width == 1) {
         float* const a = base + std::size_t{words} * body_a[0];
         float* const b = base + std::size_t{words} * body_b[0];
-        if (ma > 0) a[0] = out_a[0], a[1] = out_a[1], a[2] = out_a[2];
-        if (mb > 0) b[0] = out_b[0], b[1] = out_b[1], b[2] = out_b[2];
+        if (is_positive(ma)) a[0] = out_a[0], a[1] = out_a[1], a[2] = out_a[2];
+        if (is_positive(mb)) b[0] = out_b[0], b[1] = out_b[1], b[2] = out_b[2];
     } else if (L::positive(min(ma, mb)) == (1u << L::width) - 1) {
         L::template scatter4<words>(base, body_a, out_a);
         L::template scatter4<words>(base, body_b, out_b);

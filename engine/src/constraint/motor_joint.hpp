@@ -23,7 +23,7 @@ struct alignas(W * 4) DriveRows {
 };
 
 /// Softness of a drive: of its frequency, or, with none, of a rigid velocity.
-ISLET_SHARED Softness drive_softness(float hertz, float damping_ratio, float h) { return hertz > 0 ? make_soft(hertz, damping_ratio, h) : Softness{}; }
+ISLET_SHARED Softness drive_softness(float hertz, float damping_ratio, float h) { return is_positive(hertz) ? make_soft(hertz, damping_ratio, h) : Softness{}; }
 
 template <std::uint32_t W>
 WarmStart prepare(DriveRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {

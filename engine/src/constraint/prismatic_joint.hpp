@@ -24,25 +24,6 @@ struct alignas(W * 4) SliderRows {
     CoordinateRows<W> free;
 };
 
-/// A direction fixed in A at this moment: its Jacobian and its second derivative.
-template <class L>
-struct DirectionRow {
-    using F = typename L::F;
-    LaneVec<F> e;
-    F sa, sb;  // angular entries
-    F k;       // 1/kg
-
-    ISLET_LANE DirectionRow(const JointBodies<L>& s, LaneVec<F> direction, LaneVec<F> arm_a, LaneVec<F> rb)
-        : e(direction), sa(cross(arm_a, direction)), sb(cross(rb, direction)), k(s.ma + s.mb + s.ia * sa * sa + s.ib * sb * sb) {}
-
-    ISLET_LANE F speed(const JointBodies<L>& s) const { return dot(e, s.vb - s.va) + sb * s.wb - sa * s.wa; }
-    ISLET_LANE F bend(const JointBodies<L>& s, const JointArms<L>& arms) const {
-        const LaneVec<F> d_dot = s.point_velocity(arms.ra, arms.rb);
-        return dot(e, s.point_curvature(arms.ra, arms.rb)) + (s.wa + s.wa) * dot(left_perp(e), d_dot) - s.wa * s.wa * dot(e, arms.d);
-    }
-    ISLET_LANE void push(JointBodies<L>& s, F impulse) const { s.push(impulse * e, sa * impulse, sb * impulse); }
-};
-
 template <std::uint32_t W>
 WarmStart prepare(SliderRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     const Vec2 u = {p.qa.c, p.qa.s};

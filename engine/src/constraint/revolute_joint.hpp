@@ -30,13 +30,13 @@ struct alignas(W * 4) HingeRows {
 };
 
 /// The angle of q to 0.08 rad, without a branch.
-inline float rough_angle(Rot q) {
+ISLET_SHARED float rough_angle(Rot q) {
     const float quarter = q.s / (abs(q.c) + abs(q.s));  // of a turn, from the x axis
     return 0.5f * pi * (q.c >= 0 ? quarter : (q.s < 0 ? -2.0f : 2.0f) - quarter);
 }
 
 /// The angle, roughly, continuous past full turns.
-ISLET_SHARED float rough_coordinate(const Joint& j, const JointPose& p) { return unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate); }
+inline float rough_coordinate(const Joint& j, const JointPose& p) { return unwrap(rough_angle(inv_mul(p.qa, p.qb)), j.coordinate); }
 
 template <std::uint32_t W>
 WarmStart prepare(PointRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {

@@ -29,10 +29,10 @@ WarmStart prepare(WeldRows<W>& r, std::uint32_t lane, const Joint& j, const Join
     r.angle[lane] = angle_of(p);
     const Softness linear = make_soft(j.linear_hertz, j.linear_damping_ratio, in.numbers.h);
     const Softness angular = make_soft(j.angular_hertz, j.angular_damping_ratio, in.numbers.h);
-    r.linear_soft[lane] = j.linear_hertz > 0 ? 1.0f : 0.0f;
+    r.linear_soft[lane] = is_positive(j.linear_hertz) ? 1.0f : 0.0f;
     r.linear_rate[lane] = linear.rate;
     r.linear_give[lane] = give_of(linear);
-    r.angular_soft[lane] = j.angular_hertz > 0 ? 1.0f : 0.0f;
+    r.angular_soft[lane] = is_positive(j.angular_hertz) ? 1.0f : 0.0f;
     r.angular_rate[lane] = angular.rate;
     r.angular_give[lane] = give_of(angular);
     r.turning[lane] = in.numbers.warm * j.angular_impulse;

@@ -80,7 +80,7 @@ struct Core {
 
     Arena arena() const { return {scratch, scratch_end}; }
     /// Constraints in a block of rows.
-    std::uint32_t block_lanes() const { return lanes < max_block_lanes ? lanes : max_block_lanes; }
+    std::uint32_t block_lanes() const { return max_block_lanes == 1 ? 1 : lanes < max_block_lanes ? lanes : max_block_lanes; }
 
     ISLET_SHARED void fail(Error error) const {
         last_error = error;

@@ -6,6 +6,7 @@
 
 #include "../data/features.hpp"
 #include "../math/inlining.hpp"
+#include "../math/scalar.hpp"
 #include "../memory/pool.hpp"
 #include "islet/geometry.hpp"
 #include "islet/joints.hpp"
@@ -314,8 +315,8 @@ inline bool is_soft(const SolverState& s) { return static_cast<Schedule>(s.sched
 inline bool is_ordered(const SolverState& s) {  // contacts are solved one by one, and not by colours
     return has_tuning && (static_cast<SweepOrder>(s.sweep_order) != SweepOrder::colored || s.block_contacts != 0);
 }
-inline bool has_shock(const SolverState& s) { return has_tuning && s.shock > 0; }
-inline bool measures_residual(const SolverState& s) { return has_tuning && (s.measure_residual != 0 || s.tolerance > 0); }
+inline bool has_shock(const SolverState& s) { return has_tuning && is_positive(s.shock); }
+inline bool measures_residual(const SolverState& s) { return has_tuning && (s.measure_residual != 0 || is_positive(s.tolerance)); }
 inline bool needs_ordering(const SolverDef& d) { return d.sweep_order != SweepOrder::colored || d.block_contacts || d.shock > 0; }
 inline bool needs_tuning(const SolverDef& d) { return needs_ordering(d) || d.measure_residual || d.tolerance > 0; }
 

@@ -229,7 +229,7 @@ ConnectedBodies separate_bodies(const Core& core, Plan& plan, Arena& temporary) 
         std::memset(sets.parent + begin, 0xff, count * 4);
         std::memset(sets.guided.words + first, 0, std::size_t{end - first} * 8);
         core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) {
-            if (core.poses[body].inv_mass > 0) sets.parent[body] = body;
+            if (is_positive(core.poses[body].inv_mass)) sets.parent[body] = body;
         });
     });
     return sets;

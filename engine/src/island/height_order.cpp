@@ -58,7 +58,7 @@ const Load* weigh_loads(const Core& core, Vec2 up, const PlannedConstraint* cont
     Load* const loads = temporary.take<Load>(bodies);
     const float fall = length(core.state->gravity) * core.state->last_substep;
     for (std::uint32_t i = 0; i < bodies; ++i) {
-        const float weight = core.poses[i].inv_mass > 0 ? fall / core.poses[i].inv_mass : 0;
+        const float weight = is_positive(core.poses[i].inv_mass) ? fall / core.poses[i].inv_mass : 0;
         loads[i] = {weight, weight / lightness[i]};
     }
     for (std::uint32_t k = count; k-- > 0;) {
@@ -106,7 +106,7 @@ void lighten_by_height(const Core& core, PlannedConstraint* contacts, std::uint3
     sort_along(core, up, contacts, count);
     for (std::uint32_t k = 0; k < count; ++k) {
         const Support s = support_of(core.manifolds[contacts[k].index], up);
-        if (s.level < least_level || core.poses[s.below].inv_mass == 0) continue;
+        if (s.level < least_level || !is_positive(core.poses[s.below].inv_mass)) continue;
         const float below = lightness[s.below];
         lightness[s.above] = max(lightness[s.above], below < most_lightness * mobility ? below / mobility : most_lightness);
     }

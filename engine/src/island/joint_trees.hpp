@@ -74,12 +74,12 @@ struct Forest {
         }
     }
 
-    ISLET_SHARED static bool moves(const Core& core, std::uint32_t body) { return core.poses[body].inv_mass > 0; }
+    ISLET_SHARED static bool moves(const Core& core, std::uint32_t body) { return is_positive(core.poses[body].inv_mass); }
 
     /// True if a tree can take the hinge: it has no spring, its bodies have no locks, and they turn if something acts on its angle.
     static bool can_take(const Core& core, const Joint& j) {
         const auto locked = [&](std::uint32_t body) { return (core.bodies[body].flags & (body_lock_x | body_lock_y)) != 0; };
-        const auto turns = [&](std::uint32_t body) { return core.poses[body].inv_inertia > 0 || !moves(core, body); };
+        const auto turns = [&](std::uint32_t body) { return is_positive(core.poses[body].inv_inertia) || !moves(core, body); };
         return (j.flags & joint_spring) == 0 && !locked(j.body_a) && !locked(j.body_b) &&
                (!has_acting_angle(j) || (has_exact_angles && turns(j.body_a) && turns(j.body_b)));
     }
@@ -97,7 +97,7 @@ struct Forest {
             trees[a].swept = trees[b].swept = true;
             return false;
         }
-        const bool breaks = trees[a].breaks || trees[b].breaks || j.break_force > 0 || j.break_torque > 0;
+        const bool breaks = trees[a].breaks || trees[b].breaks || is_positive(j.break_force) || is_positive(j.break_torque);
         const bool acted = trees[a].acted || trees[b].acted || has_acting_angle(j);
         trees[sets.join(a, b)] = {false, false, breaks, trees[a].swept || trees[b].swept, false, acted, false};
         return true;

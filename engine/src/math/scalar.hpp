@@ -26,6 +26,9 @@ ISLET_SHARED float within_bounds(float a, float bound) { return clamp(a, -bound,
 
 inline std::uint32_t bits_of(float a) { return __builtin_bit_cast(std::uint32_t, a); }
 
+/// a > 0, of what is never NaN: a comparison of whole numbers costs least, above all without a floating-point unit.
+inline bool is_positive(float a) { return __builtin_bit_cast(std::int32_t, a) > 0; }
+
 /// An unsigned integer that sorts as the float does.
 inline std::uint32_t sort_key(float a) {
     const std::uint32_t bits = bits_of(a);

@@ -21,7 +21,7 @@ inline void gather_motion(SolverMotion& m, const Core& core, std::uint32_t body,
     const Motion& motion = core.motions[body];
     const Body& b = core.bodies[body];
     m = SolverMotion{};
-    if (pose.inv_mass > 0) {
+    if (is_positive(pose.inv_mass)) {
         m.a = h * (b.gravity_scale * core.state->gravity + pose.inv_mass * motion.force);
         m.alpha = h * (pose.inv_inertia * motion.torque);
         m.linear_factor = 1.0f / (1.0f + h * b.linear_damping);

@@ -13,7 +13,7 @@ namespace {
 
 // All batches share the slot of static bodies, so bodies that cannot be pushed are never written to.
 ISLET_SHARED void push_body(SolverBody& body, Vec2 impulse, float turning) {
-    if (body.inv_mass <= 0) return;
+    if (!is_positive(body.inv_mass)) return;
     body.v += body.inv_mass * impulse;
     body.w += body.inv_inertia * turning;
 }
@@ -78,7 +78,7 @@ void solve_one(SolverBody* bodies, ContactRows<1>& r, const SweepNumbers& number
 void solve_in_order(SolverBody* bodies, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground, bool block) {
     for (std::uint32_t i = 0; i < count; ++i) {
         ContactRows<1>& r = rows[i];
-        const bool both_move = bodies[r.body_a[0]].inv_mass > 0 && bodies[r.body_b[0]].inv_mass > 0;
+        const bool both_move = is_positive(bodies[r.body_a[0]].inv_mass) && is_positive(bodies[r.body_b[0]].inv_mass);
         solve_one(bodies, r, both_move ? dynamic : ground, block);
     }
 }

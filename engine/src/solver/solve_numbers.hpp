@@ -48,7 +48,7 @@ ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
     n.omega = def.omega;
     // Impulses grow with the substep, so those of the last step are scaled to this substep's length. A last substep that was nothing beside this one says
     // nothing about it.
-    n.warm = def.warm_start == 0 ? 0.0f : state.last_substep > 0 ? n.h / state.last_substep : 1.0f;
+    n.warm = def.warm_start == 0 ? 0.0f : is_positive(state.last_substep) ? n.h / state.last_substep : 1.0f;
     if (!(n.warm <= 1.0e6f)) n.warm = 0;
     n.restitution_threshold = state.restitution_threshold;
     n.max_speed = state.max_speed;

@@ -111,7 +111,7 @@ struct BatchSolve {
     /// Sweeps would change nothing.
     bool is_idle() const {
         const std::uint32_t blocks = batch.first_block[color_count] - batch.first_block[0], runs = batch.end_run - batch.first_run;
-        return (blocks | overflow_count | runs | link_count()) == 0 && !(s.numbers.tolerance > 0);
+        return (blocks | overflow_count | runs | link_count()) == 0 && !is_positive(s.numbers.tolerance);
     }
 
     void run();
@@ -211,7 +211,7 @@ float BatchSolve<lanes>::measure(const SweepNumbers& dynamic, const SweepNumbers
     };
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
         ContactRows<1>& r = overflow[i];
-        const bool both_move = s.bodies[r.body_a[0]].inv_mass > 0 && s.bodies[r.body_b[0]].inv_mass > 0;
+        const bool both_move = is_positive(s.bodies[r.body_a[0]].inv_mass) && is_positive(s.bodies[r.body_b[0]].inv_mass);
         try_contacts(One{}, r, s.numbers.is_ordered && !both_move ? ground : dynamic);
     }
     for (std::uint32_t c = 0; c < color_count; ++c)
@@ -255,7 +255,7 @@ void BatchSolve<lanes>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, 
     for (std::uint32_t i = 0; i < most; ++i) {
         sweep(dynamic, ground, joints);
         ++batch.sweeps;
-        if (has_tuning && s.numbers.tolerance > 0 && measure(dynamic, ground, joints) <= s.numbers.tolerance) return;
+        if (has_tuning && is_positive(s.numbers.tolerance) && measure(dynamic, ground, joints) <= s.numbers.tolerance) return;
     }
 }
 

@@ -22,7 +22,7 @@ inline constexpr std::uint32_t most_trial_slots = 2 * (max_block_lanes > 2 ? max
 inline float velocity_change(const SolverBody& before, const SolverBody& after) {
     const Vec2 dv = after.v - before.v;
     const float dw = after.w - before.w;
-    const float turning = before.inv_inertia > 0 && dw != 0 ? before.inv_mass / before.inv_inertia * dw * dw : 0;
+    const float turning = is_positive(before.inv_inertia) && dw != 0 ? before.inv_mass / before.inv_inertia * dw * dw : 0;
     return sqrt(dot(dv, dv) + turning);
 }
 
@@ -50,14 +50,14 @@ inline void begin_trial(Trial& t, const SolverBody* bodies) {
 inline void end_trial(const Trial& t, SolverBody* bodies, const std::uint32_t* island_of, float* residuals) {
     for (std::uint32_t i = 0; i < t.count; ++i) {
         const std::uint32_t slot = t.slots[i];
-        if (t.before[i].inv_mass > 0) {
+        if (is_positive(t.before[i].inv_mass)) {
             float& residual = residuals[island_of[slot]];
             const float change = velocity_change(t.before[i], bodies[slot]);
             if (!(change <= residual)) residual = change < no_residual ? change : no_residual;
         }
     }
     for (std::uint32_t i = 0; i < t.count; ++i)
-        if (t.before[i].inv_mass > 0) bodies[t.slots[i]] = t.before[i];  // the other bodies are only read
+        if (is_positive(t.before[i].inv_mass)) bodies[t.slots[i]] = t.before[i];  // the other bodies are only read
     std::memcpy(t.rows, t.saved, t.bytes);
 }
 

@@ -75,7 +75,7 @@ ISLET_SHARED Vec2 turned_arm(const SolverBody& b, Vec2 arm) { return turned(b.dq
 
 // Adds to the velocity of a link's body, and notes it, to be taken back.
 ISLET_SHARED void add(SolverBody& b, TreeLink& l, Vec2 dv, float dw) {
-    if (!(b.inv_mass > 0)) return;  // no thread may write to it
+    if (!is_positive(b.inv_mass)) return;  // no thread may write to it
     l.dv += dv;
     l.dw += dw;
     b.v += dv;
@@ -88,7 +88,7 @@ void take_back(SolverBody* bodies, TreeLink* links, std::uint32_t count) {
     for (std::uint32_t k = 0; k < count; ++k) {
         TreeLink& l = links[k];
         l.lambda.x = l.lambda.y = 0;
-        if (!(bodies[l.child].inv_mass > 0)) continue;
+        if (!is_positive(bodies[l.child].inv_mass)) continue;
         bodies[l.child].v -= l.dv;
         bodies[l.child].w -= l.dw;
         l.dv = {0, 0};
@@ -132,7 +132,7 @@ void factor(const SolverBody* bodies, TreeLink* links, std::uint32_t count, bool
         TreeLink& l = links[k];
         const SolverBody& c = bodies[l.child];
         l.s = {};
-        if (!(c.inv_mass > 0)) {
+        if (!is_positive(c.inv_mass)) {
             const float heavy = ground_ratio * inverse(bodies[l.parent].inv_mass);
             l.inv_mass = {};
             l.s.xx = l.s.yy = heavy;
@@ -143,7 +143,7 @@ void factor(const SolverBody* bodies, TreeLink* links, std::uint32_t count, bool
             l.mass.yy += mass;
             l.mass.zz += inverse(c.inv_inertia);
             if (l.is_held()) hang(l.s, l.mass, -l.arm_c);  // the hinge bears the body and all that hangs on it as if they were one
-            l.inv_mass = inverse(l.mass, c.inv_inertia > 0 && !l.capped);
+            l.inv_mass = inverse(l.mass, is_positive(c.inv_inertia) && !l.capped);
             if (l.joint == null_index) continue;
             if (!l.is_held()) {
                 const Sym2 s = inverse(point_of(l.inv_mass, l.arm_c));
@@ -322,7 +322,7 @@ ISLET_APART bool cap_turning(SolverBody* bodies, TreeLink* links, std::uint32_t 
 
 // Starts from an impulse p and an angular impulse of the last substep, and notes what they do, to be taken back.
 ISLET_SHARED void start_from(SolverBody& b, TreeLink& l, Vec2 arm, Vec2 p, float turning) {
-    if (!(b.inv_mass > 0)) return;
+    if (!is_positive(b.inv_mass)) return;
     turning += cross(arm, p);
     add_warm_start(b, p, turning);
     l.dv += b.inv_mass * p;
@@ -340,7 +340,7 @@ void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const 
         l.joint = link.joint;
         const float inv_inertia = in.poses[link.body].inv_inertia;
         const float light = plan.lightness != nullptr ? plan.lightness[link.body] : 1.0f;
-        if (inv_inertia > 0) motions[l.child].angular_factor *= in.bodies[l.child].inv_inertia / (light * inv_inertia);
+        if (is_positive(inv_inertia)) motions[l.child].angular_factor *= in.bodies[l.child].inv_inertia / (light * inv_inertia);
         if (l.joint == null_index) continue;
         const Joint& j = in.joints[l.joint];
         const JointPose p = pose_of(j, in.poses, in.bodies_in);
