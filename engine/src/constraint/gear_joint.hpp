@@ -36,34 +36,34 @@ ISLET_SHARED GearSide gear_side(const Joint& j, const JointPose& p) {
     return {dot(u, gap_of(p)), u, cross(gap_of(p) + p.ra, u), cross(p.rb, u)};
 }
 
+/// Adds a body's entries to the row, to those that it has already if it came before.
+ISLET_SHARED void add_entry(GearRows<1>& r, std::uint32_t i, std::uint32_t slot, Vec2 u, float s) {
+    r.slots[i] = slot;
+    for (std::uint32_t before = 0; before < i; ++before) {
+        if (r.slots[before] != slot || slot == 0) continue;
+        r.ux[before] += u.x;
+        r.uy[before] += u.y;
+        r.s[before] += s;
+        r.slots[i] = 0;
+        u = {0, 0};
+        s = 0;
+    }
+    r.ux[i] = u.x;
+    r.uy[i] = u.y;
+    r.s[i] = s;
+}
+
 inline WarmStart prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const JointPose&, const JointInput& in) {
-    const Joint& j1 = in.joints[j.joint1];
-    const Joint& j2 = in.joints[j.joint2];
-    const GearSide side1 = gear_side(j1, pose_of(j1, in.poses, in.bodies_in));
-    const GearSide side2 = gear_side(j2, pose_of(j2, in.poses, in.bodies_in));
-    const std::uint32_t slots[4] = {in.slot_of[j1.body_a], in.slot_of[j1.body_b], in.slot_of[j2.body_a], in.slot_of[j2.body_b]};
-    const Vec2 u[4] = {-side1.u, side1.u, -j.ratio * side2.u, j.ratio * side2.u};
-    const float s[4] = {-side1.sa, side1.sb, -j.ratio * side2.sa, j.ratio * side2.sb};
-    r.c = side1.c + j.ratio * side2.c - j.length;
+    for (std::uint32_t side = 0; side < 2; ++side) {
+        const Joint& geared = in.joints[side == 0 ? j.joint1 : j.joint2];
+        const GearSide g = gear_side(geared, pose_of(geared, in.poses, in.bodies_in));
+        const float ratio = side == 0 ? 1.0f : j.ratio;
+        add_entry(r, 2 * side, in.slot_of[geared.body_a], -ratio * g.u, -ratio * g.sa);
+        add_entry(r, 2 * side + 1, in.slot_of[geared.body_b], ratio * g.u, ratio * g.sb);
+        r.c = side == 0 ? g.c : r.c + ratio * g.c - j.length;
+    }
     r.impulse = in.numbers.warm * j.impulse.x;
     float k = 0;
-    for (std::uint32_t i = 0; i < 4; ++i) {
-        r.slots[i] = slots[i];
-        Vec2 sum = u[i];
-        r.s[i] = s[i];
-        for (std::uint32_t before = 0; before < i; ++before) {
-            if (r.slots[before] != slots[i] || slots[i] == 0) continue;
-            // The same body again: its first entry takes all.
-            r.ux[before] += sum.x;
-            r.uy[before] += sum.y;
-            r.s[before] += r.s[i];
-            r.slots[i] = 0;
-            sum = {0, 0};
-            r.s[i] = 0;
-        }
-        r.ux[i] = sum.x;
-        r.uy[i] = sum.y;
-    }
     for (std::uint32_t i = 0; i < 4; ++i) {
         const SolverBody& b = in.bodies[r.slots[i]];
         k += b.inv_mass * (r.ux[i] * r.ux[i] + r.uy[i] * r.uy[i]) + b.inv_inertia * r.s[i] * r.s[i];
