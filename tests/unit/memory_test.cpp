@@ -252,7 +252,7 @@ TEST(Layout, TheRegionsFollowOneAnotherAlignedToCacheLines) {
     offsets.insert(offsets.end(), {l.scratch, l.end});
     EXPECT_TRUE(std::is_sorted(offsets.begin(), offsets.end()));
     for (const std::size_t offset : offsets) EXPECT_EQ(offset % 64, 0u);
-    EXPECT_EQ(l.persistent_end, l[Array::begin_events]);
+    EXPECT_EQ(l.persistent_end, l[Array::end_events]);
 }
 
 TEST(Layout, ALargePyramidNeedsAtMostFifteenHundredBytesABody) {

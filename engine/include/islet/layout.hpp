@@ -197,13 +197,13 @@ inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bit
     X(awake_contacts,   one_bit,                  contact,   saved,   12) \
     X(awake_joints,     one_bit,                  joint,     saved,   13) \
     X(moved_shapes,     one_bit,                  shape,     saved,   14) \
-    X(begin_events,     sizeof(TouchEvent),       event,     output,   0) \
     X(end_events,       sizeof(TouchEvent),       event,     output,   0) /* those that the next step reports are saved and hashed, after all arrays */ \
+    X(begin_events,     sizeof(TouchEvent),       event,     output,   0) \
     X(hit_events,       sizeof(HitEvent),         hit,       output,   0) \
     X(moved_events,     sizeof(BodyId),           body,      output,   0) \
     X(slept_events,     sizeof(BodyId),           body,      output,   0) \
     X(break_events,     sizeof(JointBreakEvent),  joint,     output,   0) \
-    X(residuals,        4,                        body,      output,   0) /* from the hits to here, what a step writes at its end */
+    X(residuals,        4,                        body,      output,   0) /* from the begin events to here, what a step writes at its end */
 // clang-format on
 
 /// An array's place in the table.
@@ -246,38 +246,42 @@ constexpr std::size_t align_up(std::size_t n) { return (n + line_bytes - 1) / li
 
 constexpr std::size_t max_of(std::size_t a, std::size_t b) { return a > b ? a : b; }
 
-/// Bytes of the arrays that a step writes at its end alone. Until then they serve the solve.
+/// Bytes of the arrays that a step writes at its end alone. Until then they are scratch memory, too.
 constexpr std::size_t late_bytes(const Capacity& c) {
     std::size_t bytes = 0;
-    for (std::uint32_t i = static_cast<std::uint32_t>(Array::hit_events); i <= static_cast<std::uint32_t>(Array::residuals); ++i)
+    for (std::uint32_t i = static_cast<std::uint32_t>(Array::begin_events); i <= static_cast<std::uint32_t>(Array::residuals); ++i)
         bytes = align_up(bytes + array_rows[i].bytes(room_for(array_rows[i].per, c)));
     return bytes;
 }
 
-// Bytes that the stages of a step take from scratch, at most (tests/unit/scratch_test.cpp checks that). Other calls take less.
-// `lent`: of a world whose scratch does not follow its arrays.
+// Bytes that the stages of a step take from scratch, at most (tests/unit/scratch_test.cpp checks that). Other calls take less than pairs and collide, or
+// what `calls` says. `lent`: of a world whose scratch does not follow its arrays.
+//
+//   | late arrays | scratch ...                                         |
+//   | planning; then rows and motions            | bodies | plan         |   taken from both ends, the plan and the bodies to stay until the step ends
+//   | what a step tells | finishing              | bodies | plan         |
 constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
-    // Pairs: sort keys, and boxes as columns. Collide: which contacts changed, and which bodies wake. Plan: bodies and constraints in the order of batches,
-    // kept until the step ends. What the plan leaves free serves planning first (islands, lists of constraints), then the solve (bodies and rows), and then,
-    // in place of the rows, weighing what bodies bear, and finishing.
+    // Pairs: sort keys, and boxes as columns. Collide: which contacts changed, and which bodies wake. Plan: bodies and constraints in the order of batches.
+    // Planning: islands, and lists of constraints. Weighing: what bodies bear, in place of the rows.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + words_for(c.bodies) * 8 + sort_digits * 4 + 12 * 4 * layout_lanes + 20 * line_bytes;
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * line_bytes;
+    const std::size_t calls =
+        max_of(std::size_t{next_power_of_two(2 * c.contacts + 1)} * 8, max_of(geometry_capacity(c) * std::size_t{4}, bodies * 8)) + 2 * line_bytes;
     const std::size_t plan = bodies * 4 * 4 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
                              joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 10 * line_bytes;
     const std::size_t kinds = plan_parts(c) + (c.joints != 0 ? joint_kernel_count : 0);
     const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * kinds * 4 + 5 * line_bytes;
     const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * line_bytes;
     const std::size_t planning = bodies * 4 * 4 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 6 * line_bytes + max_of(tables, trees);
-    const std::size_t rows = row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes + joint_run_capacity(c) * line_bytes +
-                             tree_capacity(c) * tree_link_bytes + 5 * line_bytes;
-    const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + c.shapes + 5 * line_bytes;
+    const std::size_t rows = bodies * solver_motion_bytes + row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes +
+                             joint_run_capacity(c) * line_bytes + tree_capacity(c) * tree_link_bytes + 6 * line_bytes;
+    const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + words_for(c.joints) * 8 + c.shapes + 6 * line_bytes;
     const std::size_t weighing = bodies * 8 + c.contacts * std::size_t{16} + 2 * line_bytes;
-    const std::size_t after = max_of(rows, max_of(weighing, finish));
-    const std::size_t late = lent ? 0 : late_bytes(c), all_motions = align_up(bodies * solver_motion_bytes);
-    const std::size_t motions = all_motions > late ? all_motions - late : 0;  // the first lie where the step's end writes
-    const std::size_t solve = bodies * (solver_body_bytes + 4) + c.contacts * hit_bytes + after + 4 * line_bytes;
-    return max_of(motions + plan + max_of(planning, solve), max_of(pairs, collide));
+    const std::size_t stays = plan + bodies * (solver_body_bytes + 4) + c.contacts * hit_bytes + 3 * line_bytes;
+    const std::size_t late = lent ? 0 : late_bytes(c);
+    const std::size_t step = stays + max_of(max_of(planning, rows), max_of(weighing, late + finish));
+    return max_of(step, late + max_of(calls, max_of(pairs, collide))) - late;
 }
 
 /// Worlds of a fleet that a worker steps side by side, so that their contacts share lanes. Larger worlds fill the lanes by themselves.

@@ -144,7 +144,7 @@ void finish_joints(Core& core, Arena arena) {
     const BitSet awake = core.awake_joints;
     if (!has_workers(core)) return awake.for_each([&](std::uint32_t i) { finish_joint(core, i, inv_h); });
     // Workers find the few joints for which there is something to do.
-    const BitSet found{arena.take<std::uint64_t>(awake.word_count), awake.word_count};
+    const BitSet found{arena.take_last<std::uint64_t>(awake.word_count), awake.word_count};  // the beginning serves wake_island
     for_ranges(core, awake.word_count, checked_grain, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t w = first; w < end; ++w) found.words[w] = 0;
         awake.for_each_in(first, end, [&](std::uint32_t i) {

@@ -59,8 +59,8 @@ struct Core {
     BitSet awake_joints;    // joints of an awake body
     BitSet moved_shapes;    // shapes whose fat box changed since pairs were last found
 
-    TouchEvent* begin_events = nullptr;
     TouchEvent* end_events = nullptr;
+    TouchEvent* begin_events = nullptr;
     SensorEvents sensor_begins, sensor_ends;
     HitEvent* hit_events = nullptr;
     BodyId* moved_events = nullptr;
@@ -71,6 +71,7 @@ struct Core {
     std::uint32_t sensor_ends_reported = 0, hit_count = 0;
     bool has_residuals = false;  // the last step measured them; otherwise their memory may hold anything
     std::uint32_t untold = 0;    // contacts that may begin to touch in this step (contact_untold)
+    std::uint32_t begun = 0;     // and those that did (contact_begins), or whose shapes began to overlap
 
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;
@@ -81,6 +82,11 @@ struct Core {
     Arena arena() const { return {scratch, scratch_end}; }
     /// Constraints in a block of rows.
     std::uint32_t block_lanes() const { return max_block_lanes == 1 ? 1 : lanes < max_block_lanes ? lanes : max_block_lanes; }
+    /// Scratch with the arrays before it that a step writes at its end. (A fleet lends its worlds scratch that lies elsewhere.)
+    Arena arena_until_told() const {
+        auto* const told_end = reinterpret_cast<std::byte*>(residuals) + align_up(capacity.bodies * sizeof(float));
+        return {told_end == scratch ? reinterpret_cast<std::byte*>(begin_events) : scratch, scratch_end};
+    }
 
     ISLET_SHARED void fail(Error error) const {
         last_error = error;

@@ -30,8 +30,7 @@ void finish(Group& group, float dt) {
     Arena arena = group.rest;
     if (group.count == 1) {
         const Plan& plan = group.worlds[0].plan;
-        auto* const motions = arena.take<SolverMotion>(plan.slot_count);
-        group.worlds[0].bodies = solve(*group.worlds[0].core, plan, motions, arena, dt);
+        group.worlds[0].bodies = solve(*group.worlds[0].core, plan, arena, dt);
     } else if (group.count > 1) {
         solve_group(group.worlds, group.count, arena, dt);
     }
@@ -39,6 +38,7 @@ void finish(Group& group, float dt) {
         const GroupWorld& world = group.worlds[i];
         Arena rest = arena;
         world.core->scratch = rest.at;  // what it takes there is none of the other worlds' plans
+        world.core->scratch_end = rest.end;
         end_step(*world.core, world.plan, world.bodies, rest, dt);
     }
     group.count = group.rows = 0;

@@ -135,10 +135,16 @@ void drop_told_ends(Core& core) {
 }
 
 bool has_room_for_begin(Core& core) {
-    if (core.begin_count + core.sensor_begins.count < event_capacity(core.capacity)) return true;
+    if (core.begun + core.begin_count + core.sensor_begins.count < event_capacity(core.capacity)) return true;
     ++core.report.dropped_events;
     core.fail(Error::events_full);
     return false;
+}
+
+void note_begin(Core& core, std::uint32_t contact) {
+    if (!has_room_for_begin(core)) return;
+    core.manifolds[contact].flags |= contact_begins;
+    ++core.begun;
 }
 
 bool has_room_for_end(Core& core) {

@@ -57,6 +57,8 @@ void record_end_event(Core& core, std::uint32_t contact);
 bool has_room_for_end(Core& core);
 /// The same for begin events.
 bool has_room_for_begin(Core& core);
+/// Notes that a touch or an overlap begins. It is told at the end of the step, for until then the solve works where the event will be.
+void note_begin(Core& core, std::uint32_t contact);
 
 /// How two bodies stand to each other. The difference of their centres is exact far from the origin, too.
 struct Stand {

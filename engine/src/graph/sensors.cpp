@@ -59,8 +59,10 @@ bool overlaps_sensor(const Core& core, std::uint32_t contact) {
 
 void begin_overlap(Core& core, std::uint32_t contact) {
     core.manifolds[contact].flags |= contact_overlap;
-    if (has_room_for_begin(core)) push(core, core.begin_events, core.begin_count, core.sensor_begins, contact);
+    note_begin(core, contact);
 }
+
+void tell_overlap(Core& core, std::uint32_t contact) { push(core, core.begin_events, core.begin_count, core.sensor_begins, contact); }
 
 void end_overlap(Core& core, std::uint32_t contact) {
     core.manifolds[contact].flags &= ~static_cast<std::uint32_t>(contact_overlap);

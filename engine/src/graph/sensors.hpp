@@ -13,9 +13,10 @@ namespace islet::detail {
 bool may_sense(const Core& core, const Shape& s1, const Shape& s2);
 /// True if the two shapes of a sensor's contact overlap now.
 bool overlaps_sensor(const Core& core, std::uint32_t contact);
-/// Note that the two shapes began, or ceased, to overlap, and record the event.
+/// Note that the two shapes began, or ceased, to overlap, and record the event: of a beginning, at the end of the step (tell_overlap).
 void begin_overlap(Core& core, std::uint32_t contact);
 void end_overlap(Core& core, std::uint32_t contact);
+void tell_overlap(Core& core, std::uint32_t contact);
 
 /// Moves the events of sensors out of the way of one more touch in the same array.
 void make_room(const Core& core, TouchEvent* array, std::uint32_t touches, SensorEvents& list);

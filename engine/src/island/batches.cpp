@@ -204,16 +204,16 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
 Plan take_plan(const Core& core, Arena& arena) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
     Plan plan;
-    plan.slot_of = arena.take<std::uint32_t>(bodies);
-    plan.body_of = arena.take<std::uint32_t>(bodies + 1);
-    plan.island_of = arena.take<std::uint32_t>(bodies + 1);
-    plan.batches = arena.take<Batch>(batch_capacity(core.capacity));
-    plan.contacts = arena.take<std::uint32_t>(row_capacity(core.capacity));
-    plan.joints = arena.take<std::uint32_t>(joint_row_capacity(core.capacity));
-    plan.runs = arena.take<JointRun>(joint_run_capacity(core.capacity));
-    plan.links = arena.take<PlannedLink>(tree_capacity(core.capacity));
-    plan.parent_links = arena.take<std::uint32_t>(tree_capacity(core.capacity));
-    if (has_shock(core.state->solver)) plan.lightness = arena.take<float>(bodies);
+    plan.slot_of = arena.take_last<std::uint32_t>(bodies);
+    plan.body_of = arena.take_last<std::uint32_t>(bodies + 1);
+    plan.island_of = arena.take_last<std::uint32_t>(bodies + 1);
+    plan.batches = arena.take_last<Batch>(batch_capacity(core.capacity));
+    plan.contacts = arena.take_last<std::uint32_t>(row_capacity(core.capacity));
+    plan.joints = arena.take_last<std::uint32_t>(joint_row_capacity(core.capacity));
+    plan.runs = arena.take_last<JointRun>(joint_run_capacity(core.capacity));
+    plan.links = arena.take_last<PlannedLink>(tree_capacity(core.capacity));
+    plan.parent_links = arena.take_last<std::uint32_t>(tree_capacity(core.capacity));
+    if (has_shock(core.state->solver)) plan.lightness = arena.take_last<float>(bodies);
     return plan;
 }
 

@@ -87,7 +87,7 @@ struct Islands {
 /// Lists the links of awake joint trees by batch, in each leaves first.
 ISLET_OPTIONAL void plan_links(const Core& core, Plan& plan, const Islands& islands, Arena temporary);
 
-/// Makes the plan of all awake bodies. Its arrays are taken from `arena`.
+/// Makes the plan of all awake bodies. Its arrays are taken from the end of `arena`.
 Plan make_plan(const Core& core, Arena& arena);
 
 }  // namespace islet::detail

@@ -1,4 +1,4 @@
-// Hands out pieces of scratch memory, one after another. All are given back at once when the stage ends.
+// Hands out pieces of scratch memory, one after another, from both of its ends. All are given back at once when the stage ends.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +19,12 @@ struct Arena {
         return reinterpret_cast<T*>(take_bytes(n * sizeof(T)));
     }
 
+    /// The same from the other end.
+    template <class T>
+    T* take_last(std::size_t n) {
+        return reinterpret_cast<T*>(take_last_bytes(n * sizeof(T)));
+    }
+
     /// Bytes that are left.
     std::size_t room() const { return static_cast<std::size_t>(end - at); }
 
@@ -29,6 +35,11 @@ private:
         if (static_cast<std::size_t>(end - at) < bytes) ISLET_TRAP();  // the engine's own invariant: scratch_bytes (islet/layout.hpp) is wrong
         at += bytes;
         return p;
+    }
+    ISLET_SHARED std::byte* take_last_bytes(std::size_t wanted) {
+        take_bytes(wanted);  // for its check
+        at -= align_up(wanted);
+        return end -= align_up(wanted);
     }
 };
 

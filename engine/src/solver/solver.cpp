@@ -410,25 +410,16 @@ void report_residuals(Core& core, const Plan& plan, const float* residuals) {
 
 }  // namespace
 
-SolverMotion* take_motions(Core& core, Arena& arena) {
-    const std::uint32_t count = core.state->body_pool.high_water + 1;
-    auto* const late = reinterpret_cast<std::byte*>(core.hit_events);
-    // A fleet lends its worlds scratch that lies elsewhere.
-    if (reinterpret_cast<std::byte*>(core.residuals) + align_up(core.capacity.bodies * sizeof(float)) != core.scratch) return arena.take<SolverMotion>(count);
-    const std::size_t bytes = count * sizeof(SolverMotion), room = static_cast<std::size_t>(core.scratch - late);
-    if (bytes > room) arena.take<std::byte>(bytes - room);
-    return reinterpret_cast<SolverMotion*>(late);
-}
-
-SolverBody* solve(Core& core, const Plan& plan, SolverMotion* motions, Arena& arena, float dt) {
+SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     Solve s{core, plan, choose_numbers(*core.state, dt)};
-    s.bodies = arena.take<SolverBody>(plan.slot_count);
-    s.motions = motions;
+    s.bodies = arena.take_last<SolverBody>(plan.slot_count);
+    Arena rows = arena;  // which are not read after the solve
+    s.motions = rows.take<SolverMotion>(plan.slot_count);
     s.bodies[0] = SolverBody{};
     s.motions[0] = SolverMotion{};
-    if (has_tuning && measures_residual(core.state->solver)) s.residuals = arena.take<float>(plan.island_count);
-    if (has_hits && (core.state->asked & shape_hit_events) != 0) s.hits = arena.take<Hit>(core.state->contact_pool.high_water);
-    Arena rows = arena;  // the rows are not read after the solve
+    if (has_tuning && measures_residual(core.state->solver)) s.residuals = arena.take_last<float>(plan.island_count);
+    if (has_hits && (core.state->asked & shape_hit_events) != 0) s.hits = arena.take_last<Hit>(core.state->contact_pool.high_water);
+    rows.end = arena.end;
     s.blocks = rows.take<std::byte>(std::size_t{plan.block_count} * core.block_lanes() * row_bytes);
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
     s.joint_rows = place_joint_rows(plan, core.block_lanes(), rows);

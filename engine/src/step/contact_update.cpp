@@ -299,8 +299,6 @@ float separation_now(const Core& core, const ContactManifold& m) {
 
 void tell_touch(Core& core, std::uint32_t index) {
     const Contact& c = core.contacts[index];
-    core.manifolds[index].flags &= ~static_cast<std::uint32_t>(contact_untold);
-    if (!has_room_for_begin(core)) return;
     push_touch(core, core.begin_events, core.begin_count, core.sensor_begins, {core.shape_id(c.shape_a), core.shape_id(c.shape_b)});
 }
 
@@ -312,7 +310,7 @@ void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
         m.flags |= contact_untold;
         ++core.untold;
     } else {
-        tell_touch(core, index);
+        note_begin(core, index);
     }
     if (core.is_dynamic(m.body_a) && !core.is_awake(m.body_a)) to_wake.set(m.body_a);
     if (core.is_dynamic(m.body_b) && !core.is_awake(m.body_b)) to_wake.set(m.body_b);
@@ -351,13 +349,25 @@ void commit(Core& core, std::uint32_t index, BitSet to_wake) {
 }  // namespace
 
 void tell_touches(Core& core) {
+    const BitSet awake = core.awake_contacts;
+    if (core.begun != 0) {
+        awake.for_each([&](std::uint32_t i) {
+            ContactManifold& m = core.manifolds[i];
+            if ((m.flags & contact_begins) == 0) return;
+            m.flags &= ~static_cast<std::uint32_t>(contact_begins);
+            if (has_sensors && (m.flags & contact_sensor) != 0) return tell_overlap(core, i);
+            tell_touch(core, i);
+        });
+        core.begun = 0;
+    }
     if (core.untold == 0) return;
     core.untold = 0;
-    const BitSet awake = core.awake_contacts;
     awake.for_each([&](std::uint32_t i) {
-        const ContactManifold& m = core.manifolds[i];
+        ContactManifold& m = core.manifolds[i];
         if ((m.flags & contact_untold) == 0) return;
-        if (max(m.normal_impulse[0], m.normal_impulse[1]) > 0 || separation_now(core, m) <= speculative_distance) tell_touch(core, i);
+        if (!(max(m.normal_impulse[0], m.normal_impulse[1]) > 0 || separation_now(core, m) <= speculative_distance)) return;
+        m.flags &= ~static_cast<std::uint32_t>(contact_untold);
+        if (has_room_for_begin(core)) tell_touch(core, i);
     });
 }
 

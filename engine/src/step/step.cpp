@@ -17,10 +17,10 @@ void World::step(float dt) {
     if (!check_open(c) || !check(c, is_time_step(dt), Error::bad_time_step)) return;
     const DefaultFloatMode mode;
     begin_step(c, dt);
-    Arena arena = c.arena();
-    SolverMotion* motions = take_motions(c, arena);
+    Arena arena = c.arena_until_told();
     const Plan plan = plan_step(c, arena);
-    SolverBody* bodies = detail::solve(c, plan, motions, arena, dt);
+    SolverBody* bodies = detail::solve(c, plan, arena, dt);
+    arena.at = c.scratch;
     end_step(c, plan, bodies, arena, dt);
     if (has_recorder && c.recording != nullptr) write_stepped(*this);
 }

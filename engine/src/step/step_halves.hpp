@@ -54,7 +54,7 @@ ISLET_PART void begin_step(Core& c, float dt) {
     note(c, Stage::collide);
 }
 
-/// Plans the solve. The plan's arrays are taken from `arena`.
+/// Plans the solve. The plan's arrays are taken from the end of `arena`.
 ISLET_PART Plan plan_step(Core& c, Arena& arena) {
     if (has_joints && c.state->joint_pool.count != 0) choose_trees(c, arena);
     const Plan plan = make_plan(c, arena);
