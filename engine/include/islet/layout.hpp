@@ -24,21 +24,25 @@ inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u
 
 ISLET_INTERNAL_BEGIN
 namespace detail {
-inline constexpr std::uint32_t max_bodies = ISLET_SMALL ? 0xffffu : max_capacity;
+inline constexpr std::uint32_t max_solved = ISLET_SMALL ? 0xffffu : max_capacity;  // bodies and contacts, which the plan of a solve numbers
 }  // namespace detail
 ISLET_INTERNAL_END
 
-/// Whether World::create accepts the capacity. (In the small profile a world has at most 65 535 bodies.)
+/// Whether World::create accepts the capacity. (In the small profile a world has at most 65 535 bodies, and as many contacts.)
 constexpr bool is_valid(const Capacity& c) {
-    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= detail::max_bodies && c.shapes <= max_capacity && c.contacts <= max_capacity &&
+    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= detail::max_solved && c.shapes <= max_capacity && c.contacts <= detail::max_solved &&
            c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity && c.events <= max_capacity;
 }
 
 ISLET_INTERNAL_BEGIN
 namespace detail {
 
-inline constexpr std::size_t core_bytes = sizeof(void*) >= 8 ? 640 : 448;  // room for Core inside World
-inline constexpr std::size_t host_bytes = (core_bytes + 63) / 64 * 64;     // room for World at the start of the block
+#if ISLET_SMALL && !defined(ISLET_WITH_profile)
+inline constexpr std::size_t profile_bytes = 0;
+#else
+inline constexpr std::size_t profile_bytes = 56;
+#endif
+inline constexpr std::size_t core_bytes = sizeof(void*) >= 8 ? 640 : 352 + profile_bytes;  // room for Core inside World
 
 // The most constraints that an engine for this processor can have in a block decide how constraint rows are padded in scratch. They depend on the processor
 // alone, never on compiler flags, because a program and the engine are compiled apart and must agree.
@@ -53,6 +57,15 @@ inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
 inline constexpr std::uint32_t min_lanes = ISLET_MIN_LANES < ISLET_MAX_LANES ? ISLET_MIN_LANES : ISLET_MAX_LANES;
 inline constexpr std::uint32_t max_block_lanes = max_lanes < layout_lanes ? max_lanes : layout_lanes;  // constraints in a block; two blocks make sixteen
 static_assert(max_lanes <= layout_lanes || (max_lanes == 16 && layout_lanes == 8), "this processor has no such ISLET_MAX_LANES");
+
+// What arrays begin at a multiple of: a cache line, or what their elements need where there are no lanes, and memory is small.
+inline constexpr std::size_t line_bytes = layout_lanes > 1 ? 64 : 8;
+
+constexpr std::size_t align_up(std::size_t n) { return (n + line_bytes - 1) / line_bytes * line_bytes; }
+
+inline constexpr std::size_t host_bytes = align_up(core_bytes);  // room for World at the start of the block
+
+constexpr std::size_t max_of(std::size_t a, std::size_t b) { return a > b ? a : b; }
 
 // Sizes of the records. data/arrays.hpp checks those of the arrays below; the others are checked beside each struct.
 inline constexpr std::size_t state_bytes = 256;
@@ -81,15 +94,25 @@ inline constexpr std::size_t bounce_bytes = 12;  // of a row, which does without
 inline constexpr std::size_t hit_bytes = 4;
 inline constexpr std::size_t bounce_bytes = 0;
 #endif
-inline constexpr std::size_t slot_bytes = ISLET_SMALL ? 2 : 4;  // of a body's place in the solve, in a row of one contact
-inline constexpr std::size_t lone_row_bytes = 88 + 2 * slot_bytes - surface_bytes - bounce_bytes;
+#if ISLET_SMALL && !defined(ISLET_WITH_tuning)
+inline constexpr std::size_t tuned_bytes = 0;  // of a number that tuning keeps, per body
+#else
+inline constexpr std::size_t tuned_bytes = 4;
+#endif
+#if ISLET_SMALL && !defined(ISLET_WITH_tuning) && !defined(ISLET_WITH_sleep)
+inline constexpr bool keeps_islands = false;  // through the solve, for those who ask of which island a body is
+#else
+inline constexpr bool keeps_islands = true;
+#endif
+inline constexpr std::size_t place_bytes = ISLET_SMALL ? 2 : 4;  // of an index in the plan of a solve: of a body, its slot, its island, a contact
+inline constexpr std::size_t lone_row_bytes = 88 + 2 * place_bytes - surface_bytes - bounce_bytes;
 inline constexpr std::size_t row_bytes = layout_lanes > 1     ? 128
                                          : sizeof(void*) >= 8 ? (lone_row_bytes + 4 + 7) / 8 * 8
                                                               : lone_row_bytes;  // per contact, in a block of rows
 /// An engine and a program whose worlds have another layout do not link.
 template <std::size_t...>
 struct LayoutName {};
-using LaidOut = LayoutName<row_bytes, hit_bytes>;
+using LaidOut = LayoutName<core_bytes, row_bytes, hit_bytes, tuned_bytes, keeps_islands>;
 inline constexpr std::size_t joint_bytes = 232;
 inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
 #define ISLET_ONE(...) +1
@@ -97,7 +120,7 @@ inline constexpr std::uint32_t joint_kernel_count = 0 ISLET_JOINT_KERNELS(ISLET_
 #undef ISLET_ONE
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t tree_link_bytes = 184;  // per link of a joint tree
-inline constexpr std::size_t batch_bytes = 168;
+inline constexpr std::size_t batch_bytes = ISLET_SMALL ? 92 : 168;
 inline constexpr std::uint32_t max_plan_parts = 8;                             // that the touching contacts are cut into while they are planned
 inline constexpr std::size_t sweep_bytes = 108;                                // per shape, while pairs are found by sorting
 inline constexpr std::uint32_t sort_digits = layout_lanes > 1 ? 1u << 11 : 0;  // counted by the sort; 0: where memory is small it counts none
@@ -157,7 +180,7 @@ constexpr std::size_t room_for(Per per, const Capacity& c) {
         case Per::shape: return c.shapes;
         case Per::geometry: return geometry_capacity(c);
         case Per::bucket: return next_power_of_two(geometry_capacity(c));
-        case Per::tree_node: return std::size_t{2} * c.shapes;
+        case Per::tree_node: return std::size_t{2} * c.shapes - 1;
         case Per::contact: return c.contacts;
         case Per::pair: return has_pair_set ? next_power_of_two(2 * c.contacts) : 0;
         case Per::joint: return c.joints;
@@ -239,13 +262,6 @@ struct Layout {
     constexpr std::size_t operator[](Array a) const { return arrays[static_cast<std::uint32_t>(a)]; }
 };
 
-// What arrays begin at a multiple of: a cache line, or what their elements need where there are no lanes, and memory is small.
-inline constexpr std::size_t line_bytes = layout_lanes > 1 ? 64 : 8;
-
-constexpr std::size_t align_up(std::size_t n) { return (n + line_bytes - 1) / line_bytes * line_bytes; }
-
-constexpr std::size_t max_of(std::size_t a, std::size_t b) { return a > b ? a : b; }
-
 /// Bytes of the arrays that a step writes at its end alone. Until then they are scratch memory, too.
 constexpr std::size_t late_bytes(const Capacity& c) {
     std::size_t bytes = 0;
@@ -268,17 +284,20 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * line_bytes;
     const std::size_t calls =
         max_of(std::size_t{next_power_of_two(2 * c.contacts + 1)} * 8, max_of(geometry_capacity(c) * std::size_t{4}, bodies * 8)) + 2 * line_bytes;
-    const std::size_t plan = bodies * 4 * 4 + std::size_t{batch_capacity(c)} * batch_bytes + row_capacity(c) * 4 + joint_row_capacity(c) * 4 +
-                             joint_run_capacity(c) * joint_run_bytes + tree_capacity(c) * 12 + 10 * line_bytes;
+    const std::size_t plan = align_up(c.bodies * place_bytes) + align_up(bodies * place_bytes) * (keeps_islands ? 2 : 1) + align_up(c.bodies * tuned_bytes) +
+                             align_up(batch_capacity(c) * batch_bytes) + align_up(row_capacity(c) * place_bytes) + align_up(joint_row_capacity(c) * 4) +
+                             align_up(joint_run_capacity(c) * joint_run_bytes) + align_up(tree_capacity(c) * std::size_t{8}) +
+                             align_up(tree_capacity(c) * std::size_t{4});
     const std::size_t kinds = plan_parts(c) + (c.joints != 0 ? joint_kernel_count : 0);
     const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * kinds * 4 + 5 * line_bytes;
     const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * line_bytes;
     const std::size_t planning = bodies * 4 * 4 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 6 * line_bytes + max_of(tables, trees);
-    const std::size_t rows = bodies * solver_motion_bytes + row_capacity(c) * row_bytes + joint_row_capacity(c) * joint_row_bytes +
-                             joint_run_capacity(c) * line_bytes + tree_capacity(c) * tree_link_bytes + 6 * line_bytes;
+    const std::size_t rows = align_up(bodies * solver_motion_bytes) + align_up(row_capacity(c) * row_bytes) + line_bytes +
+                             align_up(joint_row_capacity(c) * joint_row_bytes) + joint_run_capacity(c) * line_bytes +
+                             align_up(tree_capacity(c) * tree_link_bytes);
     const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + words_for(c.joints) * 8 + c.shapes + 6 * line_bytes;
     const std::size_t weighing = bodies * 8 + c.contacts * std::size_t{16} + 2 * line_bytes;
-    const std::size_t stays = plan + bodies * (solver_body_bytes + 4) + c.contacts * hit_bytes + 3 * line_bytes;
+    const std::size_t stays = plan + align_up(bodies * solver_body_bytes) + align_up(bodies * tuned_bytes) + align_up(c.contacts * hit_bytes);
     const std::size_t late = lent ? 0 : late_bytes(c);
     const std::size_t step = stays + max_of(max_of(planning, rows), max_of(weighing, late + finish));
     return max_of(step, late + max_of(calls, max_of(pairs, collide))) - late;

@@ -569,7 +569,7 @@ private:
     detail::Core& core();
     const detail::Core& core() const;
 
-    alignas(16) std::byte core_[detail::core_bytes];
+    alignas(2 * sizeof(void*)) std::byte core_[detail::core_bytes];
 };
 
 static_assert(sizeof(World) <= detail::host_bytes);

@@ -62,9 +62,8 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         const ContactManifold& m = manifold_of(r, lane, in.manifolds);
         lanes.body_a[i] = m.body_a;
         lanes.body_b[i] = m.body_b;
-        using Slot = std::remove_reference_t<decltype(r.body_a[i])>;
-        r.body_a[i] = static_cast<Slot>(is_live ? in.slot_of[m.body_a] : 0);
-        r.body_b[i] = static_cast<Slot>(is_live ? in.slot_of[m.body_b] : 0);
+        r.body_a[i] = is_live ? in.slot_of[m.body_a] : PlanIndex{0};
+        r.body_b[i] = is_live ? in.slot_of[m.body_b] : PlanIndex{0};
         const std::uint32_t flags = is_live ? m.flags : 0;
         lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
         lanes.has_point[1][i] = (flags & two_point_flag) != 0 ? 1.0f : 0.0f;

@@ -66,9 +66,8 @@ struct ContactRows<1> : SurfaceOfRow<>, BounceOfRow<> {
     struct Point {
         float rta[1], rna[1], separation[1], normal_mass[1], tangent_mass[1];
     };
-    using Slot = std::conditional_t<slot_bytes == 2, std::uint16_t, std::uint32_t>;
     ContactManifold* manifold;
-    Slot body_a[1], body_b[1];
+    PlanIndex body_a[1], body_b[1];
     float rt_ab[1], rn_ab[1];
     Point points[2];
     std::uint8_t two_points;
@@ -83,7 +82,7 @@ struct ContactRows<1> : SurfaceOfRow<>, BounceOfRow<> {
 static_assert(sizeof(ContactRows<4>) == 4 * row_bytes || max_lanes == 1);
 static_assert(sizeof(ContactRows<8>) == 8 * row_bytes || max_lanes == 1);
 static_assert(sizeof(ContactRows<16>) == 2 * sizeof(ContactRows<8>));
-static_assert(sizeof(ContactRows<1>) <= row_bytes && max_bodies <= static_cast<ContactRows<1>::Slot>(~0u));
+static_assert(sizeof(ContactRows<1>) <= row_bytes);
 
 // What single rows have in their manifolds, and blocks of lanes in themselves.
 #define ISLET_IN_ROW(function, of_lanes, of_one)                                 \

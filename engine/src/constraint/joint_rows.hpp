@@ -58,7 +58,7 @@ struct JointInput {
     const Joint* joints;
     const Pose* poses;
     const Body* bodies_in;
-    const std::uint32_t* slot_of;  // solver slot of a body
+    const PlanIndex* slot_of;  // solver slot of a body
     SolverBody* bodies;
     StepNumbers numbers;
 };

@@ -19,7 +19,7 @@ namespace islet::detail {
 struct PrepareInput {
     const ContactManifold* manifolds;
     const Pose* poses;
-    const std::uint32_t* slot_of;  // solver slot of a body
+    const PlanIndex* slot_of;  // solver slot of a body
     SolverBody* bodies;
     const SolverMotion* motions;
     StepNumbers numbers;

@@ -25,6 +25,18 @@ enum Inside : std::uint32_t {
     inside_error = 2u,  // the error hook, which is told no errors of its own
 };
 
+/// What the clock told. A build without a profile has no memory for it.
+template <bool is_there = has_profile>
+struct TimesOfCore {
+    StepProfile profile;
+    std::uint64_t last_tick = 0;
+};
+template <>
+struct TimesOfCore<false> {
+    static inline StepProfile profile;  // zeros
+    static inline std::uint64_t last_tick = 0;
+};
+
 struct Core {
     Capacity capacity;
     std::uint32_t lanes = 1;  // constraints that are solved at once, at most
@@ -32,7 +44,6 @@ struct Core {
     mutable Error last_error = Error::none;
     Error kept_error = Error::none;    // the last error before a call of another language (begin_call)
     mutable std::uint32_t inside = 0;  // Inside
-    bool exact = true;                 // false: no step is taken (Error::inexact_build)
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     TaskSystem tasks;
@@ -69,6 +80,7 @@ struct Core {
     float* residuals = nullptr;  // m/s, by body: of its island in the last step, if has_residuals
     std::uint32_t begin_count = 0, end_count = 0, end_reported = 0, moved_count = 0, slept_count = 0, break_count = 0;
     std::uint32_t sensor_ends_reported = 0, hit_count = 0;
+    bool exact = true;           // false: no step is taken (Error::inexact_build)
     bool has_residuals = false;  // the last step measured them; otherwise their memory may hold anything
     std::uint32_t untold = 0;    // contacts that may begin to touch in this step (contact_untold)
     std::uint32_t begun = 0;     // and those that did (contact_begins), or whose shapes began to overlap
@@ -76,8 +88,7 @@ struct Core {
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;
     StepReport report;
-    StepProfile profile;
-    std::uint64_t last_tick = 0;
+    TimesOfCore<> times;
 
     Arena arena() const { return {scratch, scratch_end}; }
     /// Constraints in a block of rows.

@@ -127,7 +127,7 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
         Batch& batch = plan.batches[b];
         std::uint32_t next_color = 0;
         const auto begin_up_to = [&](std::uint32_t color) {
-            for (; next_color <= color; ++next_color) batch.first_block[next_color] = block;
+            for (; next_color <= color; ++next_color) batch.first_block[next_color] = static_cast<PlanIndex>(block);
         };
         for (std::uint32_t left = batch.body_count != 0 ? colors : 0; left != 0; left &= left - 1) {
             const auto c = trailing_zeros(left);
@@ -136,22 +136,23 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
             if (end == block * lanes) continue;
             plan.colors |= 1u << c;
             block = (end + lanes - 1) / lanes;
-            for (std::uint32_t i = end; i < block * lanes; ++i) plan.contacts[i] = null_index;
+            for (std::uint32_t i = end; i < block * lanes; ++i) plan.contacts[i] = no_plan_index;
         }
         begin_up_to(color_count);
-        batch.first_overflow = overflow;
-        batch.end_overflow = overflow = lay_out_parts(std::size_t{b} * places + color_count, overflow);
+        batch.first_overflow = static_cast<PlanIndex>(overflow);
+        overflow = lay_out_parts(std::size_t{b} * places + color_count, overflow);
+        batch.end_overflow = static_cast<PlanIndex>(overflow);
     }
     plan.block_count = block;
     plan.overflow_count = overflow;
 
-    std::uint32_t* const overflows = plan.contacts + std::size_t{block} * lanes;
+    PlanIndex* const overflows = plan.contacts + std::size_t{block} * lanes;
     for_ranges(core, list.parts(), 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t p = first; p < end; ++p) {
             std::uint32_t* at = next + p * part_size;
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
                 const PlannedConstraint& c = list.contacts[k];
-                (c.place % places == color_count ? overflows : plan.contacts)[at[c.place]++] = c.index;
+                (c.place % places == color_count ? overflows : plan.contacts)[at[c.place]++] = static_cast<PlanIndex>(c.index);
             }
         }
     });
@@ -181,7 +182,7 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
     plan.colors |= colors;
     std::uint32_t at = 0;
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
-        plan.batches[b].first_run = plan.run_count;
+        plan.batches[b].first_run = static_cast<PlanIndex>(plan.run_count);
         for (std::uint32_t group = 0; plan.batches[b].body_count != 0 && group <= color_count; ++group) {  // without a colour, then colour by colour
             const bool overflow = group == 0;
             if (overflow ? plan.overflow_joints == 0 : (colors >> (group - 1) & 1) == 0) continue;
@@ -195,7 +196,7 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
                 at += blocks * lanes;
             }
         }
-        plan.batches[b].end_run = plan.run_count;
+        plan.batches[b].end_run = static_cast<PlanIndex>(plan.run_count);
     }
     for (std::uint32_t k = 0; k < plan.joint_count; ++k) plan.joints[next[joints[k].place]++] = joints[k].index;
 }
@@ -204,11 +205,11 @@ void plan_joints(const Core& core, Plan& plan, PlannedConstraint* joints, BatchO
 Plan take_plan(const Core& core, Arena& arena) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
     Plan plan;
-    plan.slot_of = arena.take_last<std::uint32_t>(bodies);
-    plan.body_of = arena.take_last<std::uint32_t>(bodies + 1);
-    plan.island_of = arena.take_last<std::uint32_t>(bodies + 1);
+    plan.slot_of = arena.take_last<PlanIndex>(bodies);
+    plan.body_of = arena.take_last<PlanIndex>(bodies + 1);
+    if (keeps_islands) plan.island_of = arena.take_last<PlanIndex>(bodies + 1);
     plan.batches = arena.take_last<Batch>(batch_capacity(core.capacity));
-    plan.contacts = arena.take_last<std::uint32_t>(row_capacity(core.capacity));
+    plan.contacts = arena.take_last<PlanIndex>(row_capacity(core.capacity));
     plan.joints = arena.take_last<std::uint32_t>(joint_row_capacity(core.capacity));
     plan.runs = arena.take_last<JointRun>(joint_run_capacity(core.capacity));
     plan.links = arena.take_last<PlannedLink>(tree_capacity(core.capacity));
@@ -225,7 +226,7 @@ ConnectedBodies separate_bodies(const Core& core, Plan& plan, Arena& temporary) 
     for_ranges(core, words, word_grain, [&](std::uint32_t first, std::uint32_t end) {
         const std::uint32_t begin = 64 * first;
         const std::size_t count = (64 * end < bodies ? 64 * end : bodies) - begin;
-        std::memset(plan.slot_of + begin, 0, count * 4);
+        std::memset(plan.slot_of + begin, 0, count * sizeof(PlanIndex));
         std::memset(sets.parent + begin, 0xff, count * 4);
         std::memset(sets.guided.words + first, 0, std::size_t{end - first} * 8);
         core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) {
@@ -315,18 +316,19 @@ Islands number_islands(const Core& core, Plan& plan, const ConnectedBodies& sets
 // Puts the islands into batches, in order, and decides which slots each batch has. No two batches share a moving body (kinematic_batch says how).
 void fill_batches(Plan& plan, const Islands& found) {
     plan.batches[kinematic_batch] = plan.batches[1] = Batch{};
-    plan.batches[kinematic_batch].body_count = found.kinematic_count;
+    plan.batches[kinematic_batch].body_count = static_cast<PlanIndex>(found.kinematic_count);
     std::uint32_t batch = 1;
     for (std::uint32_t i = 0; i < plan.island_count; ++i) {
         Island& island = found.islands[i];
         if (island.batch != kinematic_batch) island.batch = batch;
-        plan.batches[island.batch].body_count += island.bodies;
+        PlanIndex& count = plan.batches[island.batch].body_count;
+        count = static_cast<PlanIndex>(count + island.bodies);
         if (plan.batches[batch].body_count >= batch_bodies) plan.batches[++batch] = Batch{};
     }
     plan.batch_count = batch + 1;
     plan.slot_count = 1;
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
-        plan.batches[b].first_slot = plan.slot_count;
+        plan.batches[b].first_slot = static_cast<PlanIndex>(plan.slot_count);
         plan.slot_count += plan.batches[b].body_count;
     }
 }
@@ -335,13 +337,13 @@ void fill_batches(Plan& plan, const Islands& found) {
 void give_slots(const Core& core, Plan& plan, const Islands& found, Arena temporary) {
     std::uint32_t* next = temporary.take<std::uint32_t>(plan.batch_count);  // slot, by batch
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) next[b] = plan.batches[b].first_slot;
-    plan.body_of[0] = null_index;
+    plan.body_of[0] = no_plan_index;
     core.awake_bodies.for_each([&](std::uint32_t body) {
         const std::uint32_t island = found.island_of[body];
         const std::uint32_t slot = next[island != null_index ? found.islands[island].batch : kinematic_batch]++;
-        plan.body_of[slot] = body;
-        plan.island_of[slot] = island;
-        plan.slot_of[body] = slot;
+        plan.body_of[slot] = static_cast<PlanIndex>(body);
+        if (keeps_islands) plan.island_of[slot] = static_cast<PlanIndex>(island);
+        plan.slot_of[body] = static_cast<PlanIndex>(slot);
     });
 }
 

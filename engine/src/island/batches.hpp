@@ -18,14 +18,14 @@ namespace islet::detail {
 
 /// A run of islands solved together. Offsets are in blocks of `lanes` contacts; overflow in contacts.
 struct Batch {
-    std::uint32_t first_slot = 0, body_count = 0;  // slots of its bodies
-    std::uint32_t first_block[color_count + 1] = {};
-    std::uint32_t first_overflow = 0, end_overflow = 0;
-    std::uint32_t first_run = 0, end_run = 0;      // of joints
+    PlanIndex first_slot = 0, body_count = 0;  // slots of its bodies
+    PlanIndex first_block[color_count + 1] = {};
+    PlanIndex first_overflow = 0, end_overflow = 0;
+    PlanIndex first_run = 0, end_run = 0;          // of joints
     std::uint32_t first_link = 0, link_count = 0;  // of joint trees
     std::uint32_t sweeps = 0;                      // that the solve has made of it
 
-    std::uint32_t end_slot() const { return first_slot + body_count; }
+    std::uint32_t end_slot() const { return std::uint32_t{first_slot} + body_count; }
 };
 
 /// Joints of one kernel and one colour, in whole blocks of `lanes` joints. Runs without a colour come first and are solved one by one.
@@ -37,18 +37,19 @@ struct JointRun {
     std::uint64_t offset = 0;  // bytes, of its rows in those of all joints; the solve fills it in
 };
 
+static_assert(std::size_t{max_solved / batch_bodies + 2} * (color_count + 1) * joint_kernel_count <= no_plan_index, "runs of joints have no places");
 static_assert(sizeof(Batch) == batch_bytes && sizeof(JointRun) == joint_run_bytes);
 
 /// The plan of one solve, in scratch.
 struct Plan {
-    std::uint32_t slot_count = 0;        // slot 0 included
-    std::uint32_t* body_of = nullptr;    // by slot
-    std::uint32_t* slot_of = nullptr;    // by body; 0 for those at rest
-    std::uint32_t* island_of = nullptr;  // by slot; null_index for kinematic bodies
+    std::uint32_t slot_count = 0;    // slot 0 included
+    PlanIndex* body_of = nullptr;    // by slot
+    PlanIndex* slot_of = nullptr;    // by body; 0 for those at rest
+    PlanIndex* island_of = nullptr;  // by slot; no_plan_index for kinematic bodies; null if no one will ask (keeps_islands)
     std::uint32_t island_count = 0;
     Batch* batches = nullptr;
     std::uint32_t batch_count = 0;
-    std::uint32_t* contacts = nullptr;  // by row: blocks first, then overflow; null_index in the padding
+    PlanIndex* contacts = nullptr;  // by row: blocks first, then overflow; no_plan_index in the padding
     std::uint32_t block_count = 0;
     std::uint32_t overflow_count = 0;
     std::uint32_t* joints = nullptr;  // run by run; null_index in the padding

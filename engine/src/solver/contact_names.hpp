@@ -20,13 +20,13 @@ ISLET_PART void set_surface(ContactRows<W>& r, std::uint32_t lane, std::uint32_t
 
 /// Fills in the contacts of each block, and the materials of those that are special or bouncy.
 template <std::uint32_t W>
-void name_contacts(Core& core, ContactRows<W>* rows, std::uint32_t count, const std::uint32_t* contacts) {
+void name_contacts(Core& core, ContactRows<W>* rows, std::uint32_t count, const PlanIndex* contacts) {
     for (std::uint32_t block = 0; block < count; ++block) {
         ContactRows<W>& r = rows[block];
         std::uint32_t any = 0;
         for (std::uint32_t i = 0; i < W; ++i) {
-            const std::uint32_t c = contacts[block * W + i];
-            const std::uint32_t soon = block + 1 < count ? contacts[(block + 1) * W + i] : null_index;
+            const std::uint32_t c = index_of(contacts[block * W + i]);
+            const std::uint32_t soon = block + 1 < count ? index_of(contacts[(block + 1) * W + i]) : null_index;
             if (W > 1 && soon != null_index) {  // the next block's contacts may be anywhere in memory
                 ISLET_PREFETCH(&core.manifolds[soon].flags);
                 ISLET_PREFETCH(&core.contacts[soon]);
@@ -37,7 +37,7 @@ void name_contacts(Core& core, ContactRows<W>* rows, std::uint32_t count, const 
         if ((any & (contact_special | contact_bouncy | contact_hits)) == 0) continue;
         for (std::uint32_t i = 0; i < W; ++i) {
             // A contact's own flags decide, whatever the other contacts of the block have, and whatever its shapes would mix to now.
-            const std::uint32_t c = contacts[block * W + i];
+            const std::uint32_t c = index_of(contacts[block * W + i]);
             const bool is_live = W == 1 || c != null_index;
             const std::uint32_t own = W == 1 ? any : is_live ? core.manifolds[c].flags : 0;
             set_surface(r, i, own, is_live ? surface_of(core, c) : MixedSurface{});

@@ -148,7 +148,7 @@ void GroupSolve<K>::name_contacts_of_color(std::uint32_t color, std::uint32_t& b
         if ((s.plan.colors >> color & 1) == 0) return;
         for (std::uint32_t b = 0; b < s.plan.batch_count; ++b) {
             const Batch& batch = s.plan.batches[b];
-            for (std::uint32_t i = batch.first_block[color] * W; i < batch.first_block[color + 1] * W && s.plan.contacts[i] != null_index; ++i) {
+            for (std::uint32_t i = batch.first_block[color] * W; i < batch.first_block[color + 1] * W && s.plan.contacts[i] != no_plan_index; ++i) {
                 name_lane(open, rows[block], m, s.plan.contacts[i]);
                 if (open.used == W) close_block(open, rows[block++]);
             }
@@ -176,7 +176,7 @@ void GroupSolve<K>::prepare() {
     first_block[color_count] = block;
     for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t overflow_count) {
         name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W);
-        One::prepare({s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers.step}, overflow, overflow_count);
+        One::prepare(s.input(), overflow, overflow_count);
     });
     const auto input_of = [](const Solve& s) { return JointInput{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers.step}; };
     for_links([&](Solve& s, const Batch& batch) { prepare_trees(s.plan, batch, s.links, input_of(s), s.motions); });
@@ -272,8 +272,8 @@ void solve_group(GroupWorld* worlds, std::uint32_t count, Arena& arena, float dt
         blocks += worlds[i].plan.block_count;
     }
     auto* const bodies = arena.take<SolverBody>(slots);
-    auto* const motions = arena.take<SolverMotion>(slots);
-    Arena rows = arena;  // the rows are not read after the solve
+    Arena rows = arena;  // neither these nor the motions are read after the solve
+    auto* const motions = rows.take<SolverMotion>(slots);
     auto* const block_rows = rows.take<std::byte>(std::size_t{blocks} * first.block_lanes() * row_bytes);
     std::uint32_t slot = 0;
     for (std::uint32_t i = 0; i < count; ++i) {

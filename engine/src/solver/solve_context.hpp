@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../constraint/contact_rows.hpp"
+#include "../constraint/kernels.hpp"
 #include "../constraint/solver_body.hpp"
 #include "../data/core.hpp"
 #include "../island/batches.hpp"
@@ -23,6 +24,8 @@ struct Solve {
     ContactRows<1>* overflow = nullptr;
     float* residuals = nullptr;  // m/s, by island; null if not wanted
     Hit* hits = nullptr;         // by contact; null if not wanted
+
+    PrepareInput input() const { return {core.manifolds, core.poses, plan.slot_of, bodies, motions, numbers.step}; }
 };
 
 }  // namespace islet::detail

@@ -132,14 +132,14 @@ void BatchSolve<lanes>::find_lone_colors() {
     for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
         const auto c = trailing_zeros(left);
         const std::uint32_t begin = batch.first_block[c];
-        if (batch.first_block[c + 1] - begin == 1 && s.plan.contacts[std::size_t{begin} * W + 1] == null_index) lone_colors |= 1u << c;
+        if (batch.first_block[c + 1] - begin == 1 && s.plan.contacts[std::size_t{begin} * W + 1] == no_plan_index) lone_colors |= 1u << c;
     }
 }
 
 template <std::uint32_t lanes>
 void BatchSolve<lanes>::prepare() {
     over_bodies([&](std::uint32_t first, std::uint32_t end) { gather_bodies(s, first, end); });
-    const PrepareInput in{s.core.manifolds, s.core.poses, s.plan.slot_of, s.bodies, s.motions, s.numbers.step};
+    const PrepareInput in = s.input();
     find_lone_colors();
     over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) {
         with_rows(c, first, end, [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t block) {
@@ -192,9 +192,9 @@ void BatchSolve<lanes>::sweep(const SweepNumbers& dynamic, const SweepNumbers& g
 // The largest residual of the batch's islands. (Joint trees leave none: they are solved last, and exactly.)
 template <std::uint32_t lanes>
 float BatchSolve<lanes>::measure(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
-    const std::uint32_t* const island_of = s.plan.island_of;
+    const PlanIndex* const island_of = s.plan.island_of;
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
-        if (island_of[slot] != null_index) s.residuals[island_of[slot]] = 0;
+        if (island_of[slot] != no_plan_index) s.residuals[island_of[slot]] = 0;
     const auto try_contacts = [&](auto kernel, auto& r, const SweepNumbers& numbers) {
         Trial trial(reinterpret_cast<std::byte*>(&r), sizeof r);
         for (const std::uint32_t slot : r.body_a) trial.add(slot);
@@ -221,7 +221,7 @@ float BatchSolve<lanes>::measure(const SweepNumbers& dynamic, const SweepNumbers
 
     float largest = 0;
     for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
-        if (island_of[slot] != null_index) largest = max(largest, s.residuals[island_of[slot]]);
+        if (island_of[slot] != no_plan_index) largest = max(largest, s.residuals[island_of[slot]]);
     return largest;
 }
 
@@ -401,7 +401,7 @@ void report_residuals(Core& core, const Plan& plan, const float* residuals) {
     core.report.residual = 0;
     for (std::uint32_t i = 0; i < core.state->body_pool.high_water; ++i) core.residuals[i] = 0;
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
-        if (plan.island_of[slot] == null_index) continue;
+        if (plan.island_of[slot] == no_plan_index) continue;
         const float residual = residuals[plan.island_of[slot]];
         core.residuals[plan.body_of[slot]] = residual;
         core.report.residual = max(core.report.residual, residual);

@@ -47,7 +47,7 @@ inline void begin_trial(Trial& t, const SolverBody* bodies) {
     for (std::uint32_t i = 0; i < t.count; ++i) t.before[i] = bodies[t.slots[i]];
     std::memcpy(t.saved, t.rows, t.bytes);
 }
-inline void end_trial(const Trial& t, SolverBody* bodies, const std::uint32_t* island_of, float* residuals) {
+inline void end_trial(const Trial& t, SolverBody* bodies, const PlanIndex* island_of, float* residuals) {
     for (std::uint32_t i = 0; i < t.count; ++i) {
         const std::uint32_t slot = t.slots[i];
         if (is_positive(t.before[i].inv_mass)) {

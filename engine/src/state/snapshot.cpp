@@ -31,7 +31,7 @@ namespace {
 bool fits(const Capacity& c, const ImageHeader& h) {
     const Counts& n = h.used;
     return n.bodies <= c.bodies && n.shapes <= c.shapes && n.contacts <= c.contacts && n.joints <= c.joints && n.geometries <= geometry_capacity(c) &&
-           n.tree_nodes <= std::uint64_t{2} * c.shapes && h.ended + h.ended_overlaps <= event_capacity(c);
+           n.tree_nodes <= room_for(Per::tree_node, c) && h.ended + h.ended_overlaps <= event_capacity(c);
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ void find_impact(const Core& core, std::uint32_t body, const BodyPath& way, std:
 
 bool is_stopped(const Core& core, std::uint32_t body) { return (core.bodies[body].flags & body_bullet) != 0 && core.is_dynamic(body); }
 
-WayImpact first_impact(const Core& core, std::uint32_t body, const BodyPath& way, const std::uint32_t* body_of, std::uint32_t slot_count,
-                       const SolverBody* bodies, std::uint32_t slot, bool last_round) {
+WayImpact first_impact(const Core& core, std::uint32_t body, const BodyPath& way, const PlanIndex* body_of, std::uint32_t slot_count, const SolverBody* bodies,
+                       std::uint32_t slot, bool last_round) {
     WayImpact first;
     const Pose& pose = core.poses[body];
     const float far_enough = look_fraction * core.bodies[body].min_extent;
@@ -82,7 +82,7 @@ BodyPath carried(const BodyPath& way, const WayImpact& impact) {
 
 }  // namespace
 
-void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_count, SolverBody* bodies) {
+void stop_bullets(Core& core, const PlanIndex* body_of, std::uint32_t slot_count, SolverBody* bodies) {
     bool again = true;
     for (std::uint32_t round = 0; again && round < bullet_rounds; ++round) {
         again = false;

@@ -25,7 +25,7 @@ float time_to_touch(const Core& core, std::uint32_t shape_a, const BodyPath& a, 
 void stop_at_static(Core& core, std::uint32_t body, SolverBody& way);
 
 /// The same for bullets and all bodies that moved or sleep; fat boxes follow. `bodies` is by slot.
-void stop_bullets(Core& core, const std::uint32_t* body_of, std::uint32_t slot_count, SolverBody* bodies);
+void stop_bullets(Core& core, const PlanIndex* body_of, std::uint32_t slot_count, SolverBody* bodies);
 
 // -- parts of both --------------------------------------------------------------------------------------------------------------------
 

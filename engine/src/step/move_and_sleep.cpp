@@ -94,7 +94,7 @@ bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena aren
     float* rest = arena.take<float>(plan.island_count);
     for (std::uint32_t i = 0; i < plan.island_count; ++i) rest[i] = 3.0e38f;
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
-        const std::uint32_t island = plan.island_of[slot];
+        const std::uint32_t island = index_of(plan.island_of[slot]);
         if (island != null_index) {
             rest[island] = min(rest[island], rested[slot]);
             continue;
@@ -107,12 +107,12 @@ bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena aren
         for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t side) {
             const std::uint32_t joined = other_joined(core, joint, side);
             const std::uint32_t other = joined != null_index ? plan.slot_of[joined] : 0;
-            if (other != 0 && plan.island_of[other] != null_index) rest[plan.island_of[other]] = 0;
+            if (other != 0 && plan.island_of[other] != no_plan_index) rest[plan.island_of[other]] = 0;
         });
     }
     bool any = false;
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
-        const std::uint32_t island = plan.island_of[slot];
+        const std::uint32_t island = index_of(plan.island_of[slot]);
         const float time = island != null_index ? rest[island] : rested[slot];
         if (time >= time_to_learn && time < time_to_learn + dt) core.poses[plan.body_of[slot]].flags |= pose_learns;
         if (time < time_to_sleep) continue;

@@ -12,9 +12,9 @@ namespace detail {
 
 void note_stage(Core& core, Stage stage) {
     const std::uint64_t now = core.clock(core.clock_context);
-    StepProfile& p = core.profile;
-    const std::uint64_t passed = now - core.last_tick;
-    core.last_tick = now;
+    StepProfile& p = core.times.profile;
+    const std::uint64_t passed = now - core.times.last_tick;
+    core.times.last_tick = now;
     p.total += passed;
     switch (stage) {
         case Stage::begin: p = {}; break;
@@ -28,14 +28,14 @@ void note_stage(Core& core, Stage stage) {
 
 }  // namespace detail
 
-const StepProfile& World::profile() const { return core().profile; }
+const StepProfile& World::profile() const { return core().times.profile; }
 
 void World::set_clock(Clock clock, void* context) {
     Core& c = core();
     if (!check_open(c) || !check_there(c, has_profile || clock == nullptr)) return;
     c.clock = clock;
     c.clock_context = context;
-    c.profile = {};
+    if (has_profile) c.times.profile = {};
 }
 
 }  // namespace islet
