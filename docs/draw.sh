@@ -16,7 +16,7 @@ scene() { "$islet" run "$2" --steps "$3" --svg "$folder/$1.svg" "${@:4}" >/dev/n
 
 scene card_house card_house 60
 scene arch arch 60
-scene hello hello 40
+scene hello hello 180
 scene shapes "$root/docs/scenes/shapes.json" 60
 scene joints "$root/docs/scenes/joints.json" 20 --draw shapes,joints
 scene bullets bullets 60

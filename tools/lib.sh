@@ -10,7 +10,8 @@ die() {
     exit 2
 }
 
-jobs() { nproc 2>/dev/null || sysctl -n hw.ncpu 2>/dev/null || echo 2; }
+# How many compilers at once: the number of cores, or what CMake is told.
+jobs() { if [ -n "${CMAKE_BUILD_PARALLEL_LEVEL:-}" ]; then echo "$CMAKE_BUILD_PARALLEL_LEVEL"; else nproc 2>/dev/null || sysctl -n hw.ncpu 2>/dev/null || echo 2; fi; }
 
 # Probes, for need.
 command_exists() { command -v "$1" >/dev/null 2>&1; }

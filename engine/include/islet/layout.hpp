@@ -271,7 +271,7 @@ constexpr std::size_t late_bytes(const Capacity& c) {
 }
 
 // Bytes that the stages of a step take from scratch, at most (tests/unit/scratch_test.cpp checks that). Other calls take less than pairs and collide, or
-// what `calls` says. `lent`: of a world whose scratch does not follow its arrays.
+// what `calls` and `exporting` (an island) say. `lent`: of a world whose scratch does not follow its arrays.
 //
 //   | late arrays | scratch ...                                         |
 //   | planning; then rows and motions            | bodies | plan         |   taken from both ends, the plan and the bodies to stay until the step ends
@@ -284,6 +284,9 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * line_bytes;
     const std::size_t calls =
         max_of(std::size_t{next_power_of_two(2 * c.contacts + 1)} * 8, max_of(geometry_capacity(c) * std::size_t{4}, bodies * 8)) + 2 * line_bytes;
+    const std::size_t constraints = std::size_t{c.contacts} + c.joints, ends = std::size_t{2} * c.contacts + std::size_t{4} * c.joints;
+    const std::size_t exporting = align_up(words_for(c.contacts) * 8) + align_up(words_for(c.joints) * 8) + 2 * align_up(c.bodies * std::size_t{4}) +
+                                  2 * align_up((constraints + 1) * 4) + 2 * align_up(ends * 4) + align_up((bodies + 1) * 4);
     const std::size_t plan = align_up(c.bodies * place_bytes) + align_up(bodies * place_bytes) * (keeps_islands ? 2 : 1) + align_up(c.bodies * tuned_bytes) +
                              align_up(batch_capacity(c) * batch_bytes) + align_up(row_capacity(c) * place_bytes) + align_up(joint_row_capacity(c) * 4) +
                              align_up(joint_run_capacity(c) * joint_run_bytes) + align_up(tree_capacity(c) * std::size_t{8}) +
@@ -300,7 +303,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     const std::size_t stays = plan + align_up(bodies * solver_body_bytes) + align_up(bodies * tuned_bytes) + align_up(c.contacts * hit_bytes);
     const std::size_t late = lent ? 0 : late_bytes(c);
     const std::size_t step = stays + max_of(max_of(planning, rows), max_of(weighing, late + finish));
-    return max_of(step, late + max_of(calls, max_of(pairs, collide))) - late;
+    return max_of(step, late + max_of(max_of(calls, exporting), max_of(pairs, collide))) - late;
 }
 
 /// Worlds of a fleet that a worker steps side by side, so that their contacts share lanes. Larger worlds fill the lanes by themselves.

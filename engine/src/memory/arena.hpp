@@ -32,7 +32,7 @@ private:
     ISLET_SHARED std::byte* take_bytes(std::size_t wanted) {
         std::byte* p = at;
         const std::size_t bytes = align_up(wanted);
-        if (static_cast<std::size_t>(end - at) < bytes) ISLET_TRAP();  // the engine's own invariant: scratch_bytes (islet/layout.hpp) is wrong
+        if (end - at < static_cast<std::ptrdiff_t>(bytes)) ISLET_TRAP();  // the engine's own invariant: scratch_bytes (islet/layout.hpp) is wrong
         at += bytes;
         return p;
     }
