@@ -36,7 +36,7 @@ struct Pool {
 using Pool = samples::ThreadPool;
 #endif
 
-// The numbers in a list like 1,4,8, each of one digit.
+// The numbers in a list like 1,4,16.
 std::vector<std::uint32_t> numbers_in(const std::string& list) {
     std::vector<std::uint32_t> numbers;
     std::istringstream in(list);
