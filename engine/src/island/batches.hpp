@@ -16,7 +16,7 @@
 
 namespace islet::detail {
 
-/// A run of islands solved together. Offsets are in blocks of `lanes` contacts; overflow in contacts.
+/// A run of islands solved together. Offsets are in blocks of Core::block_lanes contacts; overflow in contacts.
 struct Batch {
     PlanIndex first_slot = 0, body_count = 0;  // slots of its bodies
     PlanIndex first_block[color_count + 1] = {};
@@ -28,7 +28,7 @@ struct Batch {
     std::uint32_t end_slot() const { return std::uint32_t{first_slot} + body_count; }
 };
 
-/// Joints of one kernel and one colour, in whole blocks of `lanes` joints. Runs without a colour come first and are solved one by one.
+/// Joints of one kernel and one colour, in whole blocks of Core::block_lanes joints. Runs without a colour come first and are solved one by one.
 struct JointRun {
     JointKernel kernel = JointKernel::point;
     std::uint32_t color = no_color;

@@ -20,7 +20,7 @@ struct Solve {
     SolverMotion* motions = nullptr;  // by slot
     std::byte* joint_rows = nullptr;
     TreeLink* links = nullptr;
-    std::byte* blocks = nullptr;  // ContactRows of the core's lanes
+    std::byte* blocks = nullptr;  // ContactRows<block_lanes>
     ContactRows<1>* overflow = nullptr;
     float* residuals = nullptr;  // m/s, by island; null if not wanted
     Hit* hits = nullptr;         // by contact; null if not wanted
