@@ -108,7 +108,7 @@ span<float> floats(py::object& array) {
     return {static_cast<float*>(values.mutable_data()), static_cast<std::size_t>(values.size())};
 }
 
-py::object step(PyFleet& f, py::handle actions, float dt, std::uint32_t repeat, py::handle mask, py::handle out) {
+py::object step_fleet(PyFleet& f, py::handle actions, float dt, std::uint32_t repeat, py::handle mask, py::handle out) {
     idle(f);
     FleetStep what;
     what.dt = dt;
@@ -255,7 +255,7 @@ void add_fleet(py::module_& m) {
             return PyWorld{f, &(*f->fleet)[place(*f, k)]};
         },
         py::arg("k"), "World k, which can be read and changed like any other.");
-    c.def("step", step, py::arg("actions") = py::none(), py::arg("dt") = 1.0f / 60, py::arg("repeat") = 1u, py::arg("mask") = py::none(),
+    c.def("step", step_fleet, py::arg("actions") = py::none(), py::arg("dt") = 1.0f / 60, py::arg("repeat") = 1u, py::arg("mask") = py::none(),
           py::arg("out") = py::none(),
           "Applies the actions, an array of float32 of shape (worlds, drives), steps `repeat` times, and observes: an array of float32 of shape (worlds, "
           "columns). "

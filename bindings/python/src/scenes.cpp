@@ -22,7 +22,7 @@ std::shared_ptr<PyScene> open(const std::string& name) {
 
 PyWorld world_of(const std::shared_ptr<PyScene>& scene) { return {scene, &scene->engine.world()}; }
 
-void step(const std::shared_ptr<PyScene>& s, int count) {
+void step_scene(const std::shared_ptr<PyScene>& s, int count) {
     for (int i = 0; i < count; ++i) {
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
         refuse_if_busy(*s);
@@ -55,7 +55,7 @@ void add_scenes(py::module_& m, WorldClass&) {
     py::class_<PyScene, std::shared_ptr<PyScene>> c(m, "Scene", "A scene of the catalogue with its script. step() runs both; world.step() only the world.");
     zero_what_is_not_made<PyScene>();
     c.def(py::init(&open), py::arg("name"));
-    c.def("step", step, py::arg("count") = 1, "Takes steps of `dt`, with what the script does before and after each.");
+    c.def("step", step_scene, py::arg("count") = 1, "Takes steps of `dt`, with what the script does before and after each.");
     c.def_property_readonly("world", world_of, "Its world.");
     c.def_property_readonly("name", [](const PyScene& s) { return s.scene.name; });
     c.def_property_readonly(

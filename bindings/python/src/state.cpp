@@ -46,7 +46,7 @@ PyWorld make(const py::kwargs& named) {
     return w;
 }
 
-void step(PyWorld& w, float dt, std::uint32_t count) {
+void step_world(PyWorld& w, float dt, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
         Call call(w);
@@ -184,7 +184,7 @@ Aabb view_of(const World& world) {
 
 void add_state(WorldClass& w) {
     w.def(py::init([](const py::kwargs& named) { return make(named); }));
-    w.def("step", step, py::arg("dt") = 1.0f / 60, py::arg("count") = 1u,
+    w.def("step", step_world, py::arg("dt") = 1.0f / 60, py::arg("count") = 1u,
           "Advances time by dt seconds, `count` times. Other threads run meanwhile. Where there is no room for a contact or an event, the step goes on, and a "
           "RuntimeWarning says so.");
     w.def(

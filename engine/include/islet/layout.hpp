@@ -42,7 +42,7 @@ inline constexpr std::size_t profile_bytes = 0;
 #else
 inline constexpr std::size_t profile_bytes = 56;
 #endif
-inline constexpr std::size_t core_bytes = sizeof(void*) >= 8 ? 640 : 352 + profile_bytes;  // room for Core inside World
+inline constexpr std::size_t core_bytes = sizeof(void*) >= 8 ? 640 : 360 + profile_bytes;  // room for Core inside World
 
 // The most constraints that an engine for this processor can have in a block decide how constraint rows are padded in scratch. They depend on the processor
 // alone, never on compiler flags, because a program and the engine are compiled apart and must agree.
@@ -220,6 +220,7 @@ inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bit
     X(awake_contacts,   one_bit,                  contact,   saved,   12) \
     X(awake_joints,     one_bit,                  joint,     saved,   13) \
     X(moved_shapes,     one_bit,                  shape,     saved,   14) \
+    X(begins,           one_bit,                  contact,   derived,  0) /* empty between steps */ \
     X(end_events,       sizeof(TouchEvent),       event,     output,   0) /* those that the next step reports are saved and hashed, after all arrays */ \
     X(begin_events,     sizeof(TouchEvent),       event,     output,   0) \
     X(hit_events,       sizeof(HitEvent),         hit,       output,   0) \

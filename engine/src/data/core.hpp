@@ -69,6 +69,7 @@ struct Core {
     BitSet awake_contacts;  // contacts of an awake body
     BitSet awake_joints;    // joints of an awake body
     BitSet moved_shapes;    // shapes whose fat box changed since pairs were last found
+    BitSet begins;          // within a step: contacts that begin to touch, which is told at its end; of those that are contact_untold, perhaps
 
     TouchEvent* end_events = nullptr;
     TouchEvent* begin_events = nullptr;
@@ -82,8 +83,7 @@ struct Core {
     std::uint32_t sensor_ends_reported = 0, hit_count = 0;
     bool exact = true;           // false: no step is taken (Error::inexact_build)
     bool has_residuals = false;  // the last step measured them; otherwise their memory may hold anything
-    std::uint32_t untold = 0;    // contacts that may begin to touch in this step (contact_untold)
-    std::uint32_t begun = 0;     // and those that did (contact_begins), or whose shapes began to overlap
+    std::uint32_t begun = 0;     // contacts in `begins` that do begin, or whose shapes begin to overlap
 
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;

@@ -151,7 +151,6 @@ enum ContactFlags : std::uint32_t {
     contact_dropped = 1u << 20,  // it lets the other shape pass because the hook said so
     contact_ahead = 1u << 21,    // the shapes come together fast: solved harder
     contact_untold = 1u << 22,   // made so far ahead that it is not said to touch before it does
-    contact_begins = 1u << 23,   // within a step: will be told of as begun
 };
 inline constexpr std::uint32_t no_color = 0xff;
 

@@ -143,7 +143,7 @@ bool has_room_for_begin(Core& core) {
 
 void note_begin(Core& core, std::uint32_t contact) {
     if (!has_room_for_begin(core)) return;
-    core.manifolds[contact].flags |= contact_begins;
+    core.begins.set(contact);
     ++core.begun;
 }
 

@@ -57,11 +57,11 @@ inline constexpr std::uint32_t part_count = [] {
     return n;
 }();
 
-/// Calls visit(set, bits in use) for each set of bits.
+/// Calls visit(set, bits in use) for each set of bits that an image holds.
 template <class Visit>
 void for_each_bit_set(Core& core, const ImageHeader& h, Visit&& visit) {
     for_each_array(core, [&](auto& array, auto row) {
-        if constexpr (row.size == one_bit) visit(array, h.used.of<row.per>());
+        if constexpr (row.size == one_bit && row.kept == Kept::saved) visit(array, h.used.of<row.per>());
     });
 }
 

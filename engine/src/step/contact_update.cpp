@@ -308,7 +308,7 @@ void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
     assign_color(core, index);
     if ((m.flags & contact_ahead) != 0 && separation_now(core, m) > speculative_distance) {
         m.flags |= contact_untold;
-        ++core.untold;
+        core.begins.set(index);
     } else {
         note_begin(core, index);
     }
@@ -320,6 +320,7 @@ void end_touch(Core& core, std::uint32_t index) {
     ContactManifold& m = core.manifolds[index];
     if (is_told(m)) record_end_event(core, index);
     m.flags &= ~static_cast<std::uint32_t>(contact_touching | contact_untold);
+    core.begins.clear(index);
     release_color(core, index);
 }
 
@@ -337,7 +338,7 @@ void commit(Core& core, std::uint32_t index, BitSet to_wake) {
         if (core.hooks.pre_solve != nullptr) ask_pre_solve(core, index);
     }
     const bool was = (m.flags & contact_touching) != 0;
-    if (was && (m.flags & contact_untold) != 0) ++core.untold;
+    if (was && (m.flags & contact_untold) != 0) core.begins.set(index);
     if (was == (m.count() > 0)) return;
     if (was) {
         end_touch(core, index);
@@ -349,22 +350,18 @@ void commit(Core& core, std::uint32_t index, BitSet to_wake) {
 }  // namespace
 
 void tell_touches(Core& core) {
-    const BitSet awake = core.awake_contacts;
-    if (core.begun != 0) {
-        awake.for_each([&](std::uint32_t i) {
-            ContactManifold& m = core.manifolds[i];
-            if ((m.flags & contact_begins) == 0) return;
-            m.flags &= ~static_cast<std::uint32_t>(contact_begins);
-            if (has_sensors && (m.flags & contact_sensor) != 0) return tell_overlap(core, i);
-            tell_touch(core, i);
-        });
-        core.begun = 0;
-    }
-    if (core.untold == 0) return;
-    core.untold = 0;
-    awake.for_each([&](std::uint32_t i) {
+    const BitSet begins = core.begins;
+    begins.for_each([&](std::uint32_t i) {
+        const ContactManifold& m = core.manifolds[i];
+        if ((m.flags & contact_untold) != 0) return;
+        begins.clear(i);
+        if (has_sensors && (m.flags & contact_sensor) != 0) return tell_overlap(core, i);
+        tell_touch(core, i);
+    });
+    core.begun = 0;
+    begins.for_each([&](std::uint32_t i) {
         ContactManifold& m = core.manifolds[i];
-        if ((m.flags & contact_untold) == 0) return;
+        begins.clear(i);
         if (!(max(m.normal_impulse[0], m.normal_impulse[1]) > 0 || separation_now(core, m) <= speculative_distance)) return;
         m.flags &= ~static_cast<std::uint32_t>(contact_untold);
         if (has_room_for_begin(core)) tell_touch(core, i);

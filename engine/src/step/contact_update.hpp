@@ -7,7 +7,7 @@ namespace islet::detail {
 
 void update_contacts(Core& core, float dt);
 
-/// After the solve: reports those contacts made ahead that have begun to touch.
+/// After the solve: reports the touches and overlaps that have begun, of contacts made ahead those whose shapes have met.
 void tell_touches(Core& core);
 
 }  // namespace islet::detail
