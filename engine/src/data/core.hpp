@@ -69,7 +69,7 @@ struct Core {
     BitSet awake_contacts;  // contacts of an awake body
     BitSet awake_joints;    // joints of an awake body
     BitSet moved_shapes;    // shapes whose fat box changed since pairs were last found
-    BitSet begins;          // within a step: contacts that begin to touch, which is told at its end; of those that are contact_untold, perhaps
+    BitSet begins;          // within a step: contacts whose touch its end will tell; those that are contact_untold only if they have met by then
 
     TouchEvent* end_events = nullptr;
     TouchEvent* begin_events = nullptr;
