@@ -2,6 +2,7 @@
 
 #if defined(__linux__)
 #include <pthread.h>
+#include <sched.h>
 #include <time.h>
 #endif
 
@@ -12,6 +13,7 @@ constexpr std::uint64_t closed = 0;                  // a share that belongs to 
 constexpr std::chrono::microseconds spin_time{100};  // longer than the stages of a step that have nothing to share
 constexpr int rest_per_wait = 20;                    // a worker that held up the caller rests so many times as long
 constexpr std::chrono::seconds longest_rest{1};
+constexpr std::chrono::milliseconds shared_core_time{1};  // how long a worker on the caller's core is taken to have held it up
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -21,17 +23,22 @@ void pause() {
 #endif
 }
 
-/// True once `done()` is, false if that takes longer than spin_time. Looks at the clock now and then only.
-template <class Done>
-bool spin_until(Done&& done) {
+/// True once `done()` is, false if that takes longer than spin_time. Looks at the clock now and then only, and calls `now_and_then` then.
+template <class Done, class Do>
+bool spin_until(Done&& done, Do&& now_and_then) {
     const auto end = std::chrono::steady_clock::now() + spin_time;
     do {
         for (int i = 0; i < 64; ++i) {
             if (done()) return true;
             pause();
         }
+        now_and_then();
     } while (std::chrono::steady_clock::now() < end);
     return false;
+}
+template <class Done>
+bool spin_until(Done&& done) {
+    return spin_until(done, [] {});
 }
 
 using Nanoseconds = std::chrono::nanoseconds;
@@ -49,10 +56,14 @@ Nanoseconds time_on_core(std::thread& thread) {
     return pthread_getcpuclockid(thread.native_handle(), &clock) == 0 ? read_clock(clock) : Nanoseconds(-1);
 }
 Nanoseconds own_time_on_core() { return read_clock(CLOCK_THREAD_CPUTIME_ID); }
+
+/// The core on which the caller runs; less than 0 if that cannot be known.
+int own_core() { return sched_getcpu(); }
 #else
-// One thread cannot see whether another one runs.
+// One thread cannot see whether another one runs, nor where.
 Nanoseconds time_on_core(std::thread&) { return Nanoseconds(-1); }
 Nanoseconds own_time_on_core() { return Nanoseconds(0); }
+int own_core() { return -1; }
 #endif
 
 }  // namespace
@@ -78,6 +89,7 @@ TaskSystem ThreadPool::tasks() {
 
 void ThreadPool::parallel_for(std::uint32_t count, Task task, void* data) {
     if (resting_ != 0) end_rests();
+    if (workers_ != 1 + resting_ && count > 1) part_from_caller();
     if (workers_ == 1 + resting_ || count <= 1) {
         for (std::uint32_t i = 0; i < count; ++i) task(data, i);
         return;
@@ -114,15 +126,28 @@ void ThreadPool::wait_for_tasks() {
     const Nanoseconds waited = own_time_on_core() - begin;
     for (std::uint32_t i = 1; i < workers_; ++i) {
         if (rests_[i].ran.count() < 0 || 2 * (time_on_core(threads_[i - 1]) - rests_[i].ran) >= waited) continue;
-        const auto now = std::chrono::steady_clock::now();
-        Nanoseconds length = rest_per_wait * (waited + spin_time);
-        const bool again = now - rests_[i].end < rests_[i].length;
-        if (again && 2 * rests_[i].length > length) length = 2 * rests_[i].length;
-        rests_[i].length = length < longest_rest ? length : Nanoseconds(longest_rest);
-        rests_[i].end = now + rests_[i].length;
-        shares_[i].rests = true;
-        ++resting_;
+        begin_rest(i, waited + spin_time);
     }
+}
+
+// Workers that are on the caller's core rest: what they do there, the caller could do itself.
+void ThreadPool::part_from_caller() {
+    const int core = own_core();
+    if (core < 0) return;
+    for (std::uint32_t i = 1; i < workers_; ++i)
+        if (shares_[i].core.load(std::memory_order_relaxed) == core && !shares_[i].rests.load(std::memory_order_relaxed)) begin_rest(i, shared_core_time);
+}
+
+void ThreadPool::begin_rest(std::uint32_t worker, Nanoseconds held_up) {
+    Rest& rest = rests_[worker];
+    const auto now = std::chrono::steady_clock::now();
+    Nanoseconds length = rest_per_wait * held_up;
+    const bool again = now - rest.end < rest.length;
+    if (again && 2 * rest.length > length) length = 2 * rest.length;
+    rest.length = length < longest_rest ? length : Nanoseconds(longest_rest);
+    rest.end = now + rest.length;
+    shares_[worker].rests = true;
+    ++resting_;
 }
 
 void ThreadPool::end_rests() {
@@ -131,6 +156,7 @@ void ThreadPool::end_rests() {
     for (std::uint32_t i = 1; i < workers_; ++i) {
         if (!shares_[i].rests.load(std::memory_order_relaxed) || now < rests_[i].end) continue;
         const std::lock_guard<std::mutex> lock(mutex_);
+        shares_[i].core = -1;  // the system may wake it on another one
         shares_[i].rests = false;
         --resting_;
         any = true;
@@ -163,7 +189,11 @@ void ThreadPool::take_tasks(std::uint32_t job, std::uint32_t worker) {
 std::uint32_t ThreadPool::wait_for_job(std::uint32_t last, std::uint32_t worker) {
     const std::atomic<bool>& rests = shares_[worker].rests;
     const auto is_called = [&] { return ends_.load() || (job_.load() != last && !rests.load()); };
-    if (spin_until(is_called)) return job_.load();
+    const auto tell_core = [&] {
+        const int core = own_core();
+        if (core != shares_[worker].core.load(std::memory_order_relaxed)) shares_[worker].core.store(core, std::memory_order_relaxed);
+    };
+    if (spin_until(is_called, tell_core)) return job_.load();
     std::unique_lock<std::mutex> lock(mutex_);
     while (!is_called()) {
         if (rests) {

@@ -18,10 +18,11 @@ namespace islet::samples {
 /// from within a task. A worker begins with the share of the tasks that it had the last time, whose data may be in its core's cache still, and then
 /// helps the others.
 ///
-/// Whoever is free takes the next task, so the caller finishes alone if the workers do not run. A worker that has taken a task and then loses its core to
-/// another program holds up the caller. Such a worker gets no tasks for the next while, 20 times as long as the caller waited, so such waits
-/// add at most about a twentieth to the steps. If it holds up the caller again soon afterwards, the next rest is twice as long, up to a second.
-/// (On Linux, where one thread can see whether another one runs.)
+/// Whoever is free takes the next task, so the caller finishes alone if the workers do not run. Where another program keeps a core busy, there are two ways in
+/// which a worker can hold up the caller. It has taken a task and then loses its core; or the system has put it on the caller's own core, where it takes the
+/// caller's time. Such a worker gets no tasks for the next while, 20 times as long as it held up the caller, so it adds at most about a twentieth to the
+/// steps. If it holds up the caller again soon afterwards, the next rest is twice as long, up to a second. (On Linux, where a thread can see on which core it
+/// is, and whether another one runs.)
 class ThreadPool {
 public:
     using Task = void (*)(void* data, std::uint32_t index);
@@ -45,6 +46,7 @@ private:
         std::atomic<std::uint64_t> taken{0};
         std::atomic<bool> works{false};  // the worker is taking tasks
         std::atomic<bool> rests{false};  // the worker gets no tasks
+        std::atomic<int> core{-1};       // on which it was seen last; -1: not known
     };
     /// What only the caller of parallel_for knows of a worker.
     struct Rest {
@@ -57,6 +59,8 @@ private:
     void take_tasks(std::uint32_t job, std::uint32_t worker);
     std::uint32_t wait_for_job(std::uint32_t last, std::uint32_t worker);
     void wait_for_tasks();
+    void part_from_caller();
+    void begin_rest(std::uint32_t worker, std::chrono::nanoseconds held_up);
     void end_rests();
 
     std::uint32_t workers_;

@@ -12,6 +12,7 @@
 
 #if defined(__linux__)
 #include <pthread.h>
+#include <sched.h>
 #include <time.h>
 #endif
 
@@ -89,9 +90,10 @@ TEST(ThreadPool, WhatTasksWroteIsSeenByTheCaller) {
 
 #if defined(__linux__)
 
-std::chrono::nanoseconds on_core() {
+// How long the calling thread, or all of the program's, have been on a core.
+std::chrono::nanoseconds on_core(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) {
     timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    clock_gettime(clock, &time);
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
@@ -169,6 +171,26 @@ TEST(ThreadPool, AWorkerWhoseTaskIsLongIsNotLeftOut) {
         if (pair.lost_core) return;  // to another program: then the worker may rest
     }
     EXPECT_LE(alone, 5);  // a worker that rested after each task of 5 ms would be there for one job in six
+}
+
+// Where another program keeps the second core busy, the system may leave the worker on the caller's core.
+TEST(ThreadPool, AWorkerOnTheCallersCoreTakesLittleOfTheCallersTime) {
+    cpu_set_t all, own;
+    ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+    CPU_ZERO(&own);
+    CPU_SET(static_cast<std::size_t>(sched_getcpu()), &own);
+    ASSERT_EQ(sched_setaffinity(0, sizeof own, &own), 0);  // the pool's thread inherits it
+    {
+        ThreadPool pool(2);
+        const auto task = [](void*, std::uint32_t) {
+            for (const std::chrono::nanoseconds end = on_core() + std::chrono::microseconds(20); on_core() < end;) {}
+        };
+        const std::chrono::nanoseconds program = on_core(CLOCK_PROCESS_CPUTIME_ID), caller = on_core();
+        while (on_core() < caller + std::chrono::milliseconds(300)) pool.parallel_for(2, task, nullptr);
+        const std::chrono::nanoseconds of_caller = on_core() - caller, of_worker = on_core(CLOCK_PROCESS_CPUTIME_ID) - program - of_caller;
+        EXPECT_LT(of_worker, of_caller / 5) << "ns; what the two did there, the caller could have done alone";
+    }
+    EXPECT_EQ(sched_setaffinity(0, sizeof all, &all), 0);
 }
 
 #endif
