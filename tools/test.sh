@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang and sanitizers, and 100 seconds of fuzzing under them; hashes of unoptimised code, on
+#   tools/test.sh --all        the same once more with clang and sanitizers, and 110 seconds of fuzzing under them; hashes of unoptimised code, on
 #                              other processors, and of the firmware and the sketches in microcontrollers, all emulated; the engine compiled by hand and
 #                              in a fresh tree; pages played in a browser, the package for Python, and the scripts checked: what CI runs
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
@@ -14,6 +14,7 @@ set -euo pipefail
 least_coverage=90  # %
 fuzz_seconds=80
 fuzz_c_seconds=20
+fuzz_small_seconds=10
 
 all=false
 coverage=false
@@ -157,8 +158,8 @@ run_tests() {
     lap "$preset: tests"
 }
 
-# The fuzzers that call all of the public API, in C and in C++, with the sanitizers' build, beside what comes next: much of that has work for one core only.
-# An input that breaks something stays in build/findings.
+# The fuzzers that call all of the public API, in C and in C++, and the one of images for the small profile, with the sanitizers' build, beside what comes
+# next: much of that has work for one core only. An input that breaks something stays in build/findings.
 fuzzing=0  # their process
 fuzz_log() { printf '%s/build/fuzz_%s.log' "$root" "$1"; }
 fuzz() { # fuzz TARGET SECONDS
@@ -166,12 +167,13 @@ fuzz() { # fuzz TARGET SECONDS
         -artifact_prefix="$root/build/findings/$1-" >"$(fuzz_log "$1")" 2>&1
 }
 start_fuzzers() {
-    say "fuzzing in the background for $((fuzz_c_seconds + fuzz_seconds)) s"
+    say "fuzzing in the background for $((fuzz_c_seconds + fuzz_seconds + fuzz_small_seconds)) s"
     mkdir -p "$root/build/findings"
-    rm -f "$(fuzz_log c)" "$(fuzz_log api)"
+    rm -f "$(fuzz_log c)" "$(fuzz_log api)" "$(fuzz_log small)"
     { # the fuzzers' own status is in what they print
         fuzz c "$fuzz_c_seconds" || true
         fuzz api "$fuzz_seconds" || true
+        fuzz small "$fuzz_small_seconds" || true
     } &
     fuzzing=$!
     # Should the script end early, the fuzzers must not go on alone.
@@ -182,7 +184,7 @@ finish_fuzzers() {
     say "waiting for the fuzzers"
     wait "$fuzzing" || true
     trap - EXIT
-    for target in c api; do
+    for target in c api small; do
         log=$(fuzz_log "$target")
         # One that says nothing of its runs has found something, or has made none.
         if grep -q '^Done ' "$log" && ! grep -q -E '^islet_fuzz_[a-z]*: |ERROR: |runtime error' "$log"; then
@@ -298,7 +300,7 @@ if $all || ! $coverage; then
     if $all; then
         # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
         targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,features,c,samples,tools_islet,tools_lab}_tests)
-        targets+=(islet_runner islet-lab islet_hashes islet_fuzz_{api,c} islet_lockstep islet_lcp_search islet_scene_mutants islet_c_{calls,lcp,refusals} islet_fleet_workers islet_python_made)
+        targets+=(islet_runner islet-lab islet_hashes islet_fuzz_{api,c,small} islet_lockstep islet_lcp_search islet_scene_mutants islet_c_{calls,lcp,refusals} islet_fleet_workers islet_python_made)
         start_building asan-ubsan
     fi
     run_tests release --parallel "$(($(jobs) + 1))" # tests of pages wait most of the time
