@@ -1,7 +1,6 @@
-// Images and deltas from a fuzzer. Each input is a list of edits of an image (or a delta) of a world in which everything there is occurs (in the small profile:
-// everything that it has); checksums
-// are made right afterwards, so that what gets through the gate is decided by what the image holds. Every third input is taken as it is instead,
-// checksum and all.
+// Images and deltas from a fuzzer. Each input is a list of edits of an image (or a delta) of a world in which everything there is occurs; in the small profile,
+// of one with boxes, balls, triangles and three kinds of joints. Checksums are made right afterwards, so that what gets through the gate is decided by what
+// the image holds. Every third input is taken as it is instead, checksum and all.
 //
 // What is refused must leave the world as it was; what is accepted is stepped 10 times on one, four and sixteen lanes, with disabled bodies enabled and masses
 // worked out anew on the way, and must stay sound and equal. Prints how many were accepted

@@ -90,7 +90,7 @@ TEST(ThreadPool, WhatTasksWroteIsSeenByTheCaller) {
 
 #if defined(__linux__)
 
-// How long the calling thread, or all of the program's, have been on a core.
+// How long the clock's thread, or all of the program's, have been on a core.
 std::chrono::nanoseconds on_core(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) {
     timespec time{};
     clock_gettime(clock, &time);
@@ -106,11 +106,7 @@ struct Sleeper {
     Clock::time_point last_end = Clock::now() - std::chrono::seconds(1);
 
     Sleeper() { pthread_getcpuclockid(pthread_self(), &caller_clock); }
-    std::chrono::nanoseconds caller_on_core() const {
-        timespec time{};
-        clock_gettime(caller_clock, &time);
-        return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-    }
+    std::chrono::nanoseconds caller_on_core() const { return on_core(caller_clock); }
     static void task(void* data, std::uint32_t) {
         auto& sleeper = *static_cast<Sleeper*>(data);
         const Clock::time_point begin = Clock::now();
