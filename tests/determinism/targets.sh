@@ -30,6 +30,13 @@ work=$(cd "$work" && pwd)  # Wine wants its folder's whole path
 # under_wine PROGRAM ARGUMENT...: a program for Windows, with a folder of Wine's own. (The linker has added ".exe" to the name. Wine's stderr is about itself.)
 under_wine() { WINEPREFIX=$work/wine WINEDEBUG=-all wine "$1.exe" "${@:2}" 2>/dev/null | tr -d '\r'; }
 
+# in_32_bits PROGRAM ARGUMENT...: on this processor, or under an emulator where the (virtual) machine runs no programs of 32 bits.
+in_32_bits() {
+    local status=0 cannot_run=126
+    "$1" >/dev/null 2>&1 || status=$? # which says how it is used
+    if [ "$status" -eq "$cannot_run" ]; then qemu-i386 "$@"; else "$@"; fi
+}
+
 # Running is work for one core, compiling for many: a core each for as many targets at once keeps all of them busy.
 at_once=$jobs
 jobs=1
@@ -114,6 +121,6 @@ else
     report windows wine 1,4,8 "left out: there is no wine"
 fi
 # (The 32-bit library alone, without the package that clashes with cross compilers, leaves <asm/...> where the 64-bit one has it.)
-check x86-32 i686 1,4 -- g++-12 -m32 -O2 -msse2 -idirafter /usr/include/x86_64-linux-gnu
+check x86-32 i686 1,4 in_32_bits -- g++-12 -m32 -O2 -msse2 -idirafter /usr/include/x86_64-linux-gnu
 wait
 if [ -e "$work/failed" ]; then exit 1; fi
