@@ -131,12 +131,20 @@ END
     report "$name" "${compiler%% -cxx*} [${flags[*]}]" "$result bytes"
 }
 
+# build_host: the firmware for this machine, in the folder `host`.
+build_host() {
+    local here=$root/samples/firmware
+    rm -rf "$work/host" && mkdir -p "$work/host"
+    quickly "$work/host" g++ -std=c++20 -O1 &&
+        g++ -std=c++20 -ffp-contract=off -I "$root/engine/include" "$here"/{firmware,scenes,floats,board_host,console}.cpp "$work"/host/*.o -o "$work/host/firmware"
+}
+
 # board NAME FLAG...: the firmware by hand, on an emulated Cortex-M4F; its hashes must be those of the host's.
 board() {
     local name=$1 folder=$work/$1 status=0 result here=$root/samples/firmware command source
     shift
     { is_there "$name" arm-none-eabi-g++ && is_there "$name" qemu-system-arm; } || return 0
-    rm -rf "$folder" && mkdir -p "$folder/host"
+    rm -rf "$folder" && mkdir -p "$folder"
     hashes_of() { sed -n 's/^\([a-z]*\) steps \([0-9]*\) hash \([0-9a-f]*\).*/\1 \2 \3/p'; }
     command=(arm-none-eabi-g++ -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -ffreestanding -std=c++20 -fno-exceptions -fno-rtti -fno-threadsafe-statics
         -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns)
@@ -150,9 +158,7 @@ board() {
                 -lgcc -o "$folder/firmware.elf" &&
             qemu-system-arm -machine mps2-an386 -icount shift=0 -display none -monitor none -serial none \
                 -semihosting-config enable=on,target=native -kernel "$folder/firmware.elf" >"$folder/board.txt" 2>&1 &&
-            quickly "$folder/host" g++ -std=c++20 -O1 &&
-            g++ -std=c++20 -ffp-contract=off -I "$root/engine/include" "$here"/{firmware,scenes,floats,board_host,console}.cpp "$folder"/host/*.o -o "$folder/host/firmware" &&
-            "$folder/host/firmware" >"$folder/host.txt" &&
+            "$work/host/firmware" >"$folder/host.txt" &&
             diff <(hashes_of <"$folder/host.txt") <(hashes_of <"$folder/board.txt")
     } >"$work/$name.log" 2>&1 || status=$?
     if [ "$status" -eq 0 ]; then result="$(hashes_of <"$folder/board.txt" | grep -c .) hashes, the host's"; else result=$(first_complaint "$work/$name.log"); fi
@@ -163,6 +169,7 @@ board() {
 (
     for compiler in g++ clang++; do { build_user "$compiler" || touch "$work/failed"; } >"$work/user-$compiler.log" 2>&1 & done
     { build_user g++ "$own_span" || touch "$work/failed"; } >"$work/user-own-span.log" 2>&1 &
+    { build_host || touch "$work/failed"; } >"$work/host.log" 2>&1 &
     wait
 )
 # The longest first.
@@ -171,10 +178,8 @@ row check same by-hand-clang++ as_manual clang++ -O1
 row board cortex-m4f-softfp -mfloat-abi=softfp -O2
 row board cortex-m4f-fast -mfloat-abi=hard -O3 -ffast-math -funsigned-char
 row check same fast-g++ quickly g++ -O3 -march=native -ffast-math -DISLET_WITHOUT_shortcuts  # which must not decide anything
-for compiler in g++ clang++; do
-    row check same "cpp17-$compiler" quickly "$compiler" -Os -std=gnu++17
-    row check same "fma-$compiler" quickly "$compiler" -O2 -mfma -funsigned-char
-done
+row check same cpp17-g++ quickly g++ -O2 -std=gnu++17 -mfma -funsigned-char
+row check same cpp17-clang++ quickly clang++ -Os -std=gnu++17 -mfma -funsigned-char
 row check "floats are not IEEE's" contract-clang++ quickly clang++ -O1 -mfma -ffp-contract=fast
 row refused x87 g++ -m32 -O2
 row refused fast-clang++ clang++ -O3 -march=native -ffast-math

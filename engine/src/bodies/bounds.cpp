@@ -52,11 +52,11 @@ float room_in(const Aabb& outer, const Aabb& inner) {
     return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
 }
 
-void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
+void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed, std::uint32_t newest) {
     const bool is_static = core.bodies[body].type() == BodyType::static_body;
     const Transform t = body_transform(core, body);
-    float slack = 3.0e38f;
-    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+    float slack = newest == every_shape ? 3.0e38f : core.motions[body].slack;
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index && newest != 0; s = core.shapes[s].next, --newest) {
         Shape& shape = core.shapes[s];
         const Geometry& g = core.geometries[shape.geometry];
         const Aabb tight = tight_box(g, t);
@@ -77,26 +77,50 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed) {
     core.motions[body].slack = is_beyond(core.poses[body].center) ? -1.0f : slack;
 }
 
-void update_boxes(Core& core, std::uint32_t body, bool force) { fit_boxes(core, body, force, nullptr); }
+void update_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t newest) { fit_boxes(core, body, force, nullptr, newest); }
 
 void mark_changed(Core& core, std::uint32_t body, const bool* changed) {
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
         if (changed[s]) mark_moved(core, s);
 }
 
-Extent body_extent(const Core& core, std::uint32_t body) {
+namespace {
+
+// Of a shape that is no solid, the thickness does not count.
+Extent shape_extent(const Core& core, std::uint32_t shape) {
+    const Shape& s = core.shapes[shape];
+    const Extent e = extent_of(core.geometries[s.geometry], core.bodies[s.body].local_center);
+    return {e.max, has_sensors && (s.flags & shape_sensor) != 0 ? 3.0e38f : e.min};
+}
+
+}  // namespace
+
+Extent body_extent(const Core& core, std::uint32_t body, std::uint32_t newest) {
     const Body& b = core.bodies[body];
-    Extent all{0, 3.0e38f};
-    for (std::uint32_t s = b.shape_head; s != null_index; s = core.shapes[s].next) {
-        const Extent e = extent_of(core.geometries[core.shapes[s].geometry], b.local_center);
-        const bool solid = !has_sensors || (core.shapes[s].flags & shape_sensor) == 0;
-        all = {max(all.max, e.max), solid ? min(all.min, e.min) : all.min};
+    Extent all = newest == every_shape ? Extent{0, 3.0e38f} : Extent{core.poses[body].max_extent, b.min_extent};
+    for (std::uint32_t s = b.shape_head; s != null_index && newest != 0; s = core.shapes[s].next, --newest) {
+        const Extent e = shape_extent(core, s);
+        all = {max(all.max, e.max), min(all.min, e.min)};
     }
     return all;
 }
 
-void update_extent(Core& core, std::uint32_t body) {
-    const Extent extent = body_extent(core, body);
+bool is_within_others(const Core& core, std::uint32_t shape) {
+    const std::uint32_t body = core.shapes[shape].body;
+    const Extent all{core.poses[body].max_extent, core.bodies[body].min_extent};
+    const Extent own = shape_extent(core, shape);
+    // Of the other shapes, as far as it is known: a bound that is not this shape's is one of theirs.
+    Extent rest{own.max < all.max ? all.max : 0, own.min > all.min ? all.min : 3.0e38f};
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index && (rest.max < all.max || rest.min > all.min); s = core.shapes[s].next) {
+        if (s == shape) continue;
+        const Extent e = shape_extent(core, s);
+        rest = {max(rest.max, e.max), min(rest.min, e.min)};
+    }
+    return rest.max >= all.max && rest.min <= all.min && core.bodies[body].shape_count > 1;
+}
+
+void update_extent(Core& core, std::uint32_t body, std::uint32_t newest) {
+    const Extent extent = body_extent(core, body, newest);
     core.poses[body].max_extent = extent.max;
     core.bodies[body].min_extent = extent.min;
 }
@@ -108,7 +132,7 @@ ISLET_SHARED float inverse_of(float a, float least) { return 1.0f / clamp(a, lea
 
 }  // namespace
 
-void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
+void apply_mass(Core& core, std::uint32_t body, const MassData& mass, std::uint32_t newest) {
     Body& b = core.bodies[body];
     Pose& pose = core.poses[body];
     Motion& motion = core.motions[body];
@@ -129,13 +153,13 @@ void apply_mass(Core& core, std::uint32_t body, const MassData& mass) {
     b.local_center = mass.center;
     pose.center = transform_point(body_transform(core, body), mass.center);
     motion.v = capped(motion.v + cross(motion.w, pose.center - old_center));
-    update_extent(core, body);
+    update_extent(core, body, newest);
 }
 
-void update_mass(Core& core, std::uint32_t body) {
+void update_mass(Core& core, std::uint32_t body, std::uint32_t newest) {
     Body& b = core.bodies[body];
     if (b.type() != BodyType::dynamic) {
-        apply_mass(core, body, {});
+        apply_mass(core, body, {}, newest);
         return;
     }
     MassData total;

@@ -12,6 +12,9 @@ inline constexpr float min_mass = 1.0e-12f;     // kg
 inline constexpr float min_inertia = 1.0e-15f;  // kg m^2
 inline constexpr float max_mass = 1.0e30f;      // kg; the largest inertia too, kg m^2
 
+// A body's list of shapes begins with its newest. Where it is known that all others are as they were, and so is the body, only so many are looked at.
+inline constexpr std::uint32_t every_shape = 0xffffffffu;
+
 Transform body_transform(const Core& core, std::uint32_t body);
 /// Tight box of a shape in the world.
 Aabb shape_aabb(const Core& core, std::uint32_t shape);
@@ -22,22 +25,24 @@ float room_in(const Aabb& outer, const Aabb& inner);
 /// True if a body with this centre will be put back by the next step, which does not count as its way.
 inline bool is_beyond(Vec2 center) { return max(abs(center.x), abs(center.y)) > max_position; }
 /// Updates the body's fat boxes, marks those that changed, and sets the slack. Unless `force` is set, a shape keeps a fat box that still holds it.
-void update_boxes(Core& core, std::uint32_t body, bool force);
+void update_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t newest = every_shape);
 /// The same, but if `changed` is given, writes to it, by shape, whether the box changed, instead of marking it. Marks are shared, so if bodies are moved in
 /// parallel, mark_changed marks their boxes afterwards.
-void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed);
+void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed, std::uint32_t newest = every_shape);
 void mark_changed(Core& core, std::uint32_t body, const bool* changed);
 /// Takes mass, centre and inertia from the shapes. The material keeps its velocity. Updates the extents, too.
-void update_mass(Core& core, std::uint32_t body);
+void update_mass(Core& core, std::uint32_t body, std::uint32_t newest = every_shape);
 /// Sets the mass data and all that follows from it. Call update_boxes afterwards: a new centre changes how the body's position is rounded.
-void apply_mass(Core& core, std::uint32_t body, const MassData& mass);
+void apply_mass(Core& core, std::uint32_t body, const MassData& mass, std::uint32_t newest = every_shape);
 /// The farthest distance of any point from a centre, and the smallest half-thickness of any solid shape, m.
 struct Extent {
     float max = 0;
     float min = 0;
 };
 /// The extent of the body's shapes about its centre of mass.
-Extent body_extent(const Core& core, std::uint32_t body);
-void update_extent(Core& core, std::uint32_t body);
+Extent body_extent(const Core& core, std::uint32_t body, std::uint32_t newest = every_shape);
+void update_extent(Core& core, std::uint32_t body, std::uint32_t newest = every_shape);
+/// True if the extent of the shape's body would be the same without the shape, which is not its only one.
+bool is_within_others(const Core& core, std::uint32_t shape);
 
 }  // namespace islet::detail

@@ -2,7 +2,6 @@
 
 #include "../bodies/sleep.hpp"
 
-#include "../bodies/bounds.hpp"
 #include "../broadphase/tree.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
@@ -32,10 +31,10 @@ void for_each_neighbor(const Core& core, std::uint32_t body, Visit&& visit) {
 
 }  // namespace
 
-void rest_shapes(Core& core, std::uint32_t body) {
+void rest_shapes(Core& core, std::uint32_t body, std::uint32_t newest) {
     if ((core.bodies[body].flags & body_disabled) != 0) return;
     const Tree tree{&core.state->tree, core.tree};
-    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index && newest != 0; s = core.shapes[s].next, --newest) {
         std::uint32_t& leaf = core.shapes[s].tree_node;
         if (leaf != null_index && tree.nodes[leaf].box != core.boxes[s]) {  // happens far from the origin, where rounding exceeds the margin
             tree_remove(tree, leaf);
@@ -45,9 +44,9 @@ void rest_shapes(Core& core, std::uint32_t body) {
     }
 }
 
-void refit_boxes(Core& core, std::uint32_t body) {
-    update_boxes(core, body, false);
-    if (!core.is_awake(body)) rest_shapes(core, body);
+void refit_boxes(Core& core, std::uint32_t body, std::uint32_t newest) {
+    update_boxes(core, body, false, newest);
+    if (!core.is_awake(body)) rest_shapes(core, body, newest);
 }
 
 void unrest_shapes(Core& core, std::uint32_t body) {

@@ -2,6 +2,7 @@
 // leave the set of awake contacts, unless the other body is awake.
 #pragma once
 
+#include "../bodies/bounds.hpp"
 #include "../data/core.hpp"
 
 namespace islet::detail {
@@ -26,10 +27,10 @@ void sleep_island(Core& core, std::uint32_t body, Arena arena);
 void put_to_sleep(Core& core, std::uint32_t body);
 
 /// Updates the body's fat boxes after its mass or its shapes changed; if it is not awake, those in the tree, too.
-void refit_boxes(Core& core, std::uint32_t body);
+void refit_boxes(Core& core, std::uint32_t body, std::uint32_t newest = every_shape);
 
 /// Moves the body's shapes into the tree of resting shapes, or out of it.
-void rest_shapes(Core& core, std::uint32_t body);
+void rest_shapes(Core& core, std::uint32_t body, std::uint32_t newest = every_shape);
 void unrest_shapes(Core& core, std::uint32_t body);
 
 }  // namespace islet::detail

@@ -30,6 +30,16 @@ inline std::uint32_t worker_count(const Core& core) { return has_workers(core) ?
 /// Ranges that for_ranges cuts `count` items into.
 inline std::uint32_t range_count(std::uint32_t count, std::uint32_t grain) { return (count + grain - 1) / grain; }
 
+/// For for_ranges: items of a range, a multiple of `unit`, so that each worker gets as many ranges as the others. At most `grain`, and if there are more items
+/// than `grain`, about a third of it at least.
+inline std::uint32_t fair_grain(const Core& core, std::uint32_t count, std::uint32_t grain, std::uint32_t unit) {
+    const std::uint32_t workers = worker_count(core), most = 3 * count / grain;
+    std::uint32_t ranges = range_count(range_count(count, grain), workers) * workers;
+    if (ranges > most) ranges = most > 1 ? most : 1;
+    const std::uint32_t items = range_count(range_count(count, ranges), unit) * unit;
+    return items < grain ? items : grain;
+}
+
 /// How items are cut into at most `most` ranges for for_ranges where each range has something of its own; into one if there are no workers.
 template <std::uint32_t most>
 struct RangeCut {

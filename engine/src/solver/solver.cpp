@@ -66,10 +66,11 @@ struct BatchSolve {
         work(K{}, row(first), end - first, first);
     }
 
+    /// Calls work(first, end) for ranges of `count` items: of blocks, which stay together two by two (with_rows says why), or of what `unit` says.
     template <class Work>
-    void over(std::uint32_t count, std::uint32_t grain, Work&& work) {
+    void over(std::uint32_t count, std::uint32_t grain, Work&& work, std::uint32_t unit = lanes > W ? 2 : 1) {
         if (has_threads && wide) {
-            for_ranges(s.core, count, grain, work);
+            for_ranges(s.core, count, count > grain ? fair_grain(s.core, count, grain, unit) : grain, work);
         } else if (count > 0) {
             work(0u, count);
         }
@@ -78,7 +79,9 @@ struct BatchSolve {
     /// Calls work(first, end) for the slots of the batch's bodies.
     template <class Work>
     void over_bodies(Work&& work) {
-        over(batch.body_count, slot_grain, [&](std::uint32_t first, std::uint32_t end) { work(batch.first_slot + first, batch.first_slot + end); });
+        over(
+            batch.body_count, slot_grain, [&](std::uint32_t first, std::uint32_t end) { work(batch.first_slot + first, batch.first_slot + end); },
+            layout_lanes);
     }
 
     /// Calls work(first block, end block, colour), colour by colour: contacts of one colour share no body that can be pushed.

@@ -48,7 +48,7 @@ std::uint32_t World::create_chain(BodyId id, span<const Vec2> points, bool loop,
         const std::uint32_t index = add_shape(c, body, geometry_at(i), def);
         if (i < out.size()) out[i] = c.shape_id(index);
     }
-    shapes_changed(c, body);
+    shapes_changed(c, body, segments);
     return segments;
 }
 

@@ -43,7 +43,7 @@ void replace_geometry(Core& core, ShapeId id, const Geometry& g, bool valid, boo
         s.geometry = share_geometry(core, g);
     }
     core.boxes[i] = {{1, 1}, {-1, -1}};  // an empty box, which is made anew
-    shapes_changed(core, body);
+    shapes_changed(core, body, every_shape);
 }
 
 }  // namespace detail

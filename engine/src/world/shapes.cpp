@@ -113,10 +113,11 @@ bool check_shape_def(const Core& core, const ShapeDef& d) {
            check_there(core, !d.hit_events || has_hits) && check_there(core, !d.pre_solve || has_hooks);
 }
 
-void shapes_changed(Core& core, std::uint32_t body) {
+void shapes_changed(Core& core, std::uint32_t body, std::uint32_t newest) {
     const DefaultFloatMode mode;
-    update_mass(core, body);
-    refit_boxes(core, body);
+    if (core.bodies[body].type() != BodyType::static_body) newest = every_shape;
+    update_mass(core, body, newest);
+    refit_boxes(core, body, newest);
 }
 
 std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& g, const ShapeDef& def) {
@@ -134,7 +135,7 @@ ShapeId attach_shape(Core& core, BodyId id, const Geometry& g, bool valid, const
     if (!check(core, !is_endless(g) || !core.is_dynamic(body), Error::endless_shape)) return {};
     const std::uint32_t index = add_shape(core, body, g, def);
     if (index == null_index) return {};
-    shapes_changed(core, body);
+    shapes_changed(core, body, 1);
     return core.shape_id(index);
 }
 
@@ -151,8 +152,9 @@ void World::destroy_shape(ShapeId id) {
     if (i == null_index) return;
     const std::uint32_t body = c.shapes[i].body;
     wake_island(c, body, c.arena());
+    const bool spared = c.bodies[body].type() == BodyType::static_body && is_within_others(c, i);
     remove_shape(c, i);
-    shapes_changed(c, body);
+    shapes_changed(c, body, spared ? 0 : every_shape);
 }
 
 bool World::is_valid(ShapeId id) const { return pool_holds(core().state->shape_pool, core().shapes, id); }

@@ -21,8 +21,9 @@ void remix(Core& core, std::uint32_t shape, std::uint32_t forget = 0);
 bool check_shape_def(const Core& core, const ShapeDef& def);
 /// Takes a slot for a shape with its body and geometry. Returns null_index, with the error recorded, if there is no room.
 std::uint32_t add_shape(Core& core, std::uint32_t body, const Geometry& geometry, const ShapeDef& def);
-/// Updates mass, boxes and the tree after shapes were added to a body or taken from it.
-void shapes_changed(Core& core, std::uint32_t body);
+/// Updates mass, boxes and the tree after shapes were added to a body or taken from it. Of a static body only the newest shapes are looked at, so many as are
+/// given: a level of thousands of shapes may be one body.
+void shapes_changed(Core& core, std::uint32_t body, std::uint32_t newest);
 /// Makes a shape: checks the body and the definition, and does all of the above. `valid` says whether the geometry is valid.
 ShapeId attach_shape(Core& core, BodyId body, const Geometry& geometry, bool valid, const ShapeDef& def);
 
