@@ -134,8 +134,10 @@ void ThreadPool::wait_for_tasks() {
 void ThreadPool::part_from_caller() {
     const int core = own_core();
     if (core < 0) return;
+    if (core != caller_core_.load(std::memory_order_relaxed)) caller_core_.store(core, std::memory_order_relaxed);
     for (std::uint32_t i = 1; i < workers_; ++i)
-        if (shares_[i].core.load(std::memory_order_relaxed) == core && !shares_[i].rests.load(std::memory_order_relaxed)) begin_rest(i, shared_core_time);
+        if (shares_[i].shared_core.load(std::memory_order_relaxed) == core && !shares_[i].rests.load(std::memory_order_relaxed))
+            begin_rest(i, shared_core_time);
 }
 
 void ThreadPool::begin_rest(std::uint32_t worker, Nanoseconds held_up) {
@@ -156,7 +158,7 @@ void ThreadPool::end_rests() {
     for (std::uint32_t i = 1; i < workers_; ++i) {
         if (!shares_[i].rests.load(std::memory_order_relaxed) || now < rests_[i].end) continue;
         const std::lock_guard<std::mutex> lock(mutex_);
-        shares_[i].core = -1;  // the system may wake it on another one
+        shares_[i].shared_core = -1;  // the system may wake it on another one
         shares_[i].rests = false;
         --resting_;
         any = true;
@@ -190,8 +192,8 @@ std::uint32_t ThreadPool::wait_for_job(std::uint32_t last, std::uint32_t worker)
     const std::atomic<bool>& rests = shares_[worker].rests;
     const auto is_called = [&] { return ends_.load() || (job_.load() != last && !rests.load()); };
     const auto tell_core = [&] {
-        const int core = own_core();
-        if (core != shares_[worker].core.load(std::memory_order_relaxed)) shares_[worker].core.store(core, std::memory_order_relaxed);
+        const int core = own_core(), shared = core == caller_core_.load(std::memory_order_relaxed) ? core : -1;
+        if (shared != shares_[worker].shared_core.load(std::memory_order_relaxed)) shares_[worker].shared_core.store(shared, std::memory_order_relaxed);
     };
     if (spin_until(is_called, tell_core)) return job_.load();
     std::unique_lock<std::mutex> lock(mutex_);

@@ -46,7 +46,8 @@ private:
         std::atomic<std::uint64_t> taken{0};
         std::atomic<bool> works{false};  // the worker is taking tasks
         std::atomic<bool> rests{false};  // the worker gets no tasks
-        std::atomic<int> core{-1};       // on which it was seen last; -1: not known
+        // The core on which it was last seen awake, if the caller was there too; else -1. (Where it sleeps says nothing: the system may wake it elsewhere.)
+        std::atomic<int> shared_core{-1};
     };
     /// What only the caller of parallel_for knows of a worker.
     struct Rest {
@@ -72,6 +73,7 @@ private:
     alignas(64) std::atomic<std::uint32_t> job_{0};   // its number
     alignas(64) std::atomic<std::uint32_t> left_{0};  // tasks that have not returned
     alignas(64) std::atomic<std::uint32_t> asleep_{0};
+    std::atomic<int> caller_core_{-1};  // when the last job began; -1: not known
     std::atomic<bool> ends_{false};
     std::mutex mutex_;
     std::condition_variable wake_, end_of_rest_;

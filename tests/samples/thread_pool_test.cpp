@@ -1,6 +1,7 @@
 // The samples' pool of threads: each task runs once, on any number of threads, however many tasks there are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -124,6 +125,13 @@ public:
         return sched_setaffinity(0, sizeof one, &one) == 0;
     }
 
+    /// Which of its cores that is.
+    std::size_t place_of(int core) const {
+        std::size_t k = 0;
+        for (int i = 0; i < core; ++i) k += CPU_ISSET(static_cast<std::size_t>(i), &all_) ? 1 : 0;
+        return k;
+    }
+
 private:
     cpu_set_t all_;
 };
@@ -216,6 +224,53 @@ TEST(ThreadPool, AWorkerOnTheCallersCoreTakesLittleOfTheCallersTime) {
     while (on_core() < caller + std::chrono::milliseconds(300)) pool.parallel_for(2, task, nullptr);
     const std::chrono::nanoseconds of_caller = on_core() - caller, of_worker = on_core(CLOCK_PROCESS_CPUTIME_ID) - program - of_caller;
     EXPECT_LT(of_worker, of_caller / 5) << "ns; what the two did there, the caller could have done alone";
+}
+
+// True if the caller gets less than four fifths of any of its cores.
+bool others_are_busy(const Bound& bound) {
+    for (std::size_t k = 0; k < bound.cores(); ++k) {
+        if (!bound.to(k)) return true;
+        const auto begin = std::chrono::steady_clock::now();
+        const std::chrono::nanoseconds began = on_core();
+        while (std::chrono::steady_clock::now() < begin + std::chrono::milliseconds(50)) {}
+        if (5 * (on_core() - began) < 4 * (std::chrono::steady_clock::now() - begin)) return true;
+    }
+    return false;
+}
+
+// A game sleeps between its frames, and so do the workers; the system may then put the caller on the core where a worker was last.
+TEST(ThreadPool, AWorkerThatSleepsIsNotTakenForOneOnTheCallersCore) {
+    struct Meeting {
+        std::thread::id caller = std::this_thread::get_id();
+        std::atomic<int> core{-1};  // of the worker
+        static void task(void* data, std::uint32_t) {
+            auto& meeting = *static_cast<Meeting*>(data);
+            if (std::this_thread::get_id() != meeting.caller) {
+                meeting.core = sched_getcpu();
+                return;
+            }
+            for (const std::chrono::nanoseconds end = on_core() + std::chrono::milliseconds(5); meeting.core < 0 && on_core() < end;) {}
+        }
+    };
+    const Bound bound;
+    if (bound.cores() < 2) GTEST_SKIP() << "only one core: the worker has to rest";
+    int most = 0;  // frames of 30 in which the worker took part; where other programs are busy, it may have to rest in some tries
+    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5); most < 10 && std::chrono::steady_clock::now() < end;) {
+        ThreadPool pool(2);
+        int met = 0;
+        std::size_t where = 0;  // the caller's core
+        for (int frame = 0; frame < 30; ++frame) {
+            ASSERT_TRUE(bound.to(where));
+            Meeting meeting;
+            pool.parallel_for(2, Meeting::task, &meeting);
+            met += meeting.core >= 0 ? 1 : 0;
+            where = meeting.core >= 0 ? bound.place_of(meeting.core) : where;  // the next frame finds the caller where the worker was
+            std::this_thread::sleep_for(std::chrono::milliseconds(3));         // longer than workers spin
+        }
+        most = std::max(most, met);
+    }
+    if (most < 10 && others_are_busy(bound)) GTEST_SKIP() << "other programs keep the cores busy: the worker may have to rest";
+    EXPECT_GE(most, 10);  // a rest lasts for six frames and more, and each is twice as long: 4 or 5 would be left
 }
 
 #endif
