@@ -1,5 +1,6 @@
 // Things ready made of several bodies and joints, for a World of your own. The files of this folder need the engine alone, and no heap: copy this
-// one and those of the prefab you want. A definition describes a prefab, and `spawn` makes it; its ids go into arrays of yours.
+// one and those of the prefab you want; bridges, chains and ropes need span.hpp and span.cpp, too. A definition
+// describes a prefab, and `spawn` makes it; its ids go into arrays of yours.
 //
 //   BodyId planks[18];
 //   JointId hinges[17];
