@@ -4,6 +4,9 @@
 //   JointId hinges[17];
 //   Spawned bridge = spawn(world, BridgeDef{.from = {-5, 3}, .to = {5, 3}}, planks, hinges);
 //   // With .break_force it comes down under a heavy load: see World::broken_joints.
+//
+// Let the banks end a plank's thickness before the hinges. The ends of planks that hang turn into a bank that ends at them, which the hinges do not allow: so
+// the bridge would tremble.
 #pragma once
 
 #include "prefab.hpp"
