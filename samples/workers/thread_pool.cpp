@@ -41,7 +41,7 @@ bool spin_until(Done&& done) {
     return spin_until(done, [] {});
 }
 
-using Nanoseconds = std::chrono::nanoseconds;
+using Nanoseconds = Machine::Nanoseconds;
 
 #if defined(__linux__)
 Nanoseconds read_clock(clockid_t clock) {
@@ -49,26 +49,32 @@ Nanoseconds read_clock(clockid_t clock) {
     if (clock_gettime(clock, &time) != 0) return Nanoseconds(-1);
     return std::chrono::seconds(time.tv_sec) + Nanoseconds(time.tv_nsec);
 }
-
-/// How long a thread has been on a core until now; less than 0 if that cannot be known.
-Nanoseconds time_on_core(std::thread& thread) {
-    clockid_t clock{};
-    return pthread_getcpuclockid(thread.native_handle(), &clock) == 0 ? read_clock(clock) : Nanoseconds(-1);
-}
-Nanoseconds own_time_on_core() { return read_clock(CLOCK_THREAD_CPUTIME_ID); }
-
-/// The core on which the caller runs; less than 0 if that cannot be known.
-int own_core() { return sched_getcpu(); }
-#else
-// One thread cannot see whether another one runs, nor where.
-Nanoseconds time_on_core(std::thread&) { return Nanoseconds(-1); }
-Nanoseconds own_time_on_core() { return Nanoseconds(0); }
-int own_core() { return -1; }
 #endif
 
 }  // namespace
 
-ThreadPool::ThreadPool(std::uint32_t workers) : workers_(workers > 1 ? workers : 1), shares_(std::make_unique<Share[]>(workers_)), rests_(workers_) {
+Nanoseconds Machine::now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
+#if defined(__linux__)
+int Machine::own_core() { return sched_getcpu(); }
+Nanoseconds Machine::own_time_on_core() { return read_clock(CLOCK_THREAD_CPUTIME_ID); }
+Nanoseconds Machine::time_on_core(std::thread& thread) {
+    clockid_t clock{};
+    return pthread_getcpuclockid(thread.native_handle(), &clock) == 0 ? read_clock(clock) : Nanoseconds(-1);
+}
+#else
+int Machine::own_core() { return -1; }
+Nanoseconds Machine::own_time_on_core() { return Nanoseconds(0); }
+Nanoseconds Machine::time_on_core(std::thread&) { return Nanoseconds(-1); }
+#endif
+
+Machine& this_machine() {
+    static Machine machine;
+    return machine;
+}
+
+ThreadPool::ThreadPool(std::uint32_t workers, Machine& machine)
+    : workers_(workers > 1 ? workers : 1), machine_(machine), shares_(std::make_unique<Share[]>(workers_)), rests_(workers_) {
     for (std::uint32_t i = 1; i < workers_; ++i) threads_.emplace_back([this, i] { work(i); });
 }
 
@@ -117,22 +123,22 @@ void ThreadPool::parallel_for(std::uint32_t count, Task task, void* data) {
 void ThreadPool::wait_for_tasks() {
     const auto all_returned = [this] { return left_.load(std::memory_order_acquire) == 0; };
     if (spin_until(all_returned)) return;
-    const Nanoseconds begin = own_time_on_core();
+    const Nanoseconds begin = machine_.own_time_on_core();
     for (std::uint32_t i = 1; i < workers_; ++i) {
         const bool works = shares_[i].works.load(std::memory_order_acquire) && !shares_[i].rests.load(std::memory_order_relaxed);
-        rests_[i].ran = works ? time_on_core(threads_[i - 1]) : Nanoseconds(-1);
+        rests_[i].ran = works ? machine_.time_on_core(threads_[i - 1]) : Nanoseconds(-1);
     }
     while (!spin_until(all_returned)) std::this_thread::yield();
-    const Nanoseconds waited = own_time_on_core() - begin;
+    const Nanoseconds waited = machine_.own_time_on_core() - begin;
     for (std::uint32_t i = 1; i < workers_; ++i) {
-        if (rests_[i].ran.count() < 0 || 2 * (time_on_core(threads_[i - 1]) - rests_[i].ran) >= waited) continue;
+        if (rests_[i].ran.count() < 0 || 2 * (machine_.time_on_core(threads_[i - 1]) - rests_[i].ran) >= waited) continue;
         begin_rest(i, waited + spin_time);
     }
 }
 
 // Workers that are on the caller's core rest: what they do there, the caller could do itself.
 void ThreadPool::part_from_caller() {
-    const int core = own_core();
+    const int core = machine_.own_core();
     if (core < 0) return;
     if (core != caller_core_.load(std::memory_order_relaxed)) caller_core_.store(core, std::memory_order_relaxed);
     for (std::uint32_t i = 1; i < workers_; ++i)
@@ -142,7 +148,7 @@ void ThreadPool::part_from_caller() {
 
 void ThreadPool::begin_rest(std::uint32_t worker, Nanoseconds held_up) {
     Rest& rest = rests_[worker];
-    const auto now = std::chrono::steady_clock::now();
+    const auto now = machine_.now();
     Nanoseconds length = rest_per_wait * held_up;
     const bool again = now - rest.end < rest.length;
     if (again && 2 * rest.length > length) length = 2 * rest.length;
@@ -153,7 +159,7 @@ void ThreadPool::begin_rest(std::uint32_t worker, Nanoseconds held_up) {
 }
 
 void ThreadPool::end_rests() {
-    const auto now = std::chrono::steady_clock::now();
+    const auto now = machine_.now();
     bool any = false;
     for (std::uint32_t i = 1; i < workers_; ++i) {
         if (!shares_[i].rests.load(std::memory_order_relaxed) || now < rests_[i].end) continue;
@@ -192,7 +198,7 @@ std::uint32_t ThreadPool::wait_for_job(std::uint32_t last, std::uint32_t worker)
     const std::atomic<bool>& rests = shares_[worker].rests;
     const auto is_called = [&] { return ends_.load() || (job_.load() != last && !rests.load()); };
     const auto tell_core = [&] {
-        const int core = own_core(), shared = core == caller_core_.load(std::memory_order_relaxed) ? core : -1;
+        const int core = machine_.own_core(), shared = core == caller_core_.load(std::memory_order_relaxed) ? core : -1;
         if (shared != shares_[worker].shared_core.load(std::memory_order_relaxed)) shares_[worker].shared_core.store(shared, std::memory_order_relaxed);
     };
     if (spin_until(is_called, tell_core)) return job_.load();

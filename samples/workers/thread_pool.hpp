@@ -14,6 +14,25 @@
 
 namespace islet::samples {
 
+/// What a ThreadPool sees of the machine: cores and time. (Tests put a machine of their own in its place, on which no other program runs.)
+class Machine {
+public:
+    using Nanoseconds = std::chrono::nanoseconds;
+
+    virtual ~Machine() = default;
+    /// The time since a fixed moment.
+    virtual Nanoseconds now();
+    /// The core on which the calling thread runs; less than 0 if that cannot be known.
+    virtual int own_core();
+    /// How long the calling thread has been on a core until now.
+    virtual Nanoseconds own_time_on_core();
+    /// How long another thread has; less than 0 if that cannot be known.
+    virtual Nanoseconds time_on_core(std::thread& thread);
+};
+
+/// The computer that runs the program.
+Machine& this_machine();
+
 /// Threads that wait for tasks: at first spinning, so that the next stage of a step finds them at once, then asleep. Used by one thread at a time; not
 /// from within a task. A worker begins with the share of the tasks that it had the last time, whose data may be in its core's cache still, and then
 /// helps the others.
@@ -28,12 +47,15 @@ public:
     using Task = void (*)(void* data, std::uint32_t index);
 
     /// `workers` threads in all (at least 1), of which the caller of parallel_for is one.
-    explicit ThreadPool(std::uint32_t workers);
+    /// `machine` must outlive the pool.
+    explicit ThreadPool(std::uint32_t workers, Machine& machine = this_machine());
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     std::uint32_t workers() const { return workers_; }
+    /// How many of them get no tasks for now, because they held up the caller.
+    std::uint32_t resting() const { return resting_; }
     /// What WorldDef wants. The pool must outlive the world's last step.
     TaskSystem tasks();
     /// Calls task(data, index) for each index < count and returns when all have returned.
@@ -51,9 +73,9 @@ private:
     };
     /// What only the caller of parallel_for knows of a worker.
     struct Rest {
-        std::chrono::steady_clock::time_point end;
-        std::chrono::nanoseconds length{0};  // of the last rest
-        std::chrono::nanoseconds ran{0};     // its time on a core when the caller began to wait
+        Machine::Nanoseconds end{0};     // of the last rest
+        Machine::Nanoseconds length{0};  // of that
+        Machine::Nanoseconds ran{0};     // its time on a core when the caller began to wait
     };
 
     void work(std::uint32_t worker);
@@ -61,10 +83,11 @@ private:
     std::uint32_t wait_for_job(std::uint32_t last, std::uint32_t worker);
     void wait_for_tasks();
     void part_from_caller();
-    void begin_rest(std::uint32_t worker, std::chrono::nanoseconds held_up);
+    void begin_rest(std::uint32_t worker, Machine::Nanoseconds held_up);
     void end_rests();
 
     std::uint32_t workers_;
+    Machine& machine_;
     std::unique_ptr<Share[]> shares_;
     // The job. Whoever has taken one of its tasks knows that it has not ended, and so that what he read is its own: shares are closed before it changes.
     std::atomic<std::uint32_t> count_{0};

@@ -1,24 +1,20 @@
 // The samples' pool of threads: each task runs once, on any number of threads, however many tasks there are.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <memory>
-#include <set>
 #include <thread>
 #include <vector>
 
 #include "workers/thread_pool.hpp"
 
 #if defined(__linux__)
-#include <pthread.h>
 #include <sched.h>
-#include <time.h>
 #endif
 
 namespace {
 
+using islet::samples::Machine;
 using islet::samples::ThreadPool;
 
 // How often each task ran.
@@ -97,182 +93,177 @@ TEST(ThreadPool, WhatTasksWroteIsSeenByTheCaller) {
     }
 }
 
-#if defined(__linux__)
-
-// How long the clock's thread, or all of the program's, have been on a core.
-std::chrono::nanoseconds on_core(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) {
-    timespec time{};
-    clock_gettime(clock, &time);
-    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-}
-
-// Binds the calling thread, and those that it starts, to one core; at the end, to those that it had.
-class Bound {
+// A machine on which only the pool runs, with a caller and one worker. A test says on which cores they are and how time passes.
+class QuietMachine : public Machine {
 public:
-    Bound() { sched_getaffinity(0, sizeof all_, &all_); }
-    ~Bound() { sched_setaffinity(0, sizeof all_, &all_); }
-    Bound(const Bound&) = delete;
-    Bound& operator=(const Bound&) = delete;
+    std::atomic<int> core_of_caller{0}, core_of_worker{1};
+    std::atomic<Nanoseconds> time{Nanoseconds(0)}, caller_time{Nanoseconds(0)}, worker_time{Nanoseconds(0)};
+    std::atomic<int> waits{0};            // how often the caller began or ended a long wait
+    std::atomic<int> looks_of_worker{0};  // how often the worker looked on which core it is
 
-    std::size_t cores() const { return static_cast<std::size_t>(CPU_COUNT(&all_)); }
-    /// To the k-th of its cores; false if the system refuses.
-    bool to(std::size_t k) const {
-        std::size_t core = 0;
-        while (!CPU_ISSET(core, &all_) || k-- > 0) ++core;
-        cpu_set_t one;
-        CPU_ZERO(&one);
-        CPU_SET(core, &one);
-        return sched_setaffinity(0, sizeof one, &one) == 0;
+    Nanoseconds now() override { return time; }
+    int own_core() override {
+        if (is_caller()) return core_of_caller;
+        ++looks_of_worker;
+        return core_of_worker;
     }
-
-    /// Which of its cores that is.
-    std::size_t place_of(int core) const {
-        std::size_t k = 0;
-        for (int i = 0; i < core; ++i) k += CPU_ISSET(static_cast<std::size_t>(i), &all_) ? 1 : 0;
-        return k;
+    Nanoseconds own_time_on_core() override { return caller_time; }
+    Nanoseconds time_on_core(std::thread&) override {
+        const Nanoseconds spent = worker_time;
+        ++waits;
+        return spent;
     }
+    bool is_caller() const { return std::this_thread::get_id() == caller_; }
 
 private:
-    cpu_set_t all_;
+    std::thread::id caller_ = std::this_thread::get_id();
 };
 
-// A worker that sleeps in its tasks is to the pool like one that has lost its core. It holds up the caller for 2.5 ms and more of the caller's time on a core.
-struct Sleeper {
+// True once `done()` is; false if it is not for 20 seconds, which only a fault can cause.
+template <class Done>
+bool wait_until(Done&& done) {
     using Clock = std::chrono::steady_clock;
-    std::thread::id caller = std::this_thread::get_id();
-    clockid_t caller_clock = CLOCK_THREAD_CPUTIME_ID;
-    int naps = 0, too_soon = 0;
-    Clock::time_point last_end = Clock::now() - std::chrono::seconds(1);
+    for (const Clock::time_point late = Clock::now() + std::chrono::seconds(20); !done();) {
+        if (Clock::now() > late) return false;
+        std::this_thread::yield();
+    }
+    return true;
+}
 
-    Sleeper() { pthread_getcpuclockid(pthread_self(), &caller_clock); }
-    std::chrono::nanoseconds caller_on_core() const { return on_core(caller_clock); }
-    static void task(void* data, std::uint32_t) {
-        auto& sleeper = *static_cast<Sleeper*>(data);
-        const Clock::time_point begin = Clock::now();
-        if (std::this_thread::get_id() == sleeper.caller) {
-            while (Clock::now() < begin + std::chrono::microseconds(300)) {}  // long enough for the worker to take the other task
-            return;
+// A pool of a caller and a worker on a quiet machine, and jobs for the two.
+struct Quiet {
+    QuietMachine machine;
+    ThreadPool pool{2, machine};
+
+    // What the two do at the same time; each waits for the other to have begun. True if the worker took part.
+    struct Job {
+        QuietMachine& machine;
+        std::chrono::microseconds wait, work;  // of the caller, and of the worker meanwhile
+        std::atomic<int> begun{0};
+        std::atomic<bool> met{true};
+
+        static void task(void* data, std::uint32_t) {
+            Job& job = *static_cast<Job*>(data);
+            const int waits = job.machine.waits;
+            ++job.begun;
+            if (!wait_until([&] { return job.begun == 2; })) job.met = false;
+            if (job.machine.is_caller() || !job.met || job.wait.count() == 0) return;
+            if (!wait_until([&] { return job.machine.waits > waits; })) job.met = false;
+            job.machine.caller_time = job.machine.caller_time.load() + job.wait;
+            job.machine.worker_time = job.machine.worker_time.load() + job.work;
         }
-        ++sleeper.naps;
-        sleeper.too_soon += begin < sleeper.last_end + std::chrono::milliseconds(50) ? 1 : 0;
-        const std::chrono::nanoseconds held = sleeper.caller_on_core() + std::chrono::milliseconds(3);
-        for (std::chrono::milliseconds nap{2}; sleeper.caller_on_core() < held; nap *= 2) std::this_thread::sleep_for(nap);
-        sleeper.last_end = Clock::now();
+    };
+    bool both_work(std::chrono::microseconds wait = {}, std::chrono::microseconds work = {}) {
+        Job job{machine, wait, work};
+        pool.parallel_for(2, Job::task, &job);
+        return job.met;
+    }
+
+    // Gives the pool two tasks, which a worker that rests leaves to the caller. Returns how many workers rest.
+    std::uint32_t resting() {
+        std::atomic<int> done{0};
+        pool.parallel_for(
+            2, [](void* data, std::uint32_t) { ++*static_cast<std::atomic<int>*>(data); }, &done);
+        EXPECT_EQ(done, 2);
+        return pool.resting();
     }
 };
 
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr milliseconds tick{1};
+
 TEST(ThreadPool, AWorkerThatDoesNotRunRestsTwentyTimesAsLongAsItHeldUpTheCaller) {
-    ThreadPool pool(2);
-    Sleeper sleeper;
-    for (int job = 0; job < 300 && sleeper.naps < 6; ++job) pool.parallel_for(2, Sleeper::task, &sleeper);
-    EXPECT_EQ(sleeper.too_soon, 0) << "of " << sleeper.naps;
+    Quiet quiet;
+    ASSERT_TRUE(quiet.both_work(milliseconds(3), milliseconds(1)));  // the caller waited for 3 ms, and 0.1 ms before that
+    EXPECT_EQ(quiet.resting(), 1u);
+    quiet.machine.time = milliseconds(62) - tick;
+    EXPECT_EQ(quiet.resting(), 1u);
+    quiet.machine.time = milliseconds(62);
+    EXPECT_EQ(quiet.resting(), 0u);
+    EXPECT_TRUE(quiet.both_work());
 }
 
-TEST(ThreadPool, AWorkerThatRestedComesBack) {
-    ThreadPool pool(2);
-    Sleeper sleeper;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (sleeper.naps < 2 && std::chrono::steady_clock::now() < end) pool.parallel_for(2, Sleeper::task, &sleeper);
-    EXPECT_EQ(sleeper.naps, 2);
+TEST(ThreadPool, AWorkerThatHoldsUpTheCallerAgainRestsTwiceAsLongUpToASecond) {
+    Quiet quiet;
+    for (const int length : {62, 124, 248, 496, 992, 1000, 1000}) {
+        const milliseconds rest{length};
+        ASSERT_TRUE(quiet.both_work(milliseconds(3)));
+        const auto begin = quiet.machine.time.load();
+        quiet.machine.time = begin + rest - tick;
+        EXPECT_EQ(quiet.resting(), 1u) << rest.count() << " ms";
+        quiet.machine.time = begin + rest;
+        EXPECT_EQ(quiet.resting(), 0u) << rest.count() << " ms";
+    }
+    quiet.machine.time = quiet.machine.time.load() + seconds(1);  // as long as the last rest: that is forgotten
+    ASSERT_TRUE(quiet.both_work(milliseconds(3)));
+    quiet.machine.time = quiet.machine.time.load() + milliseconds(62);
+    EXPECT_EQ(quiet.resting(), 0u);
 }
 
 TEST(ThreadPool, AWorkerWhoseTaskIsLongIsNotLeftOut) {
-    struct Pair {
-        std::thread::id caller = std::this_thread::get_id();
-        std::atomic<int> begun{0};
-        bool waits_in_vain = false, lost_core = false;
-        static void task(void* data, std::uint32_t) {
-            auto& pair = *static_cast<Pair*>(data);
-            const auto begin = std::chrono::steady_clock::now();
-            const std::chrono::nanoseconds began = on_core();
-            ++pair.begun;
-            if (std::this_thread::get_id() == pair.caller) {  // the worker's task begins, and lasts longer
-                while (pair.begun < 2 && !pair.waits_in_vain) {
-                    std::this_thread::yield();
-                    pair.waits_in_vain = on_core() > began + std::chrono::milliseconds(20);
-                }
-                return;
-            }
-            while (std::chrono::steady_clock::now() < begin + std::chrono::milliseconds(5)) {}
-            pair.lost_core = 10 * (on_core() - began) < 9 * (std::chrono::steady_clock::now() - begin);
-        }
-    };
-    const Bound bound;
-    if (bound.cores() < 2) GTEST_SKIP() << "only one core: the worker has to rest";
-    ASSERT_TRUE(bound.to(1));
-    ThreadPool pool(2);  // its thread stays there, beside the caller's core, however busy other programs are
-    ASSERT_TRUE(bound.to(0));
-    int alone = 0;
+    Quiet quiet;
     for (int job = 0; job < 10; ++job) {
-        Pair pair;
-        pool.parallel_for(2, Pair::task, &pair);
-        alone += pair.waits_in_vain ? 1 : 0;
-        if (pair.lost_core) return;  // to another program: then the worker may rest
+        ASSERT_TRUE(quiet.both_work(milliseconds(5), milliseconds(5)));
+        EXPECT_EQ(quiet.resting(), 0u) << "job " << job;
     }
-    EXPECT_LE(alone, 5);  // a worker that rested after each task of 5 ms would be there for one job in six
+    ASSERT_TRUE(quiet.both_work(milliseconds(5), microseconds(2499)));  // less than half of that: it has lost its core
+    EXPECT_EQ(quiet.resting(), 1u);
 }
 
 // Where another program keeps the second core busy, the system may leave the worker on the caller's core.
-TEST(ThreadPool, AWorkerOnTheCallersCoreTakesLittleOfTheCallersTime) {
-    const Bound bound;
-    ASSERT_TRUE(bound.to(0));  // the pool's thread inherits it
-    ThreadPool pool(2);
-    const auto task = [](void*, std::uint32_t) {
-        for (const std::chrono::nanoseconds end = on_core() + std::chrono::microseconds(20); on_core() < end;) {}
-    };
-    const std::chrono::nanoseconds program = on_core(CLOCK_PROCESS_CPUTIME_ID), caller = on_core();
-    while (on_core() < caller + std::chrono::milliseconds(300)) pool.parallel_for(2, task, nullptr);
-    const std::chrono::nanoseconds of_caller = on_core() - caller, of_worker = on_core(CLOCK_PROCESS_CPUTIME_ID) - program - of_caller;
-    EXPECT_LT(of_worker, of_caller / 5) << "ns; what the two did there, the caller could have done alone";
-}
-
-// True if the caller gets less than four fifths of any of its cores.
-bool others_are_busy(const Bound& bound) {
-    for (std::size_t k = 0; k < bound.cores(); ++k) {
-        if (!bound.to(k)) return true;
-        const auto begin = std::chrono::steady_clock::now();
-        const std::chrono::nanoseconds began = on_core();
-        while (std::chrono::steady_clock::now() < begin + std::chrono::milliseconds(50)) {}
-        if (5 * (on_core() - began) < 4 * (std::chrono::steady_clock::now() - begin)) return true;
-    }
-    return false;
+TEST(ThreadPool, AWorkerOnTheCallersCoreRestsForTwentyMilliseconds) {
+    Quiet quiet;
+    quiet.machine.core_of_worker = 0;
+    ASSERT_TRUE(wait_until([&] { return quiet.resting() == 1; }));  // once the worker has looked where it is
+    quiet.machine.time = milliseconds(20) - tick;
+    EXPECT_EQ(quiet.resting(), 1u);
+    quiet.machine.core_of_worker = 1;
+    quiet.machine.time = milliseconds(20);
+    EXPECT_EQ(quiet.resting(), 0u);
+    for (int job = 0; job < 10; ++job) EXPECT_TRUE(quiet.both_work());
+    EXPECT_EQ(quiet.resting(), 0u);
 }
 
 // A game sleeps between its frames, and so do the workers; the system may then put the caller on the core where a worker was last.
 TEST(ThreadPool, AWorkerThatSleepsIsNotTakenForOneOnTheCallersCore) {
-    struct Meeting {
-        std::thread::id caller = std::this_thread::get_id();
-        std::atomic<int> core{-1};  // of the worker
-        static void task(void* data, std::uint32_t) {
-            auto& meeting = *static_cast<Meeting*>(data);
-            if (std::this_thread::get_id() != meeting.caller) {
-                meeting.core = sched_getcpu();
-                return;
-            }
-            for (const std::chrono::nanoseconds end = on_core() + std::chrono::milliseconds(5); meeting.core < 0 && on_core() < end;) {}
-        }
-    };
-    const Bound bound;
-    if (bound.cores() < 2) GTEST_SKIP() << "only one core: the worker has to rest";
-    int most = 0;  // frames of 30 in which the worker took part; where other programs are busy, it may have to rest in some tries
-    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5); most < 10 && std::chrono::steady_clock::now() < end;) {
-        ThreadPool pool(2);
-        int met = 0;
-        std::size_t where = 0;  // the caller's core
-        for (int frame = 0; frame < 30; ++frame) {
-            ASSERT_TRUE(bound.to(where));
-            Meeting meeting;
-            pool.parallel_for(2, Meeting::task, &meeting);
-            met += meeting.core >= 0 ? 1 : 0;
-            where = meeting.core >= 0 ? bound.place_of(meeting.core) : where;  // the next frame finds the caller where the worker was
-            std::this_thread::sleep_for(std::chrono::milliseconds(3));         // longer than workers spin
-        }
-        most = std::max(most, met);
+    for (int game = 0; game < 10; ++game) {
+        Quiet quiet;
+        ASSERT_TRUE(quiet.both_work());
+        ASSERT_TRUE(wait_until([&] { return quiet.machine.looks_of_worker > 1; }));
+        std::this_thread::sleep_for(tick);  // longer than it spins
+        quiet.machine.core_of_caller = quiet.machine.core_of_worker.exchange(2);
+        EXPECT_EQ(quiet.resting(), 0u);
     }
-    if (most < 10 && others_are_busy(bound)) GTEST_SKIP() << "other programs keep the cores busy: the worker may have to rest";
-    EXPECT_GE(most, 10);  // a rest lasts for six frames and more, and each is twice as long: 4 or 5 would be left
 }
 
+#if defined(__linux__)
+TEST(ThreadPool, TheComputerSaysHowLongAThreadWasOnACoreAndOnWhich) {
+    Machine& machine = islet::samples::this_machine();
+    std::atomic<bool> worked{false}, ends{false};
+    std::thread worker([&] {
+        while (machine.own_time_on_core() < milliseconds(2)) {}
+        worked = true;
+        while (!ends) std::this_thread::yield();
+    });
+    ASSERT_TRUE(wait_until([&] { return worked.load(); }));
+    EXPECT_GE(machine.time_on_core(worker), milliseconds(2));
+    ends = true;
+    worker.join();
+
+    cpu_set_t all, one;
+    ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+    for (int core = 0; core < CPU_SETSIZE; ++core) {
+        if (!CPU_ISSET(static_cast<std::size_t>(core), &all)) continue;
+        CPU_ZERO(&one);
+        CPU_SET(static_cast<std::size_t>(core), &one);
+        ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+        EXPECT_EQ(machine.own_core(), core);
+    }
+    sched_setaffinity(0, sizeof all, &all);
+}
 #endif
 
 TEST(ThreadPool, EndsWhetherItWasUsedOrNot) {
