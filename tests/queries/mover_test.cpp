@@ -125,6 +125,49 @@ TEST(Mover, ClimbsStairsAndComesDownThem) {
     }
 }
 
+TEST(Mover, ClimbsEveryLowStepAtEveryWalkingSpeed) {
+    for (int centimetres = 3; centimetres < 35; centimetres += 2) {
+        for (const float speed : {0.1f, 0.2f, 0.3f, 0.5f, 0.8f, 1.0f, 2.0f, 5.0f}) {
+            for (const float side : {-1.0f, 1.0f}) {
+                for (int k = 0; k < 3; ++k) {
+                    SCOPED_TRACE(testing::Message() << centimetres << " cm at " << side * speed << " m/s, start " << k);
+                    const float top = 0.01f * static_cast<float>(centimetres);
+                    TestWorld w;
+                    w.add_ground(0);
+                    w.add_box({side * 25, 0.5f * top}, 25, 0.5f * top, {}, BodyType::static_body);
+                    MoverState state{.position = {side * (-0.35f - 0.007f * static_cast<float>(k)), gap}};
+                    // It climbs round the edge with the round end, about half a metre.
+                    const int steps = static_cast<int>(1.2f / (speed * dt)) + 10;
+                    for (int i = 0; i < steps; ++i) {
+                        const Vec2 from = state.position;
+                        w->step(dt);
+                        ASSERT_TRUE(step_mover(*w, {}, state, {.walk = side * speed}, dt));
+                        ASSERT_TRUE(state.ground);
+                        ASSERT_LE(std::abs(state.position.x - from.x), speed * dt + 2.1f * gap) << "step " << i;
+                    }
+                    ASSERT_NEAR(state.position.y, top + gap, 1e-3f) << state.position.x;
+                }
+            }
+        }
+    }
+}
+
+TEST(Mover, StandsStillHalfwayUpAnEdge) {
+    for (const float side : {-1.0f, 1.0f}) {
+        TestWorld w;
+        w.add_ground(0);
+        w.add_box({side * 25, 0.15f}, 25, 0.15f, {}, BodyType::static_body);
+        Hero hero(w, {side * -0.32f, gap});
+        for (int i = 0; i < 600 && hero.state.position.y < 0.1f; ++i) hero.step({.walk = side * 0.3f});
+        hero.step({}, 2);
+        const Vec2 there = hero.state.position;
+        ASSERT_GT(there.y, 0.09f);
+        hero.step({}, 120);
+        EXPECT_LT(distance(hero.state.position, there), 1e-4f);
+        EXPECT_LE(hero.worst_overlap, 0);
+    }
+}
+
 TEST(Mover, DoesNotClimbStepsThatAreTooHigh) {
     TestWorld w;
     add_stairs(w, 1, 0.37f, 1);

@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::uint32_t walk_passes = 8;
 constexpr float no_length = 1e-5f;  // m: shorter ways are not walked
+// The weight on a body is at most this many times the body's own, and accelerates the place below the feet, if nothing else holds the body, by at most this
+// many times gravity.
+constexpr float most_load = 10, most_press = 25;
 
 float approach(float from, float to, float most) { return from + clamp(to - from, -most, most); }
 
@@ -22,8 +25,12 @@ Vec2 limited(Vec2 a, float limit) { return max(min(a, Vec2{limit, limit}), Vec2{
 
 Vec2 ground_velocity(const Mover& m) { return m.world.velocity_at(m.state.ground, m.support()); }
 
+// The mover takes the ground's speed along, of a light body only what the place below its feet has: the top of a small ball that rolls is slower than the
+// support above it.
 void leave_ground(Mover& m) {
-    m.state.velocity += ground_velocity(m);
+    const bool light = m.world.type(m.state.ground) == BodyType::dynamic && m.world.mass(m.state.ground) < m.def.mass;
+    const Vec2 below = m.support() - m.def.capsule.radius * m.up;
+    m.state.velocity += light ? m.world.velocity_at(m.state.ground, below) : ground_velocity(m);
     m.state.ground = {};
     m.state.ground_normal = {};
     m.state.ground_point = {};
@@ -33,6 +40,48 @@ void stand_on(Mover& m, const Surface& s, Vec2 face) {
     m.state.ground = m.world.body(s.shape);
     m.state.ground_normal = face;
     m.state.ground_point = inv_transform_point(m.world.transform(m.state.ground), m.support());
+}
+
+/// How the support, if it were a point of the ground body, answers to impulses: its velocity changes by the product of this symmetric matrix and the impulse.
+struct Answer {
+    float xx = 0, xy = 0, yy = 0;  // 1/kg
+    Vec2 operator*(Vec2 impulse) const { return {xx * impulse.x + xy * impulse.y, xy * impulse.x + yy * impulse.y}; }
+};
+
+Answer answer_of_ground(const Mover& m) {
+    const Pose& pose = Core::of(m.world).poses[m.state.ground.index1 - 1];
+    const Vec2 arm = m.support() - pose.center;
+    const float turn = pose.inv_inertia;
+    return {pose.inv_mass + turn * arm.y * arm.y, -turn * arm.x * arm.y, pose.inv_mass + turn * arm.x * arm.x};
+}
+
+/// The weight that the mover puts on the ground body, N. It is a force over a whole step, so a body that weighs next to nothing does not get all of it.
+float weight_on_ground(const Mover& m) {
+    if (m.world.type(m.state.ground) != BodyType::dynamic) return 0;
+    const float yields = dot(m.up, answer_of_ground(m) * m.up);
+    const float most = min(m.def.mass, most_load * m.world.mass(m.state.ground));
+    return -dot(m.world.gravity(), m.up) * (most * yields > most_press ? most_press / yields : most);
+}
+
+/// A body that carries the mover carries its inertia too: what the last step of the world gave to the body, the two now share. A body that rests does not
+/// notice this; a light one that gives way under the weight gets no faster than the mover falls. `carried` is how far the step moved the support.
+void share_speed(Mover& m, Vec2 carried) {
+    const float weight = weight_on_ground(m), substep = Core::of(m.world).state->last_substep;
+    if (!(weight > 0) || !(substep < 0.75f * m.dt)) return;
+    // In n substeps of an even acceleration a speed rises from v - gain to v, and its mean is v - gain (n - 1) / 2n.
+    const Vec2 gain = 2 * m.dt / (m.dt - substep) * (ground_velocity(m) - (1.0f / m.dt) * carried);
+    const Answer a = answer_of_ground(m);
+    const float mass = m.def.mass, xx = 1 + mass * a.xx, yy = 1 + mass * a.yy, xy = mass * a.xy;
+    Vec2 impulse = -(mass / (xx * yy - xy * xy)) * Vec2{yy * gain.x - xy * gain.y, xx * gain.y - xy * gain.x};
+    // Hinges and other bodies may help the body to bear the weight: it then acts as if it were heavier, by as much as the weight made it less fast.
+    const float most = weight * m.dt, given = -mass * dot(gain, m.up), falls = -dot(ground_velocity(m), m.up);
+    if (given > 0 && falls > 0) {
+        const float back = min(most * (given / (given + most)), falls / dot(m.up, a * m.up));
+        impulse += max(back - dot(impulse, m.up), 0.0f) * m.up;
+    }
+    const float size = length(impulse);
+    if (size > most) impulse *= most / size;
+    if (is_finite(impulse)) m.world.apply_linear_impulse(m.state.ground, impulse, m.support());
 }
 
 // The ground has moved since the last step, and the feet go with it. Other surfaces that moved may have come too close.
@@ -45,6 +94,7 @@ void ride(Mover& m) {
         m.state.ground = {};
         return;
     }
+    share_speed(m, carried);
     // A conveyor's surface moves besides.
     const Touched t = touched_by(m);
     for (std::uint32_t i = 0; i < t.count; ++i) {
@@ -57,13 +107,22 @@ void ride(Mover& m) {
     slide(m, carried);
 }
 
-/// Lowers the feet, by no more than `most`, to the gap above the surface below. Returns that surface, or a null one if there is none.
-Met lower(Mover& m, float most) {
+/// Lowers the feet, by no more than `most`, to the gap above the surface below. Returns that surface, or a null one if there is none. An edge that a mover with
+/// this `speed` to the right climbs, or stands on, holds it: else it would sink back from the edge by as much as it rises in a step.
+Met lower(Mover& m, float most, float speed) {
     Met below = way_ahead(m, -(most + mover_gap) * m.up);
     if (!below.hit) return below;
     const float slope = max(dot(below.surface.normal, m.up), 0.5f);
-    const float drop = below.fraction * (most + mover_gap) - (mover_gap - mover_cast_gap) / slope;
+    float drop = below.fraction * (most + mover_gap) - (mover_gap - mover_cast_gap) / slope;
     if (drop > most) return {};
+    const Met edge = drop > mover_touch ? way_ahead(m, -drop * m.up, mover_gap) : Met{};
+    Vec2 face;
+    const Vec2 normal = edge.surface.normal;
+    const bool steeper = dot(normal, m.up) < max(m.least_up, dot(below.surface.normal, m.up) - 1e-3f);
+    if (edge.hit && steeper && !(speed * dot(normal, m.right) > 0) && can_stand_on(m, edge.surface, face)) {
+        drop *= edge.fraction;
+        below = edge;
+    }
     // Feet that stand at the gap stay where they are, to the bit. If they rise, the ceiling stops them.
     if (drop > mover_touch) m.state.position -= drop * m.up;
     if (drop < -mover_touch) m.state.position -= way_ahead(m, -drop * m.up).fraction * drop * m.up;
@@ -80,7 +139,7 @@ bool step_up(Mover& m, Vec2 forward, float distance) {
     const float gone = way_ahead(m, reach * forward).fraction * reach;
     m.state.position += gone * forward;
     Vec2 face;
-    const Met below = lower(m, rise);
+    const Met below = lower(m, rise, dot(forward, m.right));
     const bool higher = dot(m.state.position - before, m.up) > mover_touch;
     const bool reached = below.hit && dot(below.surface.point, m.up) - feet <= m.def.step_height;
     if (gone > mover_gap && higher && reached && can_stand_on(m, below.surface, face)) return true;
@@ -95,9 +154,9 @@ float walk_along(Mover& m, float side, float whole) {
     for (std::uint32_t pass = 0; pass < walk_passes && left > no_length; ++pass) {
         const Touched t = touched_by(m);
         Bound bounds[mover_planes];
+        set_bounds(m, t, bounds);
         for (std::uint32_t i = 0; i < t.count; ++i) {
             const Surface& s = t.surfaces[i];
-            bounds[i] = bound_of(s);
             Vec2 face;
             if (can_stand_on(m, s, face)) {
                 if (dot(s.normal, side * right_perp(normal)) < 0) normal = s.normal;  // the ground rises
@@ -107,11 +166,9 @@ float walk_along(Mover& m, float side, float whole) {
             }
         }
         const Vec2 way = side * right_perp(normal);
-        bool room = true;
-        const Vec2 piece = within_bounds(left * way, bounds, t.count, room);
-        m.state.squeezed |= room ? 0u : 1u;
+        const Vec2 piece = next_piece(m, left * way, bounds, t.count);
         const Met met = way_ahead(m, piece);
-        m.state.position += met.fraction * piece;
+        go(m, met.fraction, piece, left * way);
         const float gone = dot(met.fraction * piece, way);
         left -= max(gone, 0.0f);
         if (gone > 0.01f * left || met.hit) continue;
@@ -146,7 +203,7 @@ void walk(Mover& m, float wanted) {
     const float kept = side * min(gone / m.dt, abs(speed));
 
     const Vec2 there = m.state.position;
-    const Met below = lower(m, m.def.snap_distance);
+    const Met below = lower(m, m.def.snap_distance, speed);
     Vec2 face;
     if (below.hit && can_stand_on(m, below.surface, face)) {
         // An edge behind a mover that walks off it does not hold the mover, unless it is that of a step down, and does not turn it downwards.
@@ -217,11 +274,9 @@ void press(Mover& m, float wanted) {
         if (!(closing > 0) || !(dot(wanted * m.right, s.normal) < 0) || !(together > 0)) continue;
         m.world.apply_linear_impulse_to_center(body, -min(together * closing, strength) * s.normal);
     }
-    if (m.state.ground && m.def.mass > 0 && m.world.type(m.state.ground) == BodyType::dynamic) {
-        const float weight = -m.def.mass * dot(m.world.gravity(), m.up);
-        const Vec2 feet = m.support() - m.def.capsule.radius * m.up;
-        if (weight > 0) m.world.apply_force(m.state.ground, -weight * m.up, feet);
-    }
+    if (!m.state.ground) return;
+    const float weight = weight_on_ground(m);
+    if (weight > 0) m.world.apply_force(m.state.ground, -weight * m.up, m.support() - m.def.capsule.radius * m.up);
 }
 
 bool check_mover(const Core& core, const MoverDef& d, const MoverState& s, const MoverInput& in, float dt) {
@@ -248,7 +303,7 @@ bool step_mover(World& world, const MoverDef& def, MoverState& state, const Move
     if (!check_mover(Core::of(world), def, state, input, dt)) return false;
     const DefaultFloatMode mode;
     const Vec2 up = normalize(def.up);
-    Mover m{world, def, state, up, right_perp(up), make_rot(def.max_slope).c, dt};
+    Mover m{world, def, state, up, right_perp(up), make_rot(def.max_slope).c, dt, state.position};
     m.state.squeezed = 0;
     if (m.state.ground && !(abs(length_squared(m.state.ground_normal) - 1) < 1e-3f)) m.state.ground_normal = up;
     if (m.state.ground) ride(m);

@@ -12,6 +12,8 @@ constexpr std::uint32_t slide_passes = 8;
 constexpr float no_way = 1e-6f;            // m: shorter ways are not gone
 constexpr float least_edge_slope = 0.05f;  // an edge whose normal points up less than this is a wall
 constexpr float edge_probe = 0.03f;        // m: how far inside an edge its surface is probed
+constexpr float leave_speed = 3;           // m/s, at which a mover leaves what overlaps it, besides that one's own speed
+constexpr float leave_aside = 1.5f;        // how much farther than out of one surface it may go to leave two
 
 ShapeProxy capsule_of(const Mover& m, float growth) {
     ShapeProxy p;
@@ -26,7 +28,12 @@ bool stands_in_the_way(const Mover& m, const Surface& s) {
     if (has_one_way) {
         const Vec2 points[] = {m.def.capsule.point1, m.def.capsule.point2};
         const Corners capsule = {points, 2, m.def.capsule.radius};
-        if (height_above(Core::of(m.world), s.shape.index1 - 1, capsule, {m.state.position, {}}) < least_above) return false;
+        const Core& core = Core::of(m.world);
+        const std::uint32_t shape = s.shape.index1 - 1;
+        // A platform that rises may have come up into the mover in the last step of the world, in which the mover stood where it began its own.
+        const bool above = height_above(core, shape, capsule, {m.state.position, {}}) >= least_above ||
+                           height_before(core, shape, capsule, {m.start, {}}, m.dt) >= least_above;
+        if (!above) return false;
     }
     const MoverFilter collides_hook = m.def.collides;
     if (collides_hook == nullptr) return true;
@@ -96,24 +103,53 @@ Vec2 within_bounds(Vec2 wanted, const Bound* bounds, std::uint32_t count, bool& 
     return best;
 }
 
-Bound bound_of(const Surface& s) { return {s.normal, mover_gap - s.separation}; }
+void set_bounds(Mover& m, const Touched& t, Bound (&bounds)[mover_planes]) {
+    for (std::uint32_t i = 0; i < t.count; ++i) {
+        const Surface& s = t.surfaces[i];
+        bounds[i] = {s.normal, mover_gap - s.separation};
+        if (s.separation >= 0) continue;
+        const float speed = max(dot(m.world.velocity_at(m.world.body(s.shape), s.point), s.normal), 0.0f) + leave_speed;
+        const float most = mover_gap + max(speed * m.dt - m.leaving, 0.0f);
+        if (bounds[i].least <= most) continue;
+        bounds[i].least = most;
+        m.state.squeezed = 1;
+    }
+}
 
-Met way_ahead(const Mover& m, Vec2 way) {
+Vec2 next_piece(Mover& m, Vec2 way, const Bound* bounds, std::uint32_t count) {
+    bool room = true;
+    Vec2 piece = within_bounds(way, bounds, count, room);
+    float farthest = mover_gap + leave_speed * m.dt;
+    for (std::uint32_t i = 0; i < count; ++i) farthest = max(farthest, bounds[i].least);
+    const float most = length(way) + max(leave_aside * farthest - m.leaving, 0.0f), size = length(piece);
+    const bool too_far = size > 1.00001f * most + no_way;
+    if (too_far) piece *= most / size;
+    if (!room || too_far) m.state.squeezed = 1;
+    return piece;
+}
+
+void go(Mover& m, float fraction, Vec2 piece, Vec2 way) {
+    m.state.position += fraction * piece;
+    m.leaving += max(fraction * length(piece) - length(way), 0.0f);
+}
+
+Met way_ahead(const Mover& m, Vec2 way, float distance) {
     struct Search {
         const Mover& mover;
         Vec2 way;
+        float distance;
         Met met;
-    } search{m, way, {}};
+    } search{m, way, distance, {}};
     const CastVisitor visit = [](const QueryHit& hit, void* context) {
         Search& s = *static_cast<Search*>(context);
         const float into = -dot(hit.normal, s.way);
         if (hit.separation < 0 && into <= 1e-4f * length(s.way)) return -1.0f;
-        const Surface surface{hit.shape, hit.point, hit.normal, hit.separation < 0 ? hit.separation + mover_cast_gap : 0};
+        const Surface surface{hit.shape, hit.point, hit.normal, hit.separation < 0 ? hit.separation + s.distance : 0};
         if (!stands_in_the_way(s.mover, surface)) return -1.0f;
         s.met = {hit.fraction, true, surface};
         return 0.0f;
     };
-    m.world.cast_shape_each(capsule_of(m, mover_cast_gap), way, m.def.filter, visit, &search);
+    m.world.cast_shape_each(capsule_of(m, distance), way, m.def.filter, visit, &search);
     return search.met;
 }
 
@@ -121,13 +157,11 @@ void slide(Mover& m, Vec2 way) {
     for (std::uint32_t pass = 0; pass < slide_passes; ++pass) {
         const Touched t = touched_by(m);
         Bound bounds[mover_planes];
-        for (std::uint32_t i = 0; i < t.count; ++i) bounds[i] = bound_of(t.surfaces[i]);
-        bool room = true;
-        const Vec2 piece = within_bounds(way, bounds, t.count, room);
-        m.state.squeezed |= room ? 0u : 1u;
+        set_bounds(m, t, bounds);
+        const Vec2 piece = next_piece(m, way, bounds, t.count);
         if (!(length_squared(piece) > no_way * no_way)) return;
         const float fraction = way_ahead(m, piece).fraction;
-        m.state.position += fraction * piece;
+        go(m, fraction, piece, way);
         // The rest of the way is barred. One more pass keeps the gap to surfaces that have come near.
         way = fraction == 1 ? Vec2{} : way - fraction * piece;
     }

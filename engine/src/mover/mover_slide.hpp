@@ -20,6 +20,8 @@ struct Mover {
     Vec2 up, right;
     float least_up;  // along `up`, of the normal of ground to stand on: cosine of the steepest slope
     float dt;
+    Vec2 start;         // m, the position before the step
+    float leaving = 0;  // m, how much farther than it wanted to go it has gone in this step to leave what overlaps it
 
     /// The middle of the capsule's lower end.
     Vec2 support() const;
@@ -43,15 +45,20 @@ Touched touched_by(const Mover& m);
 /// The vector nearest to `wanted` that keeps all bounds; `room` says whether there is one. If there is none, a vector that breaks no bound by much more than
 /// necessary.
 Vec2 within_bounds(Vec2 wanted, const Bound* bounds, std::uint32_t count, bool& room);
-/// The bound that a touched surface sets to the way: not closer than the gap, or, if the mover is already closer, away from the surface.
-Bound bound_of(const Surface& s);
-/// The first surface that the mover, kept a cast's gap away, meets on a way. A surface that it already touches counts only if the way leads into it.
+/// The bounds that touched surfaces set to the way: not closer than the gap, or, if the mover is already closer, away from the surface. A mover that is deep in
+/// a surface, since that has moved or a body fell onto it, does not leave it at once.
+void set_bounds(Mover& m, const Touched& t, Bound (&bounds)[mover_planes]);
+/// The piece of a way that keeps the bounds, not much longer than the way. If there is none, the mover is squeezed.
+Vec2 next_piece(Mover& m, Vec2 way, const Bound* bounds, std::uint32_t count);
+/// Goes a fraction of a piece of a way.
+void go(Mover& m, float fraction, Vec2 piece, Vec2 way);
+/// The first surface that the mover, kept a distance away, meets on a way. A surface that it already touches counts only if the way leads into it.
 struct Met {
     float fraction = 1;  // of the way that is free
     bool hit = false;
     Surface surface;
 };
-Met way_ahead(const Mover& m, Vec2 way);
+Met way_ahead(const Mover& m, Vec2 way, float distance = mover_cast_gap);
 /// Moves along `way`, and where surfaces bar it, along these.
 void slide(Mover& m, Vec2 way);
 /// True if a ray of length `depth` down from a point first meets ground whose slope is not too steep to stand on; `normal` gets its normal.

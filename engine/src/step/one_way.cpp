@@ -81,6 +81,11 @@ float height_above(const Core& core, std::uint32_t shape, const Corners& other, 
                                                                 : Pair(core, shape, body_transform(core, core.shapes[shape].body), other, pose).height();
 }
 
+float height_before(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose, float dt) {
+    return (core.shapes[shape].flags & shape_one_way_bits) == 0 ? out_of_reach
+                                                                : Pair(core, shape, pose_before(core, core.shapes[shape].body, dt), other, pose).height();
+}
+
 bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flags, float dt) {
     const Contact& c = core.contacts[contact];
     const float height = min(height_above(core, c.shape_a, c.shape_b), height_above(core, c.shape_b, c.shape_a));

@@ -20,6 +20,8 @@ inline constexpr float least_above = -linear_slop;  // m: from this height on a 
 float height_above(const Core& core, std::uint32_t shape, std::uint32_t other);
 /// The same for a geometry that is no shape of the world, at a pose.
 float height_above(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose);
+/// The same above where `shape` was dt seconds ago, if its body has kept its velocity.
+float height_before(const Core& core, std::uint32_t shape, const Corners& other, const Transform& pose, float dt);
 /// Decides whether the contact of a one-way shape holds as the bodies stand, and writes that to its flags. Returns false if the shapes pass each other.
 /// `dt` is the time step, s.
 bool decide_one_way(const Core& core, std::uint32_t contact, std::uint32_t& flags, float dt);
