@@ -193,8 +193,8 @@ TEST(Mover, DoesNotClimbAStepUnderALowCeiling) {
 TEST(Mover, WalksOverANarrowGapAndFallsIntoAWideOne) {
     TestWorld w;
     w.add_box({-10, -1}, 10, 1, {}, BodyType::static_body);
-    w.add_box({10.2f, -1}, 10, 1, {}, BodyType::static_body);    // 0.2 m
-    w.add_box({32.2f, -1}, 10, 1, {}, BodyType::static_body);    // 2 m
+    w.add_box({10.2f, -1}, 10, 1, {}, BodyType::static_body);  // 0.2 m
+    w.add_box({32.2f, -1}, 10, 1, {}, BodyType::static_body);  // 2 m
     Hero hero(w, {-2, gap});
     hero.step({}, 2);
     // Over the narrow gap the round end sinks in between the edges, by r - sqrt(r^2 - 0.1^2), with the gap as part of r.
@@ -249,9 +249,7 @@ TEST(Mover, JumpsAsHighAsItsSpeedSays) {
     for (int n = 1; n < 60; ++n) {
         const float k = static_cast<float>(n);
         const float want = gap + 6 * dt * k - 5 * dt * dt * k * (k + 1);
-        if (want > gap) {
-            ASSERT_NEAR(hero.state.position.y, want, 1e-4f) << n;
-        }
+        if (want > gap) { ASSERT_NEAR(hero.state.position.y, want, 1e-4f) << n; }
         highest = std::max(highest, hero.state.position.y);
         hero.step({});
     }

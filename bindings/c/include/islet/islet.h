@@ -1434,7 +1434,7 @@ typedef struct IsletMoverState {
     IsletVec2 ground_normal;
     /// m, in the ground body's frame: the point that the ground carries along
     IsletVec2 ground_point;
-    /// 1: the surfaces around it left no room in the last step
+    /// 1: the surfaces around it left no room in the last step, or it is still leaving one that overlaps it
     uint32_t squeezed;
 } IsletMoverState;
 
@@ -3009,10 +3009,13 @@ ISLET_C_API IsletError islet_read_format(const void* bytes, size_t bytes_bytes, 
 ISLET_C_API size_t islet_describe_format(const IsletFormatInfo* info, char* out, size_t out_bytes);
 
 /// Moves the mover by dt seconds, min_time_step <= dt <= 1. Call it once after each step of the world, with the same dt. It changes the world only by the
-/// mover's weight (a force over the next step) and push (an impulse on the centre of mass) on dynamic bodies. On an error it returns false and changes
-/// nothing; the world records the error: feature_cut if this build leaves out the mover or queries (islet/config.hpp); in_step; bad_geometry of the capsule;
-/// bad_time_step; not_finite; out_of_range (a number outside the ranges above; `up` not unit; a position, or an end of the capsule there, beyond
-/// max_position; a speed beyond max_speed_limit).
+/// mover's weight (a force over the next step) and inertia (an impulse no larger than that force gives in a step) on the dynamic body that carries it, and by
+/// its push (an impulse on the centre of mass) on others. The weight is at most 10 times the body's own, and what gives the place below the feet, if nothing
+/// else holds the body, 25 times the acceleration of gravity: so a body of a tenth of `mass` bears all of it near its middle, and one of a sixth anywhere on
+/// a plank. A mover leaves what overlaps it with 3 m/s besides that one's own speed. On an error it returns false and changes nothing; the world records the
+/// error: feature_cut if this build leaves out the mover or queries (islet/config.hpp); in_step; bad_geometry of the capsule; bad_time_step; not_finite;
+/// out_of_range (a number outside the ranges above; `up` not unit; a position, or an end of the capsule there, beyond max_position; a speed beyond
+/// max_speed_limit).
 ISLET_C_API bool islet_step_mover(IsletWorld* world, const IsletMoverDef* def, IsletMoverState* state, const IsletMoverInput* input, float dt);
 
 /// Puts the world into the recording's first state and makes its calls again, up to and including `steps` steps. The world's capacity should be
