@@ -23,7 +23,7 @@ mkdir -p "$dist" "$work"
 touch "$work/began"
 "$here/generate.py" "$work/made"
 
-# Where most of a step's time goes is compiled for speed, the rest for size and at the link. Without SIMD all is for size.
+# Where most of a step's time goes is compiled for speed, the rest for size and at the link. Without SIMD all is for size, without the faster paths of fast bodies.
 hot='/src/(solver/(kernel_scalar|solver|joint_solve|tree_solve)|broadphase/pairs|step/contact_update|island/batches|collide/box|bodies/bounds)\.cpp'
 for_speed='-O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize'
 sources=$(find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx*.cpp' | sort)
@@ -45,7 +45,7 @@ make_one() {
 }
 wasm_compile -fsyntax-only "$work/made/layouts.cpp"
 wasm_compile -fsyntax-only "$root/bindings/c/src/layouts.cpp"
-make_one plain '-Oz -flto' &
+make_one plain '-Oz -flto' -DISLET_WITHOUT_shortcuts &
 plain=$!
 make_one simd "$for_speed" -msimd128 -DISLET_MIN_LANES=4
 wait "$plain"

@@ -5,6 +5,7 @@
 
 #include "../calls/checks.hpp"
 #include "../math/float_mode.hpp"
+#include "../math/inlining.hpp"
 #include "../mover/mover_slide.hpp"
 
 namespace islet {
@@ -48,7 +49,7 @@ struct Answer {
     Vec2 operator*(Vec2 impulse) const { return {xx * impulse.x + xy * impulse.y, xy * impulse.x + yy * impulse.y}; }
 };
 
-Answer answer_of_ground(const Mover& m) {
+ISLET_APART Answer answer_of_ground(const Mover& m) {
     const Pose& pose = Core::of(m.world).poses[m.state.ground.index1 - 1];
     const Vec2 arm = m.support() - pose.center;
     const float turn = pose.inv_inertia;
@@ -56,7 +57,7 @@ Answer answer_of_ground(const Mover& m) {
 }
 
 /// The weight that the mover puts on the ground body, N. It is a force over a whole step, so a body that weighs next to nothing does not get all of it.
-float weight_on_ground(const Mover& m) {
+ISLET_APART float weight_on_ground(const Mover& m) {
     if (m.world.type(m.state.ground) != BodyType::dynamic) return 0;
     const float yields = dot(m.up, answer_of_ground(m) * m.up);
     const float most = min(m.def.mass, most_load * m.world.mass(m.state.ground));
@@ -65,7 +66,7 @@ float weight_on_ground(const Mover& m) {
 
 /// A body that carries the mover carries its inertia too: what the last step of the world gave to the body, the two now share. A body that rests does not
 /// notice this; a light one that gives way under the weight gets no faster than the mover falls. `carried` is how far the step moved the support.
-void share_speed(Mover& m, Vec2 carried) {
+ISLET_APART void share_speed(Mover& m, Vec2 carried) {
     const float weight = weight_on_ground(m), substep = Core::of(m.world).state->last_substep;
     if (!(weight > 0) || !(substep < 0.75f * m.dt)) return;
     // In n substeps of an even acceleration a speed rises from v - gain to v, and its mean is v - gain (n - 1) / 2n.
@@ -109,7 +110,7 @@ void ride(Mover& m) {
 
 /// Lowers the feet, by no more than `most`, to the gap above the surface below. Returns that surface, or a null one if there is none. An edge that a mover with
 /// this `speed` to the right climbs, or stands on, holds it: else it would sink back from the edge by as much as it rises in a step.
-Met lower(Mover& m, float most, float speed) {
+ISLET_APART Met lower(Mover& m, float most, float speed) {
     Met below = way_ahead(m, -(most + mover_gap) * m.up);
     if (!below.hit) return below;
     const float slope = max(dot(below.surface.normal, m.up), 0.5f);

@@ -171,8 +171,9 @@ void factor(const SolverBody* bodies, TreeLink* links, std::uint32_t count, bool
     }
 }
 
-// Builds for speed have a copy of the passes for trees on whose angles nothing acts (`bridge` takes 1.15 times the instructions without).
-#if defined(__OPTIMIZE_SIZE__)
+// Builds for speed have a copy of the passes for trees on whose angles nothing acts (`bridge` takes 1.15 times the instructions without). On the web, what is
+// loaded counts more.
+#if defined(__OPTIMIZE_SIZE__) || defined(__wasm__)
 constexpr bool has_plain_copy = false;
 #else
 constexpr bool has_plain_copy = has_exact_angles;
@@ -353,7 +354,8 @@ ISLET_APART bool gained_energy(const SolverBody* bodies, const TreeLink* links, 
 }
 
 // Makes passes until the hinges hold; in a sweep with bias, where the substep ends, or there to first order. Returns whether something acts on angles.
-bool make_passes(SolverBody* bodies, TreeLink* links, std::uint32_t count, const Joint* joints, JointSweep n, std::uint32_t most_passes, bool first_order) {
+ISLET_APART bool make_passes(SolverBody* bodies, TreeLink* links, std::uint32_t count, const Joint* joints, JointSweep n, std::uint32_t most_passes,
+                             bool first_order) {
     constexpr float close = 1.0e-6f;  // m
     const bool acts = begin_angles(links, count, n);
     if (acts) most_passes = 24;
