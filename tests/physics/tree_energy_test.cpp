@@ -160,7 +160,7 @@ TEST(TreeEnergy, ARowOfLinksWhoseHoldersAreAHairTooFarApartStaysSlow) {
             }
 }
 
-// (Swept, a straight row of six sags: it falls by 0.2 m, at 2 m/s. Nothing is said of positions: where the holders are too far apart, the change still moves it.)
+// (Swept, a straight row of six sags: it falls by 0.2 m, at 2 m/s. Of positions nothing is said: where the holders are too far apart, they change.)
 TEST(TreeEnergy, ATreeBetweenTwoHoldersIsNotFastAfterItIsSweptFromNowOn) {
     for (const int count : {1, 2, 6})
         for (const float too_far : {0.0f, 0.001f})
