@@ -10,7 +10,7 @@
 namespace islet::test {
 namespace {
 
-enum class SliderKind { box, capsule, ball };
+enum class SliderKind { box, capsule, ball, flat_bevel, bevel, chamfer, octagon };
 enum class Pieces { boxes, one_body, chain };
 
 struct Ride {
@@ -19,6 +19,18 @@ struct Ride {
     double speed_lost = 0;    // m/s
     double turned = 0;        // rad
 };
+
+/// A crate whose lower corners are cut off, `width` before its sides and `height` up them.
+Polygon crate(float width, float height) {
+    const Vec2 corners[] = {{-0.5f, 0.25f}, {-0.5f, height - 0.25f}, {width - 0.5f, -0.25f}, {0.5f - width, -0.25f}, {0.5f, height - 0.25f}, {0.5f, 0.25f}};
+    return make_polygon(compute_hull(corners));
+}
+
+Polygon octagon() {
+    const float low = 0.25f * 0.41421356f;  // half a side
+    const Vec2 corners[] = {{low, -0.25f}, {0.25f, -low}, {0.25f, low}, {low, 0.25f}, {-low, 0.25f}, {-0.25f, low}, {-0.25f, -low}, {-low, -0.25f}};
+    return make_polygon(compute_hull(corners));
+}
 
 /// A kilometre of floor in pieces of one metre, and what slides over it without friction.
 Ride slide(Pieces pieces, SliderKind kind, float speed) {
@@ -41,6 +53,10 @@ Ride slide(Pieces pieces, SliderKind kind, float speed) {
     if (kind == SliderKind::box) slider = world.add(make_box(0.25f, 0.25f), def, smooth);
     if (kind == SliderKind::capsule) slider = world.add(Capsule{{-0.3f, 0}, {0.3f, 0}, 0.25f}, def, smooth);
     if (kind == SliderKind::ball) slider = world.add(Circle{{}, 0.25f}, def, smooth);
+    if (kind == SliderKind::flat_bevel) slider = world.add(crate(0.2f, 0.035f), def, smooth);
+    if (kind == SliderKind::bevel) slider = world.add(crate(0.1f, 0.05f), def, smooth);
+    if (kind == SliderKind::chamfer) slider = world.add(crate(0.01f, 0.01f), def, smooth);
+    if (kind == SliderKind::octagon) slider = world.add(octagon(), def, smooth);
     world.step(60);  // it settles
     world->set_linear_velocity(slider, {speed, 0});
     const float height = world->position(slider).y;
@@ -68,13 +84,16 @@ TEST_P(Floor, AKilometreOfItHasNoBump) {
 
 std::string name_of_ride(const testing::TestParamInfo<Floor::ParamType>& test) {
     constexpr const char* floors[] = {"boxes", "boxes_of_one_body", "chain"};
-    constexpr const char* sliders[] = {"box", "capsule", "ball"};
+    constexpr const char* sliders[] = {"box",    "capsule", "ball", "crate_bevelled_by_10_degrees", "crate_bevelled_by_27_degrees", "crate_chamfered_by_1_cm",
+                                       "octagon"};
     return std::string(sliders[int(std::get<1>(test.param))]) + "_over_" + floors[int(std::get<0>(test.param))] + "_at_" +
            std::to_string(int(std::get<2>(test.param)));
 }
 INSTANTIATE_TEST_SUITE_P(Floors, Floor,
                          testing::Combine(testing::Values(Pieces::boxes, Pieces::one_body, Pieces::chain),
-                                          testing::Values(SliderKind::box, SliderKind::capsule, SliderKind::ball), testing::Values(5.0f, 50.0f)),
+                                          testing::Values(SliderKind::box, SliderKind::capsule, SliderKind::ball, SliderKind::flat_bevel, SliderKind::bevel,
+                                                          SliderKind::chamfer, SliderKind::octagon),
+                                          testing::Values(5.0f, 50.0f)),
                          name_of_ride);
 
 TEST(FloorOfPieces, AWallOnItStopsWhatSlides) {
@@ -90,6 +109,39 @@ TEST(FloorOfPieces, AWallOnItStopsWhatSlides) {
         world.step(300);
         EXPECT_NEAR(world->position(box).x, 9.25, 0.02) << "a wall of " << wall_height << " m";
         EXPECT_NEAR(world->linear_velocity(box).x, 0, 1e-3);
+    }
+}
+
+// Where two boxes meet at a ridge, their corners are those of one surface: what tips over it goes as fast as over a chain.
+TEST(FloorOfPieces, ARidgeOfTwoPiecesIsThatOfAChain) {
+    constexpr float reach = 10;  // m, of either piece
+    for (const float degrees : {3.0f, 10.0f, 30.0f}) {
+        const Rot down = make_rot(-degrees * pi / 180);
+        const Vec2 along = rotate(down, {1, 0}), up = rotate(down, {0, 1});
+        for (const float speed : {0.5f, 1.2f, 5.0f}) {
+            for (int start = 0; start < 6; ++start) {
+                for (const float bevel : {0.0f, 0.05f}) {
+                    double speeds[2] = {0, 0};
+                    for (const bool chain : {false, true}) {
+                        TestWorld world({.bodies = 4, .shapes = 8, .contacts = 32}, sleepless());
+                        const BodyId ground = world->create_body({});
+                        const Vec2 ridge[] = {reach * along, {0, 0}, {-reach, 0}};
+                        if (chain) {
+                            world->create_chain(ground, ridge, false, rough(0));
+                        } else {
+                            world->create_shape(ground, make_offset_box(0.5f * reach, 0.5f, {{-0.5f * reach, -0.5f}, {}}), rough(0));
+                            world->create_shape(ground, make_offset_box(0.5f * reach, 0.5f, {0.5f * reach * along - 0.5f * up, down}), rough(0));
+                        }
+                        BodyDef def = dynamic_at({-0.5f - speed + 0.06f * static_cast<float>(start), 0.25f});
+                        def.linear_velocity = {speed, 0};
+                        const BodyId body = world.add(bevel > 0 ? crate(2 * bevel, bevel) : make_box(0.5f, 0.25f), def, rough(0));
+                        world.step(120);
+                        speeds[chain ? 1 : 0] = double(length(world->linear_velocity(body)));
+                    }
+                    EXPECT_NEAR(speeds[0], speeds[1], 0.02 * speeds[1]) << degrees << " degrees, " << speed << " m/s, start " << start << ", bevel " << bevel;
+                }
+            }
+        }
     }
 }
 

@@ -64,8 +64,8 @@ TEST(Wedged, ArchesStandAndComeToRestHoweverManyStonesTheyHave) {
         }
 }
 
-// Blocks of 0.5 m in a row between a wall and a press on rails, with nothing below. Friction of 0.9 at either end holds them from a force of 0.56 of their weight
-// on, and the line of thrust stays inside them.
+// Blocks of 0.5 m in a row between a wall and a press on rails, with nothing below. Friction of 0.9 at either end holds them from a force of 0.56 of their
+// weight on, and the line of thrust stays inside them.
 TEST(Wedged, RowsOfBlocksHangBetweenAWallAndAPressAndDoNotShake) {
     for (const int blocks : {3, 5, 7, 9, 11})
         for (const float height : {1.0f, 2.0f})

@@ -12,6 +12,9 @@
 // A line (a segment, a capsule, a segment of a chain) has no sides, but its ends are met like corners. It counts as a box behind the face that looks at D. So
 // lines laid end to end, or flush beside a box, are a floor like any other.
 //
+// The faster a body is, the farther a contact looks ahead. So the bevelled edge of a crate over a seam has two points: the near one at the corner of S, the far
+// one ahead, over the top of S. The near one decides.
+//
 // (Bullet, Jolt and bepuphysics2 correct the inner edges of triangle meshes in similar ways. Here there is no mesh: the neighbours are the shapes that the body
 // touches.)
 #include "../exact.hpp"
@@ -30,6 +33,7 @@ namespace {
 
 inline constexpr float least_lean = 1.0e-4f;              // the least lean of a normal, as a cosine, that counts
 inline constexpr float least_slope = 1.0e-6f;             // sine of the angle below which a line is parallel to a face
+inline constexpr float ridge_room = 0.05f;                // share of a ridge's lean: what tips over it sinks in, and so leans a little too far
 inline constexpr std::uint32_t most_pieces = 4;           // the most pieces in a row that cover one side; a side behind more is not part of a floor
 inline constexpr float gap_width = 0.2f * linear_slop;    // m: a neighbour that covers a side holds what is this far in front of it
 inline constexpr float end_reach = 0.8f * linear_slop;    // m: a line holds what is this far beyond its ends; less than where a surface counts as near
@@ -156,7 +160,7 @@ struct Floor {
                 if (dot(its_lean, side) > dot(lean, side)) lean = its_lean;
                 found = true;
             });
-            if (found && covered >= end - gap_width) return dot(normal, side - dot(lean, side) * lean) > least_lean;
+            if (found && covered >= end - gap_width) return dot(normal, side - dot(lean, side) * lean) > least_lean + ridge_room * dot(lean, side);
         }
         return false;
     }
@@ -232,7 +236,8 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         bool inner = true;
         for (std::uint32_t i = 0; i < manifold.count && inner; ++i) {
             const ManifoldPoint& p = manifold.points[i];
-            if (is_line && p.separation > least_separation(manifold) + linear_slop) continue;  // the far end of a line that is met by an end
+            // The far end of a bevel, or of a line that is met by an end, holds nothing yet: where the nearest point is, the normal must be right.
+            if (p.separation > least_separation(manifold) + separation_tie) continue;
             inner = floor.is_inner(p.point - 0.5f * p.separation * normal + lift, normal);
         }
         if (inner) manifold = floor.along_bare_face(margin, piece_is_a);
