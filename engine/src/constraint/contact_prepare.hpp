@@ -24,7 +24,7 @@ inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
 /// Columns stand on level faces: contacts with two points whose normal is nearly along gravity. Undone fast, their overlaps would pump up the sway of a column.
 /// Corners and tilted faces sink in easily, and rarely bear a column.
 inline constexpr float level_tilt = 0.02f;       // sine of the angle between the normal and gravity; a level face has less
-inline constexpr float deep_level_from = 0.02f;  // m; what overlaps by more, on average of its two points, is deep
+inline constexpr float deep_level_from = 0.02f;  // m; what overlaps by more, in the mean of its two points, is deep
 inline constexpr float deep_from = 0.004f;       // m, of all other contacts
 
 inline constexpr float most_give = 0.05f;  // m; boxes under hundreds of their own mass stand only because they give way
@@ -256,13 +256,13 @@ ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r,
 ///
 /// What deep overlaps get is the same in all substeps of a step, so it comes late: by itself it feeds the slow motions of arches, of clamped rows and of piles
 /// under a piston, which the few sweeps of a step do not damp enough. It therefore answers to the depth that the shapes will have after the step if they go on
-/// as they do. What comes together counts for at most as much again as its depth, so shapes that do not overlap yet are not pushed. Level faces get little
-/// enough to do without.
+/// as they do. What comes together counts for at most twice its depth, so shapes that do not overlap yet are not pushed. Level faces get little enough to do
+/// without.
 template <class L>
 ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, typename L::F load, const BodyPair<L>& s) {
     using F = typename L::F;
     const F zero = L::splat(0.0f), half = L::splat(0.5f);
-    F depth = zero - L::load(r.points[0].separation), rna = L::load(r.points[0].rna);
+    F depth = max(zero - L::load(r.points[0].separation), zero), rna = L::load(r.points[0].rna);
     F give = L::splat(n.give_back) * load / L::load(r.points[0].normal_mass);
     F from = L::splat(deep_from), share = L::splat(n.deep), ahead = L::splat(n.dt);
     if (r.is_special()) give = select(L::load(r.rolling_resistance) > zero, zero, give);
@@ -270,16 +270,19 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
         const auto two = L::load(lanes.has_point[1]) > zero;
         const F tilt = L::load(normal_x(r)) * L::splat(n.up.y) - L::load(normal_y(r)) * L::splat(n.up.x);
         const auto level = two & (L::abs(tilt) < L::splat(level_tilt));
-        depth = select(two, half * (depth - L::load(r.points[1].separation)), depth);
+        depth = select(two, half * (depth + max(zero - L::load(r.points[1].separation), zero)), depth);
         rna = select(two, half * (rna + L::load(r.points[1].rna)), rna);
         give = select(two, half * give, give);
         from = select(level, L::splat(deep_level_from), from);
         share = select(level, L::splat(n.deep_level), share);
         ahead = select(level, zero, ahead);
     }
-    const F parting = dot(LaneVec<F>{L::load(normal_x(r)), L::load(normal_y(r))}, s.vb - s.va) + (s.wb * (rna + L::load(r.rn_ab)) - s.wa * rna);
-    const F soon = min(depth - ahead * parting, depth + max(depth, zero));
-    const F most = min(L::splat(8.0f) * max(depth, zero), L::splat(most_give));  // a load that is gone pushes no shapes apart
+    F soon = depth + depth;
+    if (L::positive(soon - from) != 0) {  // else nothing is deep, however fast it comes
+        const F parting = dot(LaneVec<F>{L::load(normal_x(r)), L::load(normal_y(r))}, s.vb - s.va) + (s.wb * (rna + L::load(r.rn_ab)) - s.wa * rna);
+        soon = min(depth - ahead * parting, soon);
+    }
+    const F most = min(L::splat(8.0f) * depth, L::splat(most_give));  // a load that is gone pushes no shapes apart
     const F deep = max(min(soon - from, L::splat(1.0f)), zero);
     const F more = select(min(s.ma, s.mb) > zero, min(give, most) + share * deep, zero);
     L::store(r.points[0].separation, L::load(r.points[0].separation) - more);
