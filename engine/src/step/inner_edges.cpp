@@ -34,7 +34,6 @@ namespace {
 inline constexpr float least_lean = 1.0e-4f;              // the least lean of a normal, as a cosine, that counts
 inline constexpr float least_slope = 1.0e-6f;             // sine of the angle below which a line is parallel to a face
 inline constexpr float ridge_room = 0.05f;                // share of a ridge's angle: what tips over it sinks in, and so leans a little too far
-inline constexpr float steepest_ridge = 0.25f;            // cosine of the angle of two surfaces at a ridge; what is steeper is an edge of one piece
 inline constexpr std::uint32_t most_pieces = 4;           // the most pieces in a row that cover one side; a side behind more is not part of a floor
 inline constexpr float gap_width = 0.2f * linear_slop;    // m: a neighbour that covers a side holds what is this far in front of it
 inline constexpr float end_reach = 0.8f * linear_slop;    // m: a line holds what is this far beyond its ends; less than where a surface counts as near
@@ -70,16 +69,6 @@ Vec2 lean_of(const Outline& neighbor, Vec2 point, Vec2 side) {
         if (abs(height_over(neighbor, i, point) - neighbor.radius) <= linear_slop && dot(neighbor.normals[i], side) > dot(lean, side))
             lean = neighbor.normals[i];
     return lean;
-}
-
-// The sine of the ridge that a neighbour's surface and the piece's own form at the end of `face` near `point`, if that face is square to the surface: how much
-// more the neighbour's leans towards the face. 0 if there is none.
-float ridge_between(const Outline& piece, std::uint32_t face, Vec2 point, Vec2 lean) {
-    const Vec2 side = piece.normals[face];
-    for (const std::uint32_t i : {next(face, piece.count), (face == 0 ? piece.count : face) - 1})
-        if (abs(height_over(piece, i, point) - piece.radius) <= linear_slop && dot(lean, piece.normals[i]) > steepest_ridge)
-            return clamp(dot(lean - piece.normals[i], side), 0.0f, dot(lean, side));
-    return 0;
 }
 
 /// Part of a line, m from its start.
@@ -171,8 +160,10 @@ struct Floor {
                 if (dot(its_lean, side) > dot(lean, side)) lean = its_lean;
                 found = true;
             });
-            if (found && covered >= end - gap_width)
-                return dot(normal, side - dot(lean, side) * lean) > least_lean + ridge_room * ridge_between(piece, face, point, lean);
+            if (found && covered >= end - gap_width) {
+                const Vec2 own = lean_of(piece, point, lean);  // the piece's surface that goes on from the neighbours', at an angle if the two form a ridge
+                return dot(normal, side - dot(lean, side) * lean) > least_lean + ridge_room * max(dot(lean - own, side), 0.0f);
+            }
         }
         return false;
     }
