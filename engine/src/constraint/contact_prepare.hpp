@@ -262,7 +262,7 @@ template <class L>
 ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, typename L::F load, const BodyPair<L>& s) {
     using F = typename L::F;
     const F zero = L::splat(0.0f), half = L::splat(0.5f);
-    F depth = max(zero - L::load(r.points[0].separation), zero), rna = L::load(r.points[0].rna);
+    F depth = zero - L::load(r.points[0].separation), rna = L::load(r.points[0].rna);
     F give = L::splat(n.give_back) * load / L::load(r.points[0].normal_mass);
     F from = L::splat(deep_from), share = L::splat(n.deep), ahead = L::splat(n.dt);
     if (r.is_special()) give = select(L::load(r.rolling_resistance) > zero, zero, give);
@@ -270,19 +270,19 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
         const auto two = L::load(lanes.has_point[1]) > zero;
         const F tilt = L::load(normal_x(r)) * L::splat(n.up.y) - L::load(normal_y(r)) * L::splat(n.up.x);
         const auto level = two & (L::abs(tilt) < L::splat(level_tilt));
-        depth = select(two, half * (depth + max(zero - L::load(r.points[1].separation), zero)), depth);
+        depth = select(two, half * (depth - L::load(r.points[1].separation)), depth);
         rna = select(two, half * (rna + L::load(r.points[1].rna)), rna);
         give = select(two, half * give, give);
         from = select(level, L::splat(deep_level_from), from);
         share = select(level, L::splat(n.deep_level), share);
         ahead = select(level, zero, ahead);
     }
-    F soon = depth + depth;
+    F soon = depth + max(depth, zero);
     if (L::positive(soon - from) != 0) {  // else nothing is deep, however fast it comes
         const F parting = dot(LaneVec<F>{L::load(normal_x(r)), L::load(normal_y(r))}, s.vb - s.va) + (s.wb * (rna + L::load(r.rn_ab)) - s.wa * rna);
         soon = min(depth - ahead * parting, soon);
     }
-    const F most = min(L::splat(8.0f) * depth, L::splat(most_give));  // a load that is gone pushes no shapes apart
+    const F most = min(L::splat(8.0f) * max(depth, zero), L::splat(most_give));  // a load that is gone pushes no shapes apart
     const F deep = max(min(soon - from, L::splat(1.0f)), zero);
     const F more = select(min(s.ma, s.mb) > zero, min(give, most) + share * deep, zero);
     L::store(r.points[0].separation, L::load(r.points[0].separation) - more);
