@@ -24,12 +24,6 @@ struct Thing {
 
 std::vector<Vec2> rectangle(float x, float y, Vec2 at = {}) { return {at + Vec2{-x, -y}, at + Vec2{x, -y}, at + Vec2{x, y}, at + Vec2{-x, y}}; }
 
-std::vector<Vec2> regular(int corners) {
-    std::vector<Vec2> points;
-    for (int i = 0; i < corners; ++i) points.push_back(rotate(make_rot(2 * pi * static_cast<float>(i) / static_cast<float>(corners)), {0.5f, 0}));
-    return points;
-}
-
 void add_parts(TestWorld& world, BodyId body, const Thing& thing) {
     for (const std::vector<Vec2>& p : thing.parts) {
         if (p.size() == 1)
@@ -112,9 +106,9 @@ const Thing things[] = {{"box", {rectangle(0.5f, 0.5f)}},
                         {"small_box", {rectangle(0.25f, 0.25f)}},
                         {"large_box", {rectangle(1, 1)}},
                         {"plank", {rectangle(1, 0.05f)}},
-                        {"triangle", {regular(3)}},
-                        {"pentagon", {regular(5)}},
-                        {"octagon", {regular(8)}},
+                        {"triangle", {regular(3, 0.5f)}},
+                        {"pentagon", {regular(5, 0.5f)}},
+                        {"octagon", {regular(8, 0.5f)}},
                         {"circle", {{{0, 0}}}, 0.5f},
                         {"marble", {{{0, 0}}}, 0.1f},
                         {"capsule", {{{-0.5f, 0}, {0.5f, 0}}}, 0.25f},
@@ -205,14 +199,15 @@ TEST(LandingAtSpeed, NobodyIsPressedThroughTheWallsOfARoom) {
                 }
                 std::vector<BodyId> bodies;
                 for (int i = 0; i < 60; ++i) {
-                    const Vec2 at = {static_cast<float>(i % 8) - 3.5f + random.between(-0.1f, 0.1f), static_cast<float>(i / 8) - 4 + random.between(-0.1f, 0.1f)};
+                    const Vec2 at = {static_cast<float>(i % 8) - 3.5f + random.between(-0.1f, 0.1f),
+                                     static_cast<float>(i / 8) - 4 + random.between(-0.1f, 0.1f)};
                     const BodyDef body = dynamic_at(at, random.between(-pi, pi));
                     switch (i % 5) {
-                    case 0: bodies.push_back(world.add(make_box(0.3f, 0.2f), body)); break;
-                    case 1: bodies.push_back(world.add(make_polygon(compute_hull(regular(3))), body)); break;
-                    case 2: bodies.push_back(world.add(make_polygon(compute_hull(regular(8))), body)); break;
-                    case 3: bodies.push_back(world.add(Circle{{}, 0.3f}, body)); break;
-                    default: bodies.push_back(world.add(Capsule{{-0.2f, 0}, {0.2f, 0}, 0.15f}, body)); break;
+                        case 0: bodies.push_back(world.add(make_box(0.3f, 0.2f), body)); break;
+                        case 1: bodies.push_back(world.add(make_polygon(compute_hull(regular(3, 0.5f))), body)); break;
+                        case 2: bodies.push_back(world.add(make_polygon(compute_hull(regular(8, 0.5f))), body)); break;
+                        case 3: bodies.push_back(world.add(Circle{{}, 0.3f}, body)); break;
+                        default: bodies.push_back(world.add(Capsule{{-0.2f, 0}, {0.2f, 0}, 0.15f}, body)); break;
                     }
                 }
                 for (int i = 0; i < 120; ++i) world.step();

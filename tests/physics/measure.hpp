@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "support/effort.hpp"
 #include "support/test_world.hpp"
@@ -58,6 +59,13 @@ inline double deepest_overlap(const TestWorld& world) {
     for (const ContactInfo& c : world.contacts())
         for (std::uint32_t i = 0; i < c.point_count; ++i) deepest = std::fmax(deepest, -double(c.points[i].separation));
     return deepest;
+}
+
+/// The corners of a regular polygon about the origin, on a circle of that radius (m).
+inline std::vector<Vec2> regular(int corners, float radius) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < corners; ++i) points.push_back(rotate(make_rot(2 * pi * static_cast<float>(i) / static_cast<float>(corners)), {radius, 0}));
+    return points;
 }
 
 /// A definition of a dynamic body; the rest is for the test to fill in.

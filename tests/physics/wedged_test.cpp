@@ -1,9 +1,10 @@
-// Stones that hold each other by being wedged: arches, rows clamped between two walls, piles under a piston. Their contacts are tilted and deep, and they must
-// come to rest all the same, at the default settings, from ten starts each.
+// Stones that hold each other by being wedged: arches, rows clamped between two walls, piles under a piston. Their contacts are tilted and deep, and they are
+// to come to rest all the same, at the default settings, from ten starts each.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "measure.hpp"
@@ -13,14 +14,7 @@ namespace islet::test {
 namespace {
 
 constexpr std::uint64_t starts = slow_build ? 1 : 10;
-constexpr float seconds = slow_build ? 2 : 20;  // after which all must rest
-constexpr bool is_long = !slow_build;           // long enough to ask for rest
-
-int awake_of(const TestWorld& world, const std::vector<BodyId>& bodies) {
-    int awake = 0;
-    for (const BodyId id : bodies) awake += world->is_awake(id);
-    return awake;
-}
+constexpr float seconds = slow_build ? 2 : 20;  // after which all is to rest; a slow build runs too short to ask for it
 
 std::vector<Vec2> centers_of(const TestWorld& world, const std::vector<BodyId>& bodies) {
     std::vector<Vec2> all;
@@ -36,8 +30,8 @@ float farthest_from(const std::vector<Vec2>& before, const TestWorld& world, con
 }
 
 // A half circle of equal stones on the ground, each of them about a metre long, whose thickness is 0.15 of the radius: an arch needs 0.107 to stand by itself
-// (Heyman, "The safety of masonry arches", 1969).
-TEST(Wedged, ArchesStandAndComeToRestHoweverManyStonesTheyHave) {
+// (Heyman, "The safety of masonry arches", 1969). Arches of 75 stones fall.
+TEST(Wedged, ArchesOfUpToFiftyNineStonesStandAndComeToRest) {
     for (const int stones : {7, 15, 25, 35, 43, 51, 59})
         for (std::uint64_t seed = 0; seed < starts; ++seed) {
             Random random(seed);
@@ -60,7 +54,7 @@ TEST(Wedged, ArchesStandAndComeToRestHoweverManyStonesTheyHave) {
             world.step(static_cast<int>(60 * seconds));
             const std::string what = std::to_string(stones) + " stones, start " + std::to_string(seed);
             EXPECT_LT(farthest_from(before, world, arch), 0.5f * thickness) << what;
-            if (is_long) { EXPECT_EQ(awake_of(world, arch), 0) << what; }
+            if (!slow_build) { EXPECT_EQ(world->report().awake_bodies, 0u) << what; }
         }
 }
 
@@ -90,18 +84,24 @@ TEST(Wedged, RowsOfBlocksHangBetweenAWallAndAPressAndDoNotShake) {
                                              " times their weight, start " + std::to_string(seed);
                     for (const BodyId block : row) {
                         EXPECT_LT(std::fabs(world->position(block).y), 0.25f) << what;  // half a block's length
-                        if (is_long) { EXPECT_LT(length(world->linear_velocity(block)), 0.01f) << what; }
+                        if (!slow_build) { EXPECT_LT(length(world->linear_velocity(block)), 0.01f) << what; }
                     }
                 }
 }
 
-Polygon regular(int corners, float radius) {
-    std::vector<Vec2> all;
-    for (int i = 0; i < corners; ++i) {
-        const Rot q = make_rot(2 * pi * static_cast<float>(i) / static_cast<float>(corners));
-        all.push_back({radius * q.c, radius * q.s});
+void add_shape(World& world, BodyId body, std::string_view kind, Random& random) {
+    if (kind == "boxes") world.create_shape(body, make_box(0.5f, 0.5f), {});
+    if (kind == "balls") world.create_shape(body, Circle{{0, 0}, 0.5f}, {});
+    if (kind == "triangles") world.create_shape(body, make_polygon(compute_hull(regular(3, 0.6f))), {});
+    if (kind == "capsules") world.create_shape(body, Capsule{{-0.4f, 0}, {0.4f, 0}, 0.25f}, {});
+    if (kind == "crosses") {
+        world.create_shape(body, make_box(0.5f, 0.15f), {});
+        world.create_shape(body, make_box(0.15f, 0.5f), {});
     }
-    return make_polygon(compute_hull(all));
+    if (kind == "polygons") {
+        const float radius = random.between(0.4f, 0.6f);  // by itself: compilers order the arguments of a call as they like
+        world.create_shape(body, make_polygon(compute_hull(regular(3 + static_cast<int>(random.below(6)), radius))), {});
+    }
 }
 
 // Forty things in a shaft 6 m wide, and after four seconds a piston on them. Wanted is that nine of ten piles rest.
@@ -118,19 +118,7 @@ TEST(Wedged, PilesComeToRestUnderAPistonOfThriceTheirWeight) {
             for (int i = 0; i < 40; ++i) {
                 const Vec2 at = {(static_cast<float>(i % 4) - 1.5f) * 1.45f + random.between(-0.1f, 0.1f), 0.7f + 1.4f * static_cast<float>(i / 4)};
                 const BodyId body = world->create_body(dynamic_at(at, random.between(-3, 3)));
-                switch (kind[0] == 'b' ? kind[1] : kind[0]) {
-                    case 'o': world->create_shape(body, make_box(0.5f, 0.5f), {}); break;
-                    case 'a': world->create_shape(body, Circle{{0, 0}, 0.5f}, {}); break;
-                    case 't': world->create_shape(body, regular(3, 0.6f), {}); break;
-                    case 'p': world->create_shape(body, regular(3 + static_cast<int>(random.below(6)), random.between(0.4f, 0.6f)), {}); break;
-                    default:
-                        if (kind[1] == 'a') {
-                            world->create_shape(body, Capsule{{-0.4f, 0}, {0.4f, 0}, 0.25f}, {});
-                        } else {
-                            world->create_shape(body, make_box(0.5f, 0.15f), {});
-                            world->create_shape(body, make_box(0.15f, 0.5f), {});
-                        }
-                }
+                add_shape(*world, body, kind, random);
                 mass += world->mass(body);
                 pile.push_back(body);
             }
@@ -143,9 +131,9 @@ TEST(Wedged, PilesComeToRestUnderAPistonOfThriceTheirWeight) {
             world.step(static_cast<int>(60 * seconds));
             for (const BodyId body : pile) EXPECT_LT(std::fabs(world->position(body).x), 3) << kind << ", start " << seed;
             ++runs;
-            restless += awake_of(world, pile) > 0;
+            restless += world->report().awake_bodies > 0;
         }
-    if (is_long) { EXPECT_LE(10 * restless, runs); }
+    if (!slow_build) { EXPECT_LE(10 * restless, runs); }
 }
 
 }  // namespace
