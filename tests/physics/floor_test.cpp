@@ -97,9 +97,9 @@ INSTANTIATE_TEST_SUITE_P(Floors, Floor,
                          name_of_ride);
 
 TEST(FloorOfPieces, AWallOnItStopsWhatSlides) {
-    for (const float wall_height : {0.05f, 0.3f, 1.0f}) {
+    for (const auto& [wall_height, gap] : {std::pair{0.05f, 0.0f}, {0.3f, 0.0f}, {1.0f, 0.0f}, {0.02f, 0.02f}, {0.3f, 0.05f}}) {
         TestWorld world({.bodies = 32, .shapes = 32, .contacts = 64}, sleepless());
-        for (int i = 0; i < 10; ++i) world.add(make_box(0.5f, 0.5f), Vec2{static_cast<float>(i), -0.5f}, rough(0), BodyType::static_body);
+        for (int i = 0; i < 10; ++i) world.add(make_box(0.5f - 0.5f * gap, 0.5f), Vec2{static_cast<float>(i), -0.5f}, rough(0), BodyType::static_body);
         // Its top is that much higher than the floor's.
         world.add(make_box(0.5f, 0.5f), Vec2{10, wall_height - 0.5f}, rough(0), BodyType::static_body);
         BodyDef def = dynamic_at({0, 0.25f});
@@ -107,7 +107,7 @@ TEST(FloorOfPieces, AWallOnItStopsWhatSlides) {
         def.fixed_rotation = true;
         const BodyId box = world.add(make_box(0.25f, 0.25f), def, rough(0));
         world.step(300);
-        EXPECT_NEAR(world->position(box).x, 9.25, 0.02) << "a wall of " << wall_height << " m";
+        EXPECT_NEAR(world->position(box).x, 9.25, 0.02) << "a wall of " << wall_height << " m, gaps of " << gap;
         EXPECT_NEAR(world->linear_velocity(box).x, 0, 1e-3);
     }
 }
@@ -145,27 +145,114 @@ TEST(FloorOfPieces, ARidgeOfTwoPiecesIsThatOfAChain) {
     }
 }
 
-// A flat floor cut into triangles has sides that lean. They are no ridges, so nothing may lean over them. (Where three triangles meet in a corner, two of them
-// cover each other's sides, which is not seen: one start of twenty is caught there.)
-TEST(FloorOfPieces, ACrateSlidesOverAFloorOfTrianglesFromNineteenOfTwentyStarts) {
-    int caught = 0;
-    const Vec2 corners[] = {{-0.5f, -0.4f}, {0.5f, -0.4f}, {0.3f, 0.4f}, {-0.3f, 0.4f}};
-    for (int start = 0; start < 20; ++start) {
-        TestWorld world({.bodies = 4, .shapes = 128, .contacts = 128}, sleepless());
-        const BodyId ground = world->create_body({});
-        for (int i = -4; i < 30; ++i) {
-            const float x = static_cast<float>(i);
-            const Vec2 low[] = {{x, 0}, {x, -1}, {x + 1, -1}}, high[] = {{x, 0}, {x + 1, -1}, {x + 1, 0}};
-            for (const span<const Vec2> triangle : {span<const Vec2>(low), span<const Vec2>(high)})
-                world->create_shape(ground, make_polygon(compute_hull(triangle)), rough(0));
-        }
-        BodyDef def = dynamic_at({0.05f * static_cast<float>(start), 0.42f});
-        def.linear_velocity = {2, 0};
-        const BodyId body = world.add(make_polygon(compute_hull(corners)), def, rough(0));
-        world.step(160);
-        caught += std::fabs(world->linear_velocity(body).x - 2) > 0.02f;
+// Flat floors whose pieces have gaps, round edges or leaning sides, or move: what is wider than a gap slides over them as over a plane.
+enum class Kind { gaps_of_5_mm, gaps_of_5_cm, rounded_tiles, falling_diagonals, rising_diagonals, triangles_on_tips, dynamic_raft, wall_with_gaps };
+enum class Load { box, rounded_box, chamfered_box, wide_foot, narrow_foot, triangle, capsule, sled };
+
+// Adds a piece from x to x + 1, its top at y = 0.
+void add_piece(TestWorld& world, BodyId ground, Kind kind, float x) {
+    const auto add = [&](span<const Vec2> corners, float radius = 0) { world->create_shape(ground, make_polygon(compute_hull(corners), radius), rough(0)); };
+    const Vec2 a = {x, 0}, b = {x + 1, 0}, c = {x, -1}, d = {x + 1, -1};
+    if (kind == Kind::falling_diagonals || kind == Kind::rising_diagonals) {
+        const Vec2 first[] = {c, kind == Kind::falling_diagonals ? d : b, a}, second[] = {d, b, kind == Kind::falling_diagonals ? a : c};
+        add(first);
+        add(second);
+    } else if (kind == Kind::triangles_on_tips) {
+        const Vec2 corners[] = {a, {x + 0.5f, -1}, b};
+        add(corners);
+    } else {
+        const bool rounded = kind == Kind::rounded_tiles;
+        const float inset = rounded ? 0.05f : kind == Kind::gaps_of_5_mm ? 0.0025f : kind == Kind::dynamic_raft ? 0.0f : 0.025f, top = rounded ? -0.05f : 0.0f;
+        const Vec2 corners[] = {{x + inset, -0.9f}, {x + 1 - inset, -0.9f}, {x + 1 - inset, top}, {x + inset, top}};
+        add(corners, rounded ? 0.05f : 0.0f);
     }
-    EXPECT_LE(caught, 1);
+}
+
+BodyId add_load(TestWorld& world, Load load, const BodyDef& def) {
+    if (load == Load::sled) {  // of three boxes, so it has seams itself
+        const BodyId sled = world->create_body(def);
+        for (const float x : {-0.5f, 0.0f, 0.5f}) world->create_shape(sled, make_offset_box(0.25f, 0.4f, {{x, 0}, {}}), rough(0));
+        return sled;
+    }
+    const auto add = [&](span<const Vec2> corners) { return world.add(make_polygon(compute_hull(corners)), def, rough(0)); };
+    const Vec2 chamfered[] = {{-0.3f, -0.4f}, {0.3f, -0.4f}, {0.4f, -0.3f}, {0.4f, 0.4f}, {-0.4f, 0.4f}, {-0.4f, -0.3f}};
+    const Vec2 wide[] = {{-0.5f, -0.4f}, {0.5f, -0.4f}, {0.3f, 0.4f}, {-0.3f, 0.4f}}, narrow[] = {{-0.2f, -0.4f}, {0.2f, -0.4f}, {0.5f, 0.4f}, {-0.5f, 0.4f}};
+    const Vec2 triangle[] = {{-0.4f, -0.4f}, {0.4f, -0.4f}, {0, 0.3f}};
+    switch (load) {
+        case Load::rounded_box: return world.add(make_rounded_box(0.32f, 0.32f, 0.08f), def, rough(0));
+        case Load::chamfered_box: return add(chamfered);
+        case Load::wide_foot: return add(wide);
+        case Load::narrow_foot: return add(narrow);
+        case Load::triangle: return add(triangle);
+        case Load::capsule: return world.add(Capsule{{-0.3f, 0}, {0.3f, 0}, 0.4f}, def, rough(0));
+        default: return world.add(make_box(0.4f, 0.4f), def, rough(0));
+    }
+}
+
+class RoughFloor : public testing::TestWithParam<std::tuple<Kind, Load>> {};
+
+TEST_P(RoughFloor, IsAPlaneForWhatIsWiderThanItsGaps) {
+    const auto [kind, load] = GetParam();
+    const float across = kind == Kind::wall_with_gaps ? 0.5f * pi : 0;  // a wall is a floor on its side, with gravity that presses against it
+    for (const float speed : {2.0f, 8.0f, 20.0f}) {
+        for (int start = 0; start < 10; ++start) {
+            WorldDef settings = sleepless();
+            settings.gravity = rotate(make_rot(across), {0, -10});
+            TestWorld world({.bodies = 4, .shapes = 160, .contacts = 256, .geometries = 160}, settings);
+            if (kind == Kind::dynamic_raft) world.add(make_box(100, 1), Vec2{0, -1.9f}, rough(0), BodyType::static_body);
+            BodyDef floor;
+            floor.angle = across;
+            if (kind == Kind::dynamic_raft) floor.type = BodyType::dynamic;
+            const BodyId ground = world->create_body(floor);
+            for (float x = -4; x < 2.5f * speed + 6; ++x) add_piece(world, ground, kind, x);
+            BodyDef def = dynamic_at(rotate(make_rot(across), {0.1f * static_cast<float>(start), 0.42f}));
+            def.angle = across;
+            def.linear_velocity = rotate(make_rot(across), {speed, 0});
+            const BodyId body = add_load(world, load, def);
+            world.step(12);  // it lands
+            const auto velocity = [&] { return inv_rotate(make_rot(across), world->linear_velocity(body) - world->linear_velocity(ground)); };
+            double hop = 0;
+            for (int i = 0; i < 130; ++i) {
+                world.step();
+                hop = std::fmax(hop, std::fabs(double(velocity().y)));
+            }
+            EXPECT_NEAR(velocity().x, speed, 0.005 * double(speed)) << speed << " m/s, start " << start;
+            EXPECT_LT(hop, 0.05) << "m/s, at " << speed << " m/s, start " << start;
+        }
+    }
+}
+
+std::string name_of_slide(const testing::TestParamInfo<RoughFloor::ParamType>& test) {
+    constexpr const char* floors[] = {"gaps_of_5_mm",     "gaps_of_5_cm",      "rounded_tiles",  "falling_diagonals",
+                                      "rising_diagonals", "triangles_on_tips", "a_dynamic_raft", "a_wall_with_gaps"};
+    constexpr const char* loads[] = {"box", "rounded_box", "chamfered_box", "wide_foot", "narrow_foot", "triangle", "capsule", "sled"};
+    return std::string(loads[int(std::get<1>(test.param))]) + "_over_" + floors[int(std::get<0>(test.param))];
+}
+INSTANTIATE_TEST_SUITE_P(Floors, RoughFloor,
+                         testing::Combine(testing::Values(Kind::gaps_of_5_mm, Kind::gaps_of_5_cm, Kind::rounded_tiles, Kind::falling_diagonals,
+                                                          Kind::rising_diagonals, Kind::triangles_on_tips, Kind::dynamic_raft, Kind::wall_with_gaps),
+                                          testing::Values(Load::box, Load::rounded_box, Load::chamfered_box, Load::wide_foot, Load::narrow_foot, Load::triangle,
+                                                          Load::capsule, Load::sled)),
+                         name_of_slide);
+
+// A gap is no floor: what fits into it goes in, and a ball rests on both its edges.
+TEST(FloorOfPieces, ABallRestsOnTheEdgesOfAGap) {
+    for (const float radius : {0.03f, 0.1f, 0.4f}) {
+        for (const float gap : {0.005f, 0.02f, 0.05f}) {
+            TestWorld world({.bodies = 4, .shapes = 4, .contacts = 16}, sleepless());
+            for (const float side : {-1.0f, 1.0f}) world.add(make_box(1, 0.5f), Vec2{side * (1 + 0.5f * gap), -0.5f}, rough(0.5f), BodyType::static_body);
+            const BodyId ball = world.add(Circle{{}, radius}, dynamic_at({0.001f, radius}), rough(0.5f));
+            world.step(300);
+            const double half = 0.5 * double(gap), height = std::sqrt(double(radius) * double(radius) - half * half);
+            EXPECT_NEAR(world->position(ball).x, 0, 0.003) << "radius " << radius << ", gap " << gap;
+            EXPECT_NEAR(world->position(ball).y, height, 0.003) << "radius " << radius << ", gap " << gap;
+        }
+    }
+    TestWorld world({.bodies = 4, .shapes = 4, .contacts = 16}, sleepless());
+    for (const float side : {-1.0f, 1.0f}) world.add(make_box(1, 0.5f), Vec2{1.06f * side, -0.5f}, rough(0.5f), BodyType::static_body);
+    const BodyId box = world.add(make_box(0.05f, 0.05f), dynamic_at({0, 0.06f}), rough(0.5f));
+    world.step(120);
+    EXPECT_LT(world->position(box).y, -1) << "a box of 10 cm falls through a gap of 12 cm";
 }
 
 TEST(FloorOfPieces, ARidgeOfTwoPiecesCarriesABall) {

@@ -198,7 +198,8 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
     float margin = speculative_distance;
     Manifold fresh = is_continuous(core) && comes_fast(approach) ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a)
                                                                  : manifold_at(core, c, m, stand, margin, b_in_a);
-    if (fresh.count > 0 && has_floor(core.poses[m.body_a], core.poses[m.body_b])) mend_inner_edges(core, c, b_in_a, margin, fresh);
+    const bool has_pieces = (core.bodies[m.body_a].shape_count | core.bodies[m.body_b].shape_count) > 1;
+    if (fresh.count > 0 && (has_pieces || has_floor(core.poses[m.body_a], core.poses[m.body_b]))) mend_inner_edges(core, c, b_in_a, margin, fresh);
 
     m.normal = rotate(stand.a, fresh.normal);
     const bool lands = fresh.count > 0 && approach.turn - dot(m.normal, approach.way) > 2.0f * speculative_distance;

@@ -6,14 +6,24 @@
 //     |   T  |  S                       that leans towards it is right only as far as T's own surface leans there: not at all if T is flush, more
 //     +------|+-------+ ...             where T falls away (a ridge). If S rises above T, part of the side is bare: it is a wall, and stops D.
 //
-// A contact along a covered side is made anew: along that uncovered face of S in which D is least deep. If D is clear of that face there is no contact, since
-// the neighbour alone holds D.
+// Where pieces have gaps, round edges, or meet in corners alone, no neighbour covers the side. But while D stands on T, it is above the line of T's face, and a
+// piece that does not rise above that line is below it: no motion along the line brings the two together.
+//
+//        D: stands on face f of T
+//     +------+
+//     |   T  |   gap    S: below the line of f. A normal that would push D back along f is wrong.
+//     +------|- - - - -+-------+ ...
+//
+// A contact along a covered side, or back along the floor, is made anew: along that other face of S in which D is least deep. If D is clear of that face there
+// is no contact, since the neighbour alone holds D.
 //
 // A line (a segment, a capsule, a segment of a chain) has no sides, but its ends are met like corners. It counts as a box behind the face that looks at D. So
 // lines laid end to end, or flush beside a box, are a floor like any other.
 //
 // The faster a body is, the farther a contact looks ahead. So the bevelled edge of a crate over a seam has two points: the near one at the corner of S, the far
 // one ahead, over the top of S. The near one decides.
+//
+// The pieces belong to one body, which may be dynamic, or to static bodies.
 //
 // (Bullet, Jolt and bepuphysics2 correct the inner edges of triangle meshes in similar ways. Here there is no mesh: the neighbours are the shapes that the body
 // touches.)
@@ -31,18 +41,24 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float least_lean = 1.0e-4f;              // the least lean of a normal, as a cosine, that counts
-inline constexpr float least_slope = 1.0e-6f;             // sine of the angle below which a line is parallel to a face
-inline constexpr float ridge_room = 0.05f;                // share of a ridge's angle: what tips over it sinks in, and so leans a little too far
-inline constexpr std::uint32_t most_pieces = 4;           // the most pieces in a row that cover one side; a side behind more is not part of a floor
-inline constexpr float gap_width = 0.2f * linear_slop;    // m: a neighbour that covers a side holds what is this far in front of it
-inline constexpr float end_reach = 0.8f * linear_slop;    // m: a line holds what is this far beyond its ends; less than where a surface counts as near
-inline constexpr float piece_depth = 2.0f * linear_slop;  // m: of a line as a piece
-inline constexpr float behind_line = 100;                 // m: what a line covers of others, behind it
+inline constexpr float least_lean = 1.0e-4f;               // the least lean of a normal, as a cosine, that counts
+inline constexpr float least_slope = 1.0e-6f;              // sine of the angle below which a line is parallel to a face
+inline constexpr float most_rise = 0.1f;                   // the greatest lean of a face that still goes on as the ground before it
+inline constexpr float ridge_room = 0.05f;                 // share of a ridge's angle: what tips over it sinks in, and so leans a little too far
+inline constexpr std::uint32_t most_pieces = 4;            // the most pieces in a row that cover one side; a side behind more is not part of a floor
+inline constexpr float gap_width = 0.2f * linear_slop;     // m: a neighbour that covers a side holds what is this far in front of it
+inline constexpr float end_reach = 0.8f * linear_slop;     // m: a line holds what is this far beyond its ends; less than where a surface counts as near
+inline constexpr float piece_depth = 2.0f * linear_slop;   // m: of a line as a piece
+inline constexpr float nested_depth = 4.0f * linear_slop;  // m: what is this deep in a dynamic body does not slide over it
+inline constexpr std::uint32_t front_face = 2;             // of the box of a line
+inline constexpr float behind_line = 100;                  // m: what a line covers of others, behind it
 inline constexpr bool has_lines = ShapeRow<Capsule>::is_there || ShapeRow<Segment>::is_there || ShapeRow<ChainSegment>::is_there;
 
 // Signed distance of a point from the plane of a face of the core.
 float height_over(const Outline& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
+
+// True of what has no faces and is no circle: of a capsule, a segment, a segment of a chain.
+bool is_line(const Geometry& g) { return has_lines && faces_of(g) == nullptr && corners_of(g).count == 2; }
 
 // The faces of a piece that stands at `pose`: a polygon's own, or those of the box of some depth behind that face of a line which looks at `viewer`, longer by
 // `reach` at either end. None (count 0) if the shape is no piece, or is met from its front alone and looks away.
@@ -60,15 +76,6 @@ Outline piece_of(const Geometry& g, const Transform& pose, Vec2 viewer, float de
     }
     const Vec2 center = start + 0.5f * edge + (line.radius - 0.5f * depth) * Vec2{-q.s, q.c};
     return outline_of(make_box(0.5f * whole + reach, 0.5f * depth), {center, q}, {0, 0});
-}
-
-// The normal of the neighbour's surface near `point` that leans most towards `side`; zero if none leans that way.
-Vec2 lean_of(const Outline& neighbor, Vec2 point, Vec2 side) {
-    Vec2 lean = {0, 0};
-    for (std::uint32_t i = 0; i < neighbor.count; ++i)
-        if (abs(height_over(neighbor, i, point) - neighbor.radius) <= linear_slop && dot(neighbor.normals[i], side) > dot(lean, side))
-            lean = neighbor.normals[i];
-    return lean;
 }
 
 /// Part of a line, m from its start.
@@ -92,6 +99,20 @@ Span held_by(const Outline& p, Vec2 start, Vec2 direction, Span part) {
     return part;
 }
 
+// True if the point is in the polygon.
+bool holds(const Outline& p, Vec2 point) {
+    for (std::uint32_t i = 0; i < p.count; ++i)
+        if (height_over(p, i, point) > p.radius) return false;
+    return true;
+}
+
+// How far a piece rises above the line of another's face.
+float rise_over(const Outline& other, std::uint32_t face, const Outline& piece) {
+    float highest = -3.0e38f;
+    for (std::uint32_t i = 0; i < piece.count; ++i) highest = max(highest, height_over(other, face, piece.vertices[i]));
+    return highest + piece.radius - other.radius;
+}
+
 const Geometry& geometry_at(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
 
 /// The shape that stands on a piece of floor, in the frame of the manifold.
@@ -108,6 +129,36 @@ struct Standing {
             middle += 1.0f / static_cast<float>(count) * corners[i];
         }
     }
+
+    // The least height of a corner above a face of the core.
+    float lowest_over(const Outline& p, std::uint32_t face) const {
+        float lowest = 3.0e38f;
+        for (std::uint32_t i = 0; i < count; ++i) lowest = min(lowest, height_over(p, face, corners[i]));
+        return lowest;
+    }
+
+    // Where its corners are along a line, those at most `height` to the right of it.
+    Span corners_along(Vec2 start, Vec2 along, float height) const {
+        Span reach = {3.0e38f, -3.0e38f};
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Vec2 way = corners[i] - start;
+            if (cross(way, along) > height) continue;
+            reach = {min(reach.low, dot(way, along)), max(reach.high, dot(way, along))};
+        }
+        return reach;
+    }
+};
+
+/// The face of a neighbour on which a shape stands.
+struct Ground {
+    Vec2 normal, back;  // back: along the face, from the piece to its neighbour
+    bool is_there = false;
+
+    // True if a face of the piece goes on as the ground does: it may rise by as little as the piece may, but not fall away.
+    bool goes_on(Vec2 face) const {
+        const float rise = dot(face, back);
+        return dot(face, normal) > 0 && rise > -10.0f * least_lean && rise < most_rise;
+    }
 };
 
 /// A piece of floor and the shape that stands on it. Everything is in the frame of the manifold.
@@ -117,21 +168,49 @@ struct Floor {
     Transform frame;      // of the manifold, in the world
     const Standing& other;
     Outline piece;
+    float rounding;  // m, of the piece's ends
 
-    // Calls visit(neighbour) for each piece near the other body that cannot move against this one.
+    // Calls visit(neighbour, true for a line) for each piece near the other body that cannot move against this one.
     template <class Visit>
     void for_each_neighbor(Visit&& visit) const {
         const std::uint32_t body = core.shapes[shape].body;
-        for_each_contact(core, other.body, [&](std::uint32_t contact, std::uint32_t end) {
+        const bool moves = core.is_dynamic(body);  // its own contacts are looked through then: a static body may have thousands
+        for_each_contact(core, moves ? body : other.body, [&](std::uint32_t contact, std::uint32_t end) {
             const Contact& record = core.contacts[contact];
-            const std::uint32_t neighbor = end == 0 ? record.shape_b : record.shape_a;
+            const std::uint32_t near = end == 0 ? record.shape_a : record.shape_b, far = end == 0 ? record.shape_b : record.shape_a;
+            if (moves && core.shapes[far].body != other.body) return;
+            const std::uint32_t neighbor = moves ? near : far;
             const std::uint32_t its_body = core.shapes[neighbor].body;
             const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
-            const std::uint32_t flags = core.shapes[record.shape_a].flags | core.shapes[record.shape_b].flags;
+            const std::uint32_t flags = core.shapes[near].flags | core.shapes[far].flags;
             if (neighbor == shape || !fixed || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
-            const Outline its = piece_of(geometry_at(core, neighbor), inv_mul(frame, body_transform(core, its_body)), other.middle, behind_line, end_reach);
-            if (its.count != 0) visit(its);
+            const Geometry& g = geometry_at(core, neighbor);
+            const bool line = is_line(g);
+            if (moves && line) return;
+            const Outline its = piece_of(g, inv_mul(frame, body_transform(core, its_body)), other.middle, behind_line, end_reach);
+            if (its.count != 0) visit(its, line);
         });
+    }
+
+    // True if no piece is just in front of the face of a piece near `point`.
+    bool is_bare(const Outline& its, std::uint32_t face, Vec2 point) const {
+        const Vec2 normal = its.normals[face], along = left_perp(normal), corner = its.vertices[face];
+        const float length = dot(its.vertices[next(face, its.count)] - corner, along);
+        const float inset = min(2.0f * linear_slop, 0.5f * length);
+        const Vec2 spot = corner + clamp(dot(point - corner, along), inset, length - inset) * along + (its.radius + gap_width) * normal;
+        bool bare = !holds(piece, spot);
+        for_each_neighbor([&](const Outline& another, bool) { bare = bare && !holds(another, spot); });
+        return bare;
+    }
+
+    // The normal of the bare face of a piece near `point` that leans most towards `side`; zero if none leans that way.
+    Vec2 lean_of(const Outline& its, Vec2 point, Vec2 side) const {
+        Vec2 lean = {0, 0};
+        for (std::uint32_t i = 0; i < its.count; ++i) {
+            const bool near = abs(height_over(its, i, point) - its.radius) <= linear_slop;
+            if (near && dot(its.normals[i], side) > dot(lean, side) && is_bare(its, i, point)) lean = its.normals[i];
+        }
+        return lean;
     }
 
     // True if neighbours cover the face as far as the other shape reaches along it, and `normal` leans over their own surface at `point`.
@@ -140,11 +219,7 @@ struct Floor {
         const Vec2 start = piece.vertices[face] + (piece.radius + gap_width) * side;
         const float length = dot(piece.vertices[next(face, piece.count)] - piece.vertices[face], along);
         const float inset = min(linear_slop, 0.5f * length);
-        Span reach = {3.0e38f, -3.0e38f};
-        for (std::uint32_t i = 0; i < other.count; ++i) {
-            const float place = dot(other.corners[i] - start, along);
-            reach = {min(reach.low, place), max(reach.high, place)};
-        }
+        const Span reach = other.corners_along(start, along, 3.0e38f);
         const float end = clamp(reach.high + other.radius, inset, length - inset);
         float covered = clamp(reach.low - other.radius, inset, length - inset);
         Vec2 lean = {0, 0};
@@ -152,7 +227,7 @@ struct Floor {
         bool found = true;
         for (std::uint32_t pass = 0; pass < most_pieces && found; ++pass) {
             found = false;
-            for_each_neighbor([&](const Outline& its) {
+            for_each_neighbor([&](const Outline& its, bool) {
                 const Span held = held_by(its, start, along, {covered, end});
                 if (held.low > covered + gap_width || held.high < held.low || (pass != 0 && held.high <= covered)) return;
                 covered = max(covered, held.high);
@@ -168,6 +243,25 @@ struct Floor {
         return false;
     }
 
+    // The face of a neighbour on which the other shape stands, if the piece does not rise above its line and `normal` would push the shape back along it.
+    Ground ground_under(Vec2 point, Vec2 normal) const {
+        Ground ground;
+        for_each_neighbor([&](const Outline& its, bool line) {
+            const std::uint32_t first = line ? front_face : 0, end = line ? front_face + 1 : its.count;  // the other faces of a line's box are none
+            for (std::uint32_t i = first; i < end && !ground.is_there; ++i) {
+                const Vec2 along = left_perp(its.normals[i]), start = its.vertices[i];
+                const float length = dot(its.vertices[next(i, its.count)] - start, along);
+                const Vec2 back = dot(point - start, along) > 0.5f * length ? -along : along;
+                if (!(dot(normal, back) > least_lean) || rise_over(its, i, piece) > gap_width) continue;
+                const float height = other.lowest_over(its, i), reach = other.radius + its.radius;
+                if (height < reach - 2.0f * linear_slop || height > reach + speculative_distance) continue;
+                const Span foot = other.corners_along(start, along, height + linear_slop);
+                if (foot.high >= 0 && foot.low <= length) ground = {its.normals[i], back, true};
+            }
+        });
+        return ground;
+    }
+
     // True if a point of contact is on a face that is covered.
     bool is_inner(Vec2 point, Vec2 normal) const {
         for (std::uint32_t i = 0; i < piece.count; ++i) {
@@ -177,8 +271,8 @@ struct Floor {
         return false;
     }
 
-    // The manifold along that uncovered face in which the other shape is least deep.
-    ISLET_SHARED Manifold along_bare_face(float margin, bool piece_is_a) const {
+    // The manifold along that face in which the other shape is least deep: of those that are parallel to the ground if there is one, else of those not covered.
+    ISLET_SHARED Manifold along_bare_face(float margin, bool piece_is_a, const Ground& ground) const {
         const Vec2(&corners)[max_polygon_vertices] = other.corners;
         const std::uint32_t count = other.count;
         std::uint32_t best = null_index, deepest = 0;
@@ -193,7 +287,9 @@ struct Floor {
                 height = over;
                 lowest = k;
             }
-            if (sum < 0 || height <= gap || is_covered(i, corners[lowest] - (height - piece.radius) * piece.normals[i], piece.normals[i])) continue;
+            if (sum < 0 || height <= gap) continue;
+            const Vec2 normal = piece.normals[i];
+            if (ground.is_there ? !ground.goes_on(normal) : is_covered(i, corners[lowest] - (height - piece.radius) * normal, normal)) continue;
             best = i;
             deepest = lowest;
             gap = height;
@@ -204,10 +300,10 @@ struct Floor {
         const std::uint32_t after = next(deepest, count), before = (deepest == 0 ? count : deepest) - 1;
         const auto rise = [&](std::uint32_t i) { return height_over(piece, best, corners[i]) - gap; };
         const Vec2 along = left_perp(bare.normal);
-        if (count == 1) {  // what is over a gap that is covered is over both its sides
-            bare.v1 -= 0.5f * linear_slop * along;
-            bare.v2 += 0.5f * linear_slop * along;
-        }
+        // What is over a gap that is covered is over both its sides. What stands on the ground is over the round end of the next piece.
+        const float more = max(ground.is_there ? rounding : 0.0f, count == 1 ? 0.5f * linear_slop : 0.0f);
+        bare.v1 -= more * along;
+        bare.v2 += more * along;
         const float run_after = dot(corners[deepest] - corners[after], along), run_before = dot(corners[before] - corners[deepest], along);
         const bool forward = run_after > 0 && !(rise(before) * run_after < rise(after) * run_before);
         const std::uint32_t i1 = forward ? deepest : before, i2 = forward ? after : deepest;
@@ -226,24 +322,31 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         const std::uint32_t other_shape = piece_is_a ? contact.shape_b : contact.shape_a;
         const std::uint32_t body = core.shapes[shape].body;
         const std::uint32_t other = core.shapes[other_shape].body;
-        if (core.is_dynamic(body) || core.bodies[other].contact_count < 2) continue;
-        const Geometry& g = geometry_at(core, shape);
-        const bool is_line = has_lines && faces_of(g) == nullptr;
-        if (is_line && kind_of(g) == ShapeKind::front) continue;  // it knows its neighbours
+        const bool moves = core.is_dynamic(body);
+        if ((moves && core.bodies[body].shape_count < 2) || core.bodies[moves ? body : other].contact_count < 2) continue;
+        const Geometry &g = geometry_at(core, shape), &other_g = geometry_at(core, other_shape);
+        const bool line = is_line(g);
+        if (line && (kind_of(g) == ShapeKind::front || moves)) continue;      // a chain knows its neighbours
+        if (has_endless && kind_of(other_g) == ShapeKind::endless) continue;  // which has no corners
         const Transform &pose = piece_is_a ? a_in_a : b_in_a, at = body_transform(core, body);
         const Rot q = at.q * inverse(pose.q);
-        const Standing standing(other, corners_of(geometry_at(core, other_shape)), piece_is_a ? b_in_a : a_in_a);
-        const Floor floor{core, shape, {at.p - rotate(q, pose.p), q}, standing, piece_of(g, pose, standing.middle, piece_depth, 0)};
+        const Standing standing(other, corners_of(other_g), piece_is_a ? b_in_a : a_in_a);
+        const float rounding = corners_of(g).radius;
+        const Floor floor{core, shape, {at.p - rotate(q, pose.p), q}, standing, piece_of(g, pose, standing.middle, piece_depth, 0), rounding};
+        if (floor.piece.count == 0) continue;  // a circle
         const Vec2 normal = piece_is_a ? manifold.normal : -manifold.normal;
-        const Vec2 lift = is_line ? corners_of(g).radius * (floor.piece.normals[2] - normal) : Vec2{};  // from the round end of a capsule to where it begins
-        bool inner = true;
+        const Vec2 lift = line ? rounding * (floor.piece.normals[front_face] - normal) : Vec2{};  // from the round end of a capsule to where it begins
+        Ground ground;
+        bool inner = manifold.count > 0 && !(moves && least_separation(manifold) < -nested_depth);
         for (std::uint32_t i = 0; i < manifold.count && inner; ++i) {
             const ManifoldPoint& p = manifold.points[i];
             // The far end of a bevel, or of a line that is met by an end, holds nothing yet: where the nearest point is, the normal must be right.
             if (p.separation > least_separation(manifold) + separation_tie) continue;
-            inner = floor.is_inner(p.point - 0.5f * p.separation * normal + lift, normal);
+            const Vec2 point = p.point - 0.5f * p.separation * normal + lift;
+            ground = floor.ground_under(point, normal);
+            inner = ground.is_there || floor.is_inner(point, normal);
         }
-        if (inner) manifold = floor.along_bare_face(margin, piece_is_a);
+        if (inner) manifold = floor.along_bare_face(margin, piece_is_a, ground);
     }
 }
 
