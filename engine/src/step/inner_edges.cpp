@@ -55,14 +55,14 @@ inline constexpr float behind_line = 100;                  // m: what a line cov
 inline constexpr bool has_lines = ShapeRow<Capsule>::is_there || ShapeRow<Segment>::is_there || ShapeRow<ChainSegment>::is_there;
 
 // Signed distance of a point from the plane of a face of the core.
-float height_over(const Outline& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
+ISLET_SHARED float height_over(const Outline& p, std::uint32_t face, Vec2 point) { return dot(p.normals[face], point - p.vertices[face]); }
 
 // True of what has no faces and is no circle: of a capsule, a segment, a segment of a chain.
 bool is_line(const Geometry& g) { return has_lines && faces_of(g) == nullptr && corners_of(g).count == 2; }
 
 // The faces of a piece that stands at `pose`: a polygon's own, or those of the box of some depth behind that face of a line which looks at `viewer`, longer by
 // `reach` at either end. None (count 0) if the shape is no piece, or is met from its front alone and looks away.
-Outline piece_of(const Geometry& g, const Transform& pose, Vec2 viewer, float depth, float reach) {
+ISLET_SHARED Outline piece_of(const Geometry& g, const Transform& pose, Vec2 viewer, float depth, float reach) {
     if (const Polygon* faces = faces_of(g)) return outline_of(*faces, pose, {0, 0});
     const Corners line = corners_of(g);
     if (!has_lines || line.count != 2) return {};
@@ -99,10 +99,10 @@ Span held_by(const Outline& p, Vec2 start, Vec2 direction, Span part) {
     return part;
 }
 
-// True if the point is in the polygon.
-bool holds(const Outline& p, Vec2 point) {
+// True if the polygon, in its own frame, holds the point.
+bool holds(const Polygon& p, Vec2 point) {
     for (std::uint32_t i = 0; i < p.count; ++i)
-        if (height_over(p, i, point) > p.radius) return false;
+        if (dot(p.normals[i], point - p.vertices[i]) > p.radius) return false;
     return true;
 }
 
@@ -161,6 +161,12 @@ struct Ground {
     }
 };
 
+/// The corner of a shape that is deepest under the line of a piece's face, and its height above the face's core.
+struct Depth {
+    std::uint32_t face = null_index, corner = 0;
+    float gap = -3.0e38f;  // m
+};
+
 /// A piece of floor and the shape that stands on it. Everything is in the frame of the manifold.
 struct Floor {
     const Core& core;
@@ -170,41 +176,65 @@ struct Floor {
     Outline piece;
     float rounding;  // m, of the piece's ends
 
-    // Calls visit(neighbour, true for a line) for each piece near the other body that cannot move against this one.
-    template <class Visit>
-    void for_each_neighbor(Visit&& visit) const {
+    // The next piece near the other body that cannot move against this one (or is this one), and where it stands; null_index at the end. `key` is where the
+    // list of contacts goes on.
+    ISLET_SHARED std::uint32_t next_piece(std::uint32_t& key, Transform& pose) const {
         const std::uint32_t body = core.shapes[shape].body;
-        const bool moves = core.is_dynamic(body);  // its own contacts are looked through then: a static body may have thousands
-        for_each_contact(core, moves ? body : other.body, [&](std::uint32_t contact, std::uint32_t end) {
-            const Contact& record = core.contacts[contact];
+        const bool moves = core.is_dynamic(body);
+        while (key != 0) {
+            const Contact& record = core.contacts[constraint_of_key(key)];
+            const std::uint32_t end = side_of_key(key);
+            key = record.next[end];
             const std::uint32_t near = end == 0 ? record.shape_a : record.shape_b, far = end == 0 ? record.shape_b : record.shape_a;
-            if (moves && core.shapes[far].body != other.body) return;
-            const std::uint32_t neighbor = moves ? near : far;
-            const std::uint32_t its_body = core.shapes[neighbor].body;
-            const bool fixed = its_body == body || (core.bodies[its_body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
+            if (moves && core.shapes[far].body != other.body) continue;
+            const std::uint32_t index = moves ? near : far;
+            const Shape& its = core.shapes[index];
+            const bool fixed = its.body == body || (core.bodies[its.body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
             const std::uint32_t flags = core.shapes[near].flags | core.shapes[far].flags;
-            if (neighbor == shape || !fixed || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) return;  // it holds nothing, or may not
-            const Geometry& g = geometry_at(core, neighbor);
-            const bool line = is_line(g);
-            if (moves && line) return;
-            const Outline its = piece_of(g, inv_mul(frame, body_transform(core, its_body)), other.middle, behind_line, end_reach);
-            if (its.count != 0) visit(its, line);
-        });
+            if (!fixed || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) continue;  // it holds nothing, or may not
+            if (moves && is_line(core.geometries[its.geometry])) continue;
+            pose = inv_mul(frame, body_transform(core, its.body));
+            return index;
+        }
+        return null_index;
     }
 
-    // True if no piece is just in front of the face of a piece near `point`.
-    bool is_bare(const Outline& its, std::uint32_t face, Vec2 point) const {
+    // Where that list begins. A body that moves has its own looked through, since a static one may have thousands of contacts.
+    std::uint32_t first_key() const {
+        const std::uint32_t body = core.shapes[shape].body;
+        return core.bodies[core.is_dynamic(body) ? body : other.body].contact_head;
+    }
+
+    // Calls visit(neighbour, true for a line) for each of these pieces but this one.
+    template <class Visit>
+    void for_each_neighbor(Visit&& visit) const {
+        Transform pose;
+        std::uint32_t key = first_key();
+        for (std::uint32_t index = next_piece(key, pose); index != null_index; index = next_piece(key, pose)) {
+            if (index == shape) continue;
+            const Geometry& g = geometry_at(core, index);
+            const Outline its = piece_of(g, pose, other.middle, behind_line, end_reach);
+            if (its.count != 0) visit(its, is_line(g));
+        }
+    }
+
+    // True if no polygon is just in front of the face of a piece near `point`.
+    ISLET_SHARED bool is_bare(const Outline& its, std::uint32_t face, Vec2 point) const {
         const Vec2 normal = its.normals[face], along = left_perp(normal), corner = its.vertices[face];
         const float length = dot(its.vertices[next(face, its.count)] - corner, along);
         const float inset = min(2.0f * linear_slop, 0.5f * length);
         const Vec2 spot = corner + clamp(dot(point - corner, along), inset, length - inset) * along + (its.radius + gap_width) * normal;
-        bool bare = !holds(piece, spot);
-        for_each_neighbor([&](const Outline& another, bool) { bare = bare && !holds(another, spot); });
-        return bare;
+        Transform pose;
+        std::uint32_t key = first_key();
+        for (std::uint32_t index = next_piece(key, pose); index != null_index; index = next_piece(key, pose)) {
+            const Polygon* faces = faces_of(geometry_at(core, index));
+            if (faces != nullptr && holds(*faces, inv_transform_point(pose, spot))) return false;
+        }
+        return true;
     }
 
     // The normal of the bare face of a piece near `point` that leans most towards `side`; zero if none leans that way.
-    Vec2 lean_of(const Outline& its, Vec2 point, Vec2 side) const {
+    ISLET_SHARED Vec2 lean_of(const Outline& its, Vec2 point, Vec2 side) const {
         Vec2 lean = {0, 0};
         for (std::uint32_t i = 0; i < its.count; ++i) {
             const bool near = abs(height_over(its, i, point) - its.radius) <= linear_slop;
@@ -214,7 +244,7 @@ struct Floor {
     }
 
     // True if neighbours cover the face as far as the other shape reaches along it, and `normal` leans over their own surface at `point`.
-    bool is_covered(std::uint32_t face, Vec2 point, Vec2 normal) const {
+    ISLET_SHARED bool is_covered(std::uint32_t face, Vec2 point, Vec2 normal) const {
         const Vec2 side = piece.normals[face], along = left_perp(side);
         const Vec2 start = piece.vertices[face] + (piece.radius + gap_width) * side;
         const float length = dot(piece.vertices[next(face, piece.count)] - piece.vertices[face], along);
@@ -244,7 +274,7 @@ struct Floor {
     }
 
     // The face of a neighbour on which the other shape stands, if the piece does not rise above its line and `normal` would push the shape back along it.
-    Ground ground_under(Vec2 point, Vec2 normal) const {
+    ISLET_SHARED Ground ground_under(Vec2 point, Vec2 normal) const {
         Ground ground;
         for_each_neighbor([&](const Outline& its, bool line) {
             const std::uint32_t first = line ? front_face : 0, end = line ? front_face + 1 : its.count;  // the other faces of a line's box are none
@@ -271,34 +301,37 @@ struct Floor {
         return false;
     }
 
-    // The manifold along that face in which the other shape is least deep: of those that are parallel to the ground if there is one, else of those not covered.
-    ISLET_SHARED Manifold along_bare_face(float margin, bool piece_is_a, const Ground& ground) const {
+    // That face in which the other shape is least deep: of those that are parallel to the ground if there is one, else of those not covered.
+    ISLET_SHARED Depth bare_face(const Ground& ground) const {
+        Depth best;
+        for (std::uint32_t i = 0; i < piece.count; ++i) {
+            Depth depth = {i, 0, 3.0e38f};
+            float sum = 0;
+            for (std::uint32_t k = 0; k < other.count; ++k) {
+                const float over = height_over(piece, i, other.corners[k]);
+                sum += over;
+                if (!(over < depth.gap)) continue;
+                depth.gap = over;
+                depth.corner = k;
+            }
+            if (sum < 0 || depth.gap <= best.gap) continue;
+            const Vec2 normal = piece.normals[i], foot = other.corners[depth.corner] - (depth.gap - piece.radius) * normal;
+            if (ground.is_there ? ground.goes_on(normal) : !is_covered(i, foot, normal)) best = depth;
+        }
+        return best;
+    }
+
+    // Makes the manifold anew along a face.
+    ISLET_SHARED void go_along(const Depth& depth, float margin, bool piece_is_a, const Ground& ground, Manifold& m) const {
+        const auto [best, deepest, gap] = depth;
+        m = {};
+        if (best == null_index || gap > margin + piece.radius + other.radius) return;
         const Vec2(&corners)[max_polygon_vertices] = other.corners;
         const std::uint32_t count = other.count;
-        std::uint32_t best = null_index, deepest = 0;
-        float gap = -3.0e38f;
-        for (std::uint32_t i = 0; i < piece.count; ++i) {
-            std::uint32_t lowest = 0;
-            float sum = 0, height = 3.0e38f;
-            for (std::uint32_t k = 0; k < count; ++k) {
-                const float over = height_over(piece, i, corners[k]);
-                sum += over;
-                if (!(over < height)) continue;
-                height = over;
-                lowest = k;
-            }
-            if (sum < 0 || height <= gap) continue;
-            const Vec2 normal = piece.normals[i];
-            if (ground.is_there ? !ground.goes_on(normal) : is_covered(i, corners[lowest] - (height - piece.radius) * normal, normal)) continue;
-            best = i;
-            deepest = lowest;
-            gap = height;
-        }
-        if (best == null_index || gap > margin + piece.radius + other.radius) return {};
         Face bare = {piece.vertices[best], piece.vertices[next(best, piece.count)], piece.normals[best], piece.radius, best, next(best, piece.count)};
         // The incident face: of the two faces at the deepest corner the one that rises less from the piece's face and runs the other way.
         const std::uint32_t after = next(deepest, count), before = (deepest == 0 ? count : deepest) - 1;
-        const auto rise = [&](std::uint32_t i) { return height_over(piece, best, corners[i]) - gap; };
+        const auto rise = [&](std::uint32_t i) { return height_over(piece, depth.face, corners[i]) - depth.gap; };
         const Vec2 along = left_perp(bare.normal);
         // What is over a gap that is covered is over both its sides. What stands on the ground is over the round end of the next piece.
         const float more = max(ground.is_there ? rounding : 0.0f, count == 1 ? 0.5f * linear_slop : 0.0f);
@@ -307,9 +340,8 @@ struct Floor {
         const float run_after = dot(corners[deepest] - corners[after], along), run_before = dot(corners[before] - corners[deepest], along);
         const bool forward = run_after > 0 && !(rise(before) * run_after < rise(after) * run_before);
         const std::uint32_t i1 = forward ? deepest : before, i2 = forward ? after : deepest;
-        Manifold m = clip_faces(bare, {corners[i1], corners[i2], {}, other.radius, i1, i2}, !piece_is_a, {0, 0}, margin);
+        m = clip_faces(bare, {corners[i1], corners[i2], {}, other.radius, i1, i2}, !piece_is_a, {0, 0}, margin);
         if (count == 1 && m.count == 2) m.count = 1;
-        return m;
     }
 };
 
@@ -346,7 +378,7 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
             ground = floor.ground_under(point, normal);
             inner = ground.is_there || floor.is_inner(point, normal);
         }
-        if (inner) manifold = floor.along_bare_face(margin, piece_is_a, ground);
+        if (inner) floor.go_along(floor.bare_face(ground), margin, piece_is_a, ground, manifold);
     }
 }
 
