@@ -183,14 +183,13 @@ struct Floor {
         const bool moves = core.is_dynamic(body);
         while (key != 0) {
             const Contact& record = core.contacts[constraint_of_key(key)];
-            const std::uint32_t end = side_of_key(key);
-            key = record.next[end];
-            const std::uint32_t near = end == 0 ? record.shape_a : record.shape_b, far = end == 0 ? record.shape_b : record.shape_a;
-            if (moves && core.shapes[far].body != other.body) continue;
-            const std::uint32_t index = moves ? near : far;
+            key = record.next[side_of_key(key)];
+            const bool a_is_other = core.shapes[record.shape_a].body == other.body;
+            if (!a_is_other && core.shapes[record.shape_b].body != other.body) continue;
+            const std::uint32_t index = a_is_other ? record.shape_b : record.shape_a;
             const Shape& its = core.shapes[index];
             const bool fixed = its.body == body || (core.bodies[its.body].type() == BodyType::static_body && core.bodies[body].type() == BodyType::static_body);
-            const std::uint32_t flags = core.shapes[near].flags | core.shapes[far].flags;
+            const std::uint32_t flags = core.shapes[record.shape_a].flags | core.shapes[record.shape_b].flags;
             if (!fixed || (flags & (shape_sensor | shape_pre_solve | shape_one_way_bits)) != 0) continue;  // it holds nothing, or may not
             if (moves && is_line(core.geometries[its.geometry])) continue;
             pose = inv_mul(frame, body_transform(core, its.body));
@@ -199,10 +198,10 @@ struct Floor {
         return null_index;
     }
 
-    // Where that list begins. A body that moves has its own looked through, since a static one may have thousands of contacts.
+    // Where that list begins: the other body's. A body that moves has no neighbours but its own, so its list will do if it is shorter.
     std::uint32_t first_key() const {
-        const std::uint32_t body = core.shapes[shape].body;
-        return core.bodies[core.is_dynamic(body) ? body : other.body].contact_head;
+        const Body &own = core.bodies[core.shapes[shape].body], &standing = core.bodies[other.body];
+        return (own.type() == BodyType::dynamic && own.contact_count < standing.contact_count ? own : standing).contact_head;
     }
 
     // Calls visit(neighbour, true for a line) for each of these pieces but this one.
@@ -355,7 +354,7 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         const std::uint32_t body = core.shapes[shape].body;
         const std::uint32_t other = core.shapes[other_shape].body;
         const bool moves = core.is_dynamic(body);
-        if ((moves && core.bodies[body].shape_count < 2) || core.bodies[moves ? body : other].contact_count < 2) continue;
+        if (core.bodies[other].contact_count < 2 || (moves && (core.bodies[body].shape_count < 2 || core.bodies[body].contact_count < 2))) continue;
         const Geometry &g = geometry_at(core, shape), &other_g = geometry_at(core, other_shape);
         const bool line = is_line(g);
         if (line && (kind_of(g) == ShapeKind::front || moves)) continue;      // a chain knows its neighbours
