@@ -151,8 +151,8 @@ enum class Kind { gaps_of_5_mm, gaps_of_5_cm, rounded_tiles, falling_diagonals, 
 enum class Load { box, rounded_box, chamfered_box, wide_foot, narrow_foot, triangle, capsule, sled };
 
 // Adds a piece from x to x + 1, its top at y = 0.
-void add_piece(TestWorld& world, BodyId ground, Kind kind, float x) {
-    const auto add = [&](span<const Vec2> corners, float radius = 0) { world->create_shape(ground, make_polygon(compute_hull(corners), radius), rough(0)); };
+void add_piece(TestWorld& world, BodyId ground, Kind kind, float x, const ShapeDef& material) {
+    const auto add = [&](span<const Vec2> corners, float radius = 0) { world->create_shape(ground, make_polygon(compute_hull(corners), radius), material); };
     const Vec2 a = {x, 0}, b = {x + 1, 0}, c = {x, -1}, d = {x + 1, -1};
     if (kind == Kind::falling_diagonals || kind == Kind::rising_diagonals) {
         const Vec2 first[] = {c, kind == Kind::falling_diagonals ? d : b, a}, second[] = {d, b, kind == Kind::falling_diagonals ? a : c};
@@ -169,24 +169,24 @@ void add_piece(TestWorld& world, BodyId ground, Kind kind, float x) {
     }
 }
 
-BodyId add_load(TestWorld& world, Load load, const BodyDef& def) {
+BodyId add_load(TestWorld& world, Load load, const BodyDef& def, const ShapeDef& material) {
     if (load == Load::sled) {  // of three boxes, so it has seams itself
         const BodyId sled = world->create_body(def);
-        for (const float x : {-0.5f, 0.0f, 0.5f}) world->create_shape(sled, make_offset_box(0.25f, 0.4f, {{x, 0}, {}}), rough(0));
+        for (const float x : {-0.5f, 0.0f, 0.5f}) world->create_shape(sled, make_offset_box(0.25f, 0.4f, {{x, 0}, {}}), material);
         return sled;
     }
-    const auto add = [&](span<const Vec2> corners) { return world.add(make_polygon(compute_hull(corners)), def, rough(0)); };
+    const auto add = [&](span<const Vec2> corners) { return world.add(make_polygon(compute_hull(corners)), def, material); };
     const Vec2 chamfered[] = {{-0.3f, -0.4f}, {0.3f, -0.4f}, {0.4f, -0.3f}, {0.4f, 0.4f}, {-0.4f, 0.4f}, {-0.4f, -0.3f}};
     const Vec2 wide[] = {{-0.5f, -0.4f}, {0.5f, -0.4f}, {0.3f, 0.4f}, {-0.3f, 0.4f}}, narrow[] = {{-0.2f, -0.4f}, {0.2f, -0.4f}, {0.5f, 0.4f}, {-0.5f, 0.4f}};
     const Vec2 triangle[] = {{-0.4f, -0.4f}, {0.4f, -0.4f}, {0, 0.3f}};
     switch (load) {
-        case Load::rounded_box: return world.add(make_rounded_box(0.32f, 0.32f, 0.08f), def, rough(0));
+        case Load::rounded_box: return world.add(make_rounded_box(0.32f, 0.32f, 0.08f), def, material);
         case Load::chamfered_box: return add(chamfered);
         case Load::wide_foot: return add(wide);
         case Load::narrow_foot: return add(narrow);
         case Load::triangle: return add(triangle);
-        case Load::capsule: return world.add(Capsule{{-0.3f, 0}, {0.3f, 0}, 0.4f}, def, rough(0));
-        default: return world.add(make_box(0.4f, 0.4f), def, rough(0));
+        case Load::capsule: return world.add(Capsule{{-0.3f, 0}, {0.3f, 0}, 0.4f}, def, material);
+        default: return world.add(make_box(0.4f, 0.4f), def, material);
     }
 }
 
@@ -205,11 +205,11 @@ TEST_P(RoughFloor, IsAPlaneForWhatIsWiderThanItsGaps) {
             floor.angle = across;
             if (kind == Kind::dynamic_raft) floor.type = BodyType::dynamic;
             const BodyId ground = world->create_body(floor);
-            for (float x = -4; x < 2.5f * speed + 6; ++x) add_piece(world, ground, kind, x);
+            for (float x = -4; x < 2.5f * speed + 6; ++x) add_piece(world, ground, kind, x, rough(0));
             BodyDef def = dynamic_at(rotate(make_rot(across), {0.1f * static_cast<float>(start), 0.42f}));
             def.angle = across;
             def.linear_velocity = rotate(make_rot(across), {speed, 0});
-            const BodyId body = add_load(world, load, def);
+            const BodyId body = add_load(world, load, def, rough(0));
             world.step(12);  // it lands
             const auto velocity = [&] { return inv_rotate(make_rot(across), world->linear_velocity(body) - world->linear_velocity(ground)); };
             double hop = 0;
@@ -236,6 +236,27 @@ INSTANTIATE_TEST_SUITE_P(Floors, RoughFloor,
                                                           Load::capsule, Load::sled)),
                          name_of_slide);
 
+TEST(FloorOfPieces, FrictionBrakesABoxAsOnASlab) {
+    constexpr float speed = 10, friction = 0.3f;
+    constexpr double way = double(speed) * double(speed) / (2 * double(friction) * g);  // m: Coulomb's
+    for (const Kind kind :
+         {Kind::gaps_of_5_mm, Kind::gaps_of_5_cm, Kind::rounded_tiles, Kind::falling_diagonals, Kind::rising_diagonals, Kind::triangles_on_tips}) {
+        for (const Load load : {Load::box, Load::rounded_box, Load::wide_foot, Load::sled}) {
+            for (int start = 0; start < 10; ++start) {
+                TestWorld world({.bodies = 4, .shapes = 128, .contacts = 256, .geometries = 128}, sleepless());
+                const BodyId ground = world->create_body({});
+                for (float x = -4; x < 24; x += 1) add_piece(world, ground, kind, x, rough(friction));
+                const float from = 0.1f * static_cast<float>(start);
+                BodyDef def = dynamic_at({from, 0.4f});
+                def.linear_velocity = {speed, 0};
+                const BodyId body = add_load(world, load, def, rough(friction));
+                world.step(300);
+                EXPECT_NEAR(double(world->position(body).x - from), way, 0.01 * way) << "floor " << int(kind) << ", load " << int(load) << ", start " << start;
+            }
+        }
+    }
+}
+
 // Hills cut into triangles are those of a chain of the same form: they take as little energy, in the mean of ten starts.
 TEST(FloorOfPieces, HillsOfTrianglesTakeTheEnergyThatAChainTakes) {
     constexpr float speed = 8;  // m/s
@@ -258,7 +279,7 @@ TEST(FloorOfPieces, HillsOfTrianglesTakeTheEnergyThatAChainTakes) {
                 const float from = 0.1f * static_cast<float>(start);
                 BodyDef def = dynamic_at({from, hill(from) + 0.55f});
                 def.linear_velocity = {speed, 0};
-                const BodyId body = add_load(world, load, def);
+                const BodyId body = add_load(world, load, def, rough(0));
                 world.step(20);  // it lands
                 const double before = energy_of(*world, span(&body, 1));
                 world.step(160);
