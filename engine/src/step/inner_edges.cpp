@@ -23,7 +23,7 @@
 // The faster a body is, the farther a contact looks ahead. So the bevelled edge of a crate over a seam has two points: the near one at the corner of S, the far
 // one ahead, over the top of S. The near one decides.
 //
-// The pieces belong to one body, which may be dynamic, or to static bodies.
+// The pieces belong to one body, which may be dynamic and much heavier than what stands on it, or to static bodies.
 //
 // (Bullet, Jolt and bepuphysics2 correct the inner edges of triangle meshes in similar ways. Here there is no mesh: the neighbours are the shapes that the body
 // touches.)
@@ -49,6 +49,7 @@ inline constexpr std::uint32_t most_pieces = 4;            // the most pieces in
 inline constexpr float gap_width = 0.2f * linear_slop;     // m: a neighbour that covers a side holds what is this far in front of it
 inline constexpr float end_reach = 0.8f * linear_slop;     // m: a line holds what is this far beyond its ends; less than where a surface counts as near
 inline constexpr float piece_depth = 2.0f * linear_slop;   // m: of a line as a piece
+inline constexpr float floor_mass = 4;                     // a dynamic body is a floor for what has a quarter of its mass or less: in piles none is
 inline constexpr float nested_depth = 4.0f * linear_slop;  // m: what is this deep in a dynamic body does not slide over it
 inline constexpr std::uint32_t front_face = 2;             // of the box of a line
 inline constexpr float behind_line = 100;                  // m: what a line covers of others, behind it
@@ -354,7 +355,12 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         const std::uint32_t body = core.shapes[shape].body;
         const std::uint32_t other = core.shapes[other_shape].body;
         const bool moves = core.is_dynamic(body);
-        if (core.bodies[other].contact_count < 2 || (moves && (core.bodies[body].shape_count < 2 || core.bodies[body].contact_count < 2))) continue;
+        if (manifold.count == 0 || core.bodies[other].contact_count < 2) continue;
+        if (moves) {
+            const Body& own = core.bodies[body];
+            const bool bears = core.poses[other].inv_mass == 0 || core.poses[other].inv_mass >= floor_mass * core.poses[body].inv_mass;
+            if (!bears || own.shape_count < 2 || own.contact_count < 2 || least_separation(manifold) < -nested_depth) continue;
+        }
         const Geometry &g = geometry_at(core, shape), &other_g = geometry_at(core, other_shape);
         const bool line = is_line(g);
         if (line && (kind_of(g) == ShapeKind::front || moves)) continue;      // a chain knows its neighbours
@@ -368,7 +374,7 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         const Vec2 normal = piece_is_a ? manifold.normal : -manifold.normal;
         const Vec2 lift = line ? rounding * (floor.piece.normals[front_face] - normal) : Vec2{};  // from the round end of a capsule to where it begins
         Ground ground;
-        bool inner = manifold.count > 0 && !(moves && least_separation(manifold) < -nested_depth);
+        bool inner = true;
         for (std::uint32_t i = 0; i < manifold.count && inner; ++i) {
             const ManifoldPoint& p = manifold.points[i];
             // The far end of a bevel, or of a line that is met by an end, holds nothing yet: where the nearest point is, the normal must be right.
