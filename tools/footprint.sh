@@ -33,8 +33,8 @@ targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 ris
 # that share what their ground gains. All rose by 0.2 kB with deep overlaps that answer to how fast the shapes part, and with bevels that do not catch at seams;
 # and by 1.7 kB with floors whose pieces have gaps, round edges, or move.)
 declare -A most_flash=(
-    [cortex-m3]='227000 96400 56200' [cortex-m4f]='208100 82300 48000' [cortex-m4f-lto]='- 77700 45900' [cortex-m7]='208100 82300 48000'
-    [cortex-m33]='208100 82300 48000' [cortex-m55]='208500 82500 48100' [riscv32]='222500 88200 51900'
+    [cortex-m3]='227000 96500 56200' [cortex-m4f]='208100 82300 48000' [cortex-m4f-lto]='- 77700 45900' [cortex-m7]='208100 82300 48000'
+    [cortex-m33]='208100 82300 48000' [cortex-m55]='208600 82600 48100' [riscv32]='222500 88200 51900'
 )
 most_stack=4096          # bytes
 most_instructions=600000       # a step of the pyramid, in the mean
@@ -297,7 +297,7 @@ log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --
 [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
     complain "what is left out changes the pyramid"
 cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
-at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 43600
+at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 43700
 
 if [ "$mode" = json ]; then
     separator=
