@@ -152,7 +152,7 @@ struct Standing {
 
 /// The face of a neighbour on which a shape stands.
 struct Ground {
-    Vec2 normal, back;  // back: along the face, from the piece to its neighbour
+    Vec2 normal, back;  // unit: out of the face; along it, from the piece to its neighbour
     bool is_there = false;
 
     // True if a face of the piece goes on as the ground does: it may rise by as little as the piece may, but not fall away.
