@@ -98,6 +98,15 @@ compile_engine() {
     ar rcs "$1/libislet.a" "$objects"/*.o
 }
 
+# compile_engine_as_one FOLDER FLAG...: the same from one file, which takes half the time. Its size is not that of a sketch.
+compile_engine_as_one() {
+    local objects=$1/engine
+    rm -rf "$objects" "$1/libislet.a" && mkdir -p "$objects"
+    find "$library/src/engine" -name '*.cpp' ! -name '*_avx*.cpp' -printf '#include "%p"\n' | LC_ALL=C sort >"$objects/engine.cpp"
+    "${compile[@]}" "${@:2}" -I "$library/src" -c "$objects/engine.cpp" -o "$objects/engine.o"
+    ar rcs "$1/libislet.a" "$objects/engine.o"
+}
+
 # compile_board FOLDER
 compile_board() {
     local source
@@ -151,7 +160,7 @@ build_on_rom_floats() (
     use cortex-m0plus
     compile+=(-DARDUINO_ARCH_RP2040)
     rm -rf "$folder" && mkdir -p "$folder"
-    compile_engine "$folder"
+    compile_engine_as_one "$folder"
     compile_board "$folder"
     compile_sketch Balls "$folder"
     "${compile[@]}" -c "$stub/rom_floats.cpp" -o "$folder/rom_floats.o"
@@ -163,8 +172,8 @@ build_on_rom_floats() (
 host() {
     local folder=$work/host sketch flags
     mkdir -p "$folder"
-    local compile=(g++ -std=c++20 -O1)
-    compile_engine "$folder"
+    local compile=(g++ -std=c++20 -O1 -DISLET_MAX_LANES=4)
+    compile_engine_as_one "$folder"
     for sketch in "${sketches[@]}"; do
         mapfile -t flags < <(sketch_flags "$sketch")
         g++ -std=c++20 -O1 "${flags[@]}" "$stub/stub.cpp" "$firmware"/{board_host,console}.cpp "$folder/libislet.a" -o "$folder/$sketch"
@@ -186,7 +195,7 @@ build cortex-m4f trimmed &
 trimmed=$!
 build_on_rom_floats
 compile=("${lx106[@]}" "${headers[@]}")
-compile_engine "$work/esp8266"  # which nothing here emulates
+compile_engine_as_one "$work/esp8266"  # which nothing here emulates
 wait "$trimmed"
 
 failed=false
