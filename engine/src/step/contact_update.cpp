@@ -7,6 +7,9 @@
 // each step, a column of 30 boxes buckles within ten seconds, as it does in Box2D 3.2 without recycling. The faces of moving bodies also keep their manifold
 // while a load presses them into each other, because separations follow that motion exactly. Made anew for it, a column of 100 boxes takes up its own lean
 // again and again as it settles, and falls.
+//
+// But a normal that lags behind bodies which turn together holds them like a spring between them and the world: cargo would brake its swing, and no box would
+// slide off a board before that has tilted by 0.1 rad. So where both bodies turn faster than a column leans, the manifold turns with them.
 #include "../exact.hpp"
 
 #include "../step/contact_update.hpp"
@@ -40,6 +43,10 @@ inline constexpr float worth_learning = 0.4f * linear_slop;    // m; a contact t
 inline constexpr float learning_tilt = 0.01f;                  // sine of the angle between gravity and the normal of a face that learns, at most
 inline constexpr float learning_friction = 0.5f;               // its friction, as a share of its load, at most
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
+inline constexpr float least_lag = 0.001f;                     // rad that a manifold may lag behind two bodies that turn
+inline constexpr float turn_rate = 0.015f;                     // rad/s of bodies with which a manifold turns: at a level face, or at a body that is not dynamic
+inline constexpr float wedged_turn_rate = 0.15f;               // rad/s at a tilted face; arches, whose stones press against each other, fold if it is less
+inline constexpr float level_face = 0.3f;                      // tangent of the angle between gravity and the normal of a level face, at most
 
 // How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load. But when an
 // island has come to rest (pose_learns), level faces, as those of columns and walls, learn their load at once. So a stack rises by most of what it has sunk by
@@ -106,6 +113,23 @@ ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const P
 // True if neither body has turned far since the manifold was made.
 ISLET_PART bool have_turned_little(Rot turn_a, Rot turn_b) { return !(min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn); }
 
+// Turns the manifold, with all that it holds of how the bodies stood, as far as the bodies have turned together. (It then lags by half a step in the mean. Turned
+// ahead by that much, it would keep the spin of two bodies that are pressed together; but pressed hard, they would gain spin.)
+ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a, const Pose& b) {
+    const Rot turn = inv_mul(m.rotation_a, a.q);
+    if (abs(turn.s) <= least_lag) return;
+    const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, slower = min(abs(wa), abs(wb));
+    const Vec2 gravity = core.state->gravity;
+    const bool level = abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity));
+    if (!(wa * wb > 0) || !(slower > (level || has_floor(a, b) ? turn_rate : wedged_turn_rate))) return;
+    m.normal = rotate(turn, m.normal);
+    m.normal = (1.5f - 0.5f * length_squared(m.normal)) * m.normal;  // a unit vector, however often it is turned
+    m.offset = rotate(turn, m.offset);
+    for (Vec2& anchor : m.anchors) anchor = rotate(turn, anchor);
+    m.rotation_a = a.q;
+    m.rotation_b = normalize(turn * m.rotation_b);
+}
+
 bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
     if ((m.flags & (contact_posed | contact_ahead)) != contact_posed) return false;
     const Rot turn_a = inv_mul(m.rotation_a, a.q);
@@ -129,7 +153,7 @@ ISLET_PART bool is_settled(const ContactManifold& m, const Pose& a, const Pose& 
     const std::uint32_t count = m.count();
     if (count == 0) return false;
     const Rot turn_a = inv_mul(m.rotation_a, a.q), turn_b = inv_mul(m.rotation_b, b.q);
-    return have_turned_little(turn_a, turn_b) && has_kept_points(m, a, b, count, turn_a, turn_b);
+    return abs(turn_a.s) <= least_lag && have_turned_little(turn_a, turn_b) && has_kept_points(m, a, b, count, turn_a, turn_b);
 }
 
 // How the bodies of a contact come together in this step. Two bodies that fall together do not look ahead for each other: each goes at least a quarter of the
@@ -277,6 +301,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     const bool fast = ((a.flags | b.flags) & pose_fast) != 0 && (calm || has_floor(a, b));
     Approach approach;
     if (fast && m.count() == 0) approach = approach_to(core, m, dt, fall);
+    if ((m.flags & (contact_posed | contact_ahead)) == contact_posed && m.count() != 0) turn_along(core, m, a, b);
     if (!comes_fast(approach) && can_recycle(m, a, b)) {
         ++recycled;
     } else {

@@ -52,7 +52,8 @@ inline constexpr float piece_depth = 2.0f * linear_slop;   // m: of a line as a 
 inline constexpr float floor_mass = 4;                     // a dynamic body is a floor for what has a quarter of its mass or less: in piles none is
 inline constexpr float nested_depth = 4.0f * linear_slop;  // m: what is this deep in a dynamic body does not slide over it
 inline constexpr std::uint32_t front_face = 2;             // of the box of a line
-inline constexpr float behind_line = 100;                  // m: what a line covers of others, behind it
+inline constexpr float behind_line = 10.0f * linear_slop;  // m: what a line covers of others, behind it; what reaches farther there is past its end
+inline constexpr float most_round = 2.0f * linear_slop;    // m: of the corners of a piece that covers a side; there is a groove above rounder ones
 inline constexpr bool has_lines = ShapeRow<Capsule>::is_there || ShapeRow<Segment>::is_there || ShapeRow<ChainSegment>::is_there;
 
 // Signed distance of a point from the plane of a face of the core.
@@ -87,7 +88,7 @@ struct Span {
 // The part of the line that the polygon holds; empty (low above high) if none.
 Span held_by(const Outline& p, Vec2 start, Vec2 direction, Span part) {
     for (std::uint32_t i = 0; i < p.count; ++i) {
-        const float height = height_over(p, i, start) - p.radius;
+        const float height = height_over(p, i, start) - min(p.radius, most_round);
         const float slope = dot(p.normals[i], direction);
         if (abs(slope) < least_slope) {
             if (height > 0) return {1, 0};
@@ -103,7 +104,7 @@ Span held_by(const Outline& p, Vec2 start, Vec2 direction, Span part) {
 // True if the polygon, in its own frame, holds the point.
 bool holds(const Polygon& p, Vec2 point) {
     for (std::uint32_t i = 0; i < p.count; ++i)
-        if (dot(p.normals[i], point - p.vertices[i]) > p.radius) return false;
+        if (dot(p.normals[i], point - p.vertices[i]) > min(p.radius, most_round)) return false;
     return true;
 }
 
@@ -122,9 +123,10 @@ struct Standing {
     Vec2 corners[max_polygon_vertices];
     std::uint32_t count;
     float radius;
+    Vec2 way;  // m, that its body will have gone in this step when it stands there
     Vec2 middle = {0, 0};
 
-    Standing(std::uint32_t of, const Corners& shape, const Transform& pose) : body(of), count(shape.count), radius(shape.radius) {
+    Standing(std::uint32_t of, const Corners& shape, const Transform& pose, Vec2 gone) : body(of), count(shape.count), radius(shape.radius), way(gone) {
         for (std::uint32_t i = 0; i < count; ++i) {
             corners[i] = transform_point(pose, shape.points[i]);
             middle += 1.0f / static_cast<float>(count) * corners[i];
@@ -142,9 +144,9 @@ struct Standing {
     Span corners_along(Vec2 start, Vec2 along, float height) const {
         Span reach = {3.0e38f, -3.0e38f};
         for (std::uint32_t i = 0; i < count; ++i) {
-            const Vec2 way = corners[i] - start;
-            if (cross(way, along) > height) continue;
-            reach = {min(reach.low, dot(way, along)), max(reach.high, dot(way, along))};
+            const Vec2 to = corners[i] - start;
+            if (cross(to, along) > height) continue;
+            reach = {min(reach.low, dot(to, along)), max(reach.high, dot(to, along))};
         }
         return reach;
     }
@@ -284,9 +286,14 @@ struct Floor {
                 const Vec2 back = dot(point - start, along) > 0.5f * length ? -along : along;
                 if (!(dot(normal, back) > least_lean) || rise_over(its, i, piece) > gap_width) continue;
                 const float height = other.lowest_over(its, i), reach = other.radius + its.radius;
-                if (height < reach - 2.0f * linear_slop || height > reach + speculative_distance) continue;
+                if (height > reach + speculative_distance) continue;
+                // Where a fast body will meet the piece it is past the line, if it flies on. It stands where it crosses it.
+                const float sunk = reach - height, sinks = -dot(its.normals[i], other.way);
+                const bool lands = sunk > 2.0f * linear_slop;
+                if (lands && sinks < sunk - 2.0f * linear_slop) continue;
                 const Span foot = other.corners_along(start, along, height + linear_slop);
-                if (foot.high >= 0 && foot.low <= length) ground = {its.normals[i], back, true};
+                const float since = lands ? min(sunk / sinks, 1.0f) * dot(along, other.way) : 0, inside = lands ? 2.0f * linear_slop : 0;
+                if (foot.high - since >= inside && foot.low - since <= length - inside) ground = {its.normals[i], back, true};
             }
         });
         return ground;
@@ -367,9 +374,12 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         if (has_endless && kind_of(other_g) == ShapeKind::endless) continue;  // which has no corners
         const Transform &pose = piece_is_a ? a_in_a : b_in_a, at = body_transform(core, body);
         const Rot q = at.q * inverse(pose.q);
-        const Standing standing(other, corners_of(other_g), piece_is_a ? b_in_a : a_in_a);
+        const Transform frame = {at.p - rotate(q, pose.p), q}, stands = piece_is_a ? b_in_a : a_in_a;
+        const Vec2 center = core.bodies[other].local_center;
+        const Vec2 gone = transform_point(stands, center) - inv_transform_point(frame, core.poses[other].center);
+        const Standing standing(other, corners_of(other_g), stands, gone);
         const float rounding = corners_of(g).radius;
-        const Floor floor{core, shape, {at.p - rotate(q, pose.p), q}, standing, piece_of(g, pose, standing.middle, piece_depth, 0), rounding};
+        const Floor floor{core, shape, frame, standing, piece_of(g, pose, standing.middle, piece_depth, 0), rounding};
         if (floor.piece.count == 0) continue;  // a circle
         const Vec2 normal = piece_is_a ? manifold.normal : -manifold.normal;
         const Vec2 lift = line ? rounding * (floor.piece.normals[front_face] - normal) : Vec2{};  // from the round end of a capsule to where it begins
