@@ -115,6 +115,11 @@ float rise_over(const Outline& other, std::uint32_t face, const Outline& piece) 
     return highest + piece.radius - other.radius;
 }
 
+// m: how far a body will have gone in this step when it stands there, in a frame that stands at `frame` in the world.
+ISLET_SHARED Vec2 way_to(const Core& core, std::uint32_t body, const Transform& stands, const Transform& frame) {
+    return transform_point(stands, core.bodies[body].local_center) - inv_transform_point(frame, core.poses[body].center);
+}
+
 const Geometry& geometry_at(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
 
 /// The shape that stands on a piece of floor, in the frame of the manifold.
@@ -173,8 +178,8 @@ struct Depth {
 /// A piece of floor and the shape that stands on it. Everything is in the frame of the manifold.
 struct Floor {
     const Core& core;
-    std::uint32_t shape;  // the piece
-    Transform frame;      // of the manifold, in the world
+    std::uint32_t shape;     // the piece
+    const Transform& frame;  // of the manifold, in the world
     const Standing& other;
     Outline piece;
     float rounding;  // m, of the piece's ends
@@ -374,10 +379,9 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         if (has_endless && kind_of(other_g) == ShapeKind::endless) continue;  // which has no corners
         const Transform &pose = piece_is_a ? a_in_a : b_in_a, at = body_transform(core, body);
         const Rot q = at.q * inverse(pose.q);
-        const Transform frame = {at.p - rotate(q, pose.p), q}, stands = piece_is_a ? b_in_a : a_in_a;
-        const Vec2 center = core.bodies[other].local_center;
-        const Vec2 gone = transform_point(stands, center) - inv_transform_point(frame, core.poses[other].center);
-        const Standing standing(other, corners_of(other_g), stands, gone);
+        const Transform frame = {at.p - rotate(q, pose.p), q};
+        const Transform& stands = piece_is_a ? b_in_a : a_in_a;
+        const Standing standing(other, corners_of(other_g), stands, way_to(core, other, stands, frame));
         const float rounding = corners_of(g).radius;
         const Floor floor{core, shape, frame, standing, piece_of(g, pose, standing.middle, piece_depth, 0), rounding};
         if (floor.piece.count == 0) continue;  // a circle
