@@ -44,8 +44,10 @@ inline constexpr float learning_tilt = 0.01f;                  // sine of the an
 inline constexpr float learning_friction = 0.5f;               // its friction, as a share of its load, at most
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
 inline constexpr float least_lag = 0.001f;                     // rad that a manifold may lag behind two bodies that turn
-inline constexpr float turn_rate = 0.015f;                     // rad/s of bodies with which a manifold turns: at a level face, or at a body that is not dynamic
-inline constexpr float wedged_turn_rate = 0.15f;               // rad/s at a tilted face; arches, whose stones press against each other, fold if it is less
+inline constexpr float turn_rate = 0.015f;                     // rad/s of bodies with which a manifold turns: at a body that is not dynamic
+inline constexpr float level_turn_rate = 0.05f;                // of two bodies that meet with a level face; card houses fall if it is less
+inline constexpr float wedged_turn_rate = 0.15f;               // of all others; arches, whose stones press against each other, fold if it is less
+inline constexpr float turn_alike = 0.1f;                      // share of their rates by which two bodies on a level face may differ
 inline constexpr float level_face = 0.3f;                      // tangent of the angle between gravity and the normal of a level face, at most
 
 // How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load. But when an
@@ -120,8 +122,9 @@ ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a
     if (abs(turn.s) <= least_lag) return;
     const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, slower = min(abs(wa), abs(wb));
     const Vec2 gravity = core.state->gravity;
-    const bool level = abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity));
-    if (!(wa * wb > 0) || !(slower > (level || has_floor(a, b) ? turn_rate : wedged_turn_rate))) return;
+    const bool level = m.count() == 2 && abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity));
+    const float least = has_floor(a, b) ? turn_rate : level && abs(wa - wb) < turn_alike * slower ? level_turn_rate : wedged_turn_rate;
+    if (!(wa * wb > 0) || !(slower > least)) return;
     m.normal = rotate(turn, m.normal);
     m.normal = (1.5f - 0.5f * length_squared(m.normal)) * m.normal;  // a unit vector, however often it is turned
     m.offset = rotate(turn, m.offset);
