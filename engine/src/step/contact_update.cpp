@@ -115,8 +115,8 @@ ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const P
 // True if neither body has turned far since the manifold was made.
 ISLET_PART bool have_turned_little(Rot turn_a, Rot turn_b) { return !(min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn); }
 
-// Turns the manifold, with all that it holds of how the bodies stood, as far as the bodies have turned together. (It then lags by half a step in the mean. Turned
-// ahead by that much, it would keep the spin of two bodies that are pressed together; but pressed hard, they would gain spin.)
+// Turns the manifold, with all that it holds of how the bodies stood, as far as the bodies have turned together. (It then lags by half a step in the mean.
+// Turned ahead by that much, it would keep the spin of two bodies that are pressed together; but pressed hard, they would gain spin.)
 ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a, const Pose& b) {
     const Rot turn = inv_mul(m.rotation_a, a.q);
     if (abs(turn.s) <= least_lag) return;
