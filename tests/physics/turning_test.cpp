@@ -59,14 +59,14 @@ TEST(Turning, CargoDoesNotBrakeASwing) {
         world->create_joint(hinge);
         std::vector<BodyId> all = {tray};
         for (const float x : {-0.9f, 0.0f, 0.9f}) all.push_back(world.add(make_box(0.4f, 0.4f), dynamic_at(rotate(q, {x, -2.5f}), amplitude), rough(0.6f)));
-        double inertia = 0, moment = 0;
+        double inertia = 0;
         Vec2 center = {};
         for (const BodyId id : all) {
             const Vec2 at = world->center_of_mass(id);
             inertia += double(world->rotational_inertia(id)) + double(world->mass(id)) * double(length_squared(at));
             center += world->mass(id) * at;
         }
-        moment = double(length(center)) * g;
+        const double moment = double(length(center)) * g;
         const double period = 2 * double(pi) * std::sqrt(inertia / moment) * (1 + double(amplitude) * double(amplitude) / 16);
         double first = 0, last = 0, before = double(amplitude), late = 0;
         int crossings = 0;
