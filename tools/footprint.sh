@@ -70,7 +70,7 @@ build_firmware() {
     local folder=$root/build/firmware/$1 target=$2
     shift 2
     cmake -S "$root/samples/firmware" -B "$folder" --toolchain "$root/samples/firmware/toolchains/$target.cmake" \
-        -DCMAKE_COMPILE_WARNING_AS_ERROR=ON "$@" >&2
+        -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DISLET_PRECOMPILE=ON "$@" >&2
     cmake --build "$folder" --parallel "$(jobs)" "${only[@]/#/--target=}" >&2
 }
 
