@@ -147,8 +147,9 @@ enum class JointTrees : std::uint8_t {
     off,        ///< none
     automatic,  ///< those of trees in which a hinge carries at least SolverDef::joint_tree_load times the mass of one of its bodies, and no hinge must be
                 ///< swept. A tree that static or kinematic bodies hold in several places is swept if one of its hinges can break. A tree with a limit, a
-                ///< motor or friction is solved exactly only while one of these hinges bears more than 2500 m/s^2 times the mass of its lighter body,
-                ///< and until it bears less than a quarter of that; held in several places, it is swept.
+                ///< motor or friction is solved exactly only while one of these hinges bears more than 2500 m/s^2 times the mass of its lighter body
+                ///< (or its limits bear a torque that gives that body 10 000 m/s^2 at its radius of gyration), and until it has borne less than a
+                ///< quarter of that for 16 steps on end; held in several places, it is swept.
     all,        ///< all that can be
 };
 
@@ -176,7 +177,8 @@ struct SolverDef {
     float joint_hertz = 60.0f;            ///< Hz, > 0. Stiffness with which joints correct their errors; capped at a quarter of the substep rate.
                                           ///< A rigid joint that is swept gives way by F / (m (2 pi joint_hertz)^2) under a steady force F, where m is the
                                           ///< mass that it moves. A limit does not give way to the joint's own motor. To any other steady load it first gives
-                                          ///< way as much as a rigid joint does; 128 steps later, about a third of that error is left.
+                                          ///< way as much as a rigid joint does; 128 steps of 1/60 s later, about a third of that error is left. (A load
+                                          ///< that would give the lighter body more than 100 m/s^2 is taken up more slowly, in inverse proportion.)
     float joint_damping_ratio = 2.0f;     ///< >= 0
     float baumgarte = 0.2f;               ///< 0 to 1. Share of overlaps and joint errors corrected per step (classic schedule).
     float omega = 1.0f;                   ///< 0 < omega < 2. Relaxation factor (SOR); 1 is plain PGS.

@@ -65,9 +65,11 @@ public:
     /// bad_time_step; in_step; inexact_build (of a StaticWorld).
     void step(float dt);
 
-    /// m/s^2
+    /// WorldDef::gravity, m/s^2, (0, -10) by default. What a body feels of it is this times its gravity_scale.
     Vec2 gravity() const;
+    /// Sets it, from the next step on. It wakes no body: one that sleeps feels it when it is woken. A vector that is not finite is refused (not_finite).
     void set_gravity(Vec2 gravity);
+    /// The solver's settings: WorldDef::solver, or what set_solver made of them.
     SolverDef solver() const;
     /// Changes the solver's settings. A value out of range is refused (out_of_range), and nothing changes.
     void set_solver(const SolverDef& solver);
@@ -75,6 +77,7 @@ public:
     /// any single contact or joint once more would cause. (A change of the angular velocity counts as the speed at the radius of gyration.) It is 0 at a
     /// solution, for bodies at rest, and without SolverDef::measure_residual. Hinges that are solved exactly, in joint trees, are not measured.
     float residual(BodyId body) const;
+    /// The threads that step the world (WorldDef::tasks); none by default.
     TaskSystem tasks() const;
     /// Sets the threads that step the world. TaskSystem::workers of 0 or above max_workers is refused (out_of_range). The task system is not part of the
     /// state: hashes and snapshots do not contain it.
@@ -83,6 +86,7 @@ public:
     const StepProfile& profile() const;
     /// Sets the clock that measures stages; null for none. The clock is not part of the state: hashes and snapshots do not contain it.
     void set_clock(Clock clock, void* context = nullptr);
+    /// Figures of the world for displays, beside those of report(). They are counted when you call it.
     WorldCounters counters() const;
     /// WorldDef::enable_sleep. Turning sleep off wakes everything.
     bool sleep_enabled() const;
@@ -118,6 +122,7 @@ public:
     const StepReport& report() const;
     /// The last error since creation or clear_error().
     Error last_error() const;
+    /// Makes last_error() none.
     void clear_error();
     /// The error hook as it was last set (WorldDef::error_hook); null if there is none.
     ErrorHook error_hook() const;
@@ -157,6 +162,7 @@ public:
     /// nothing, if there is no room for the snapshot (recording_full) or the buffer is misaligned (image_misaligned). If there is no more room later, the
     /// recording stops by itself (recording_full) and holds all calls before. A recording that is already running is discarded.
     bool start_recording(span<std::byte> buffer, bool bodies = true);
+    /// True from start_recording until the recording stops.
     bool is_recording() const;
     /// Bytes used so far; 0 if nothing is being recorded.
     std::size_t recorded_bytes() const;
@@ -192,6 +198,7 @@ public:
     BodyId create_body(const BodyDef& def);
     /// Destroys the body with its shapes, contacts and joints. Wakes the bodies that touched it or were joined to it.
     void destroy_body(BodyId body);
+    /// True if the id names a body that exists. No id is an error here.
     bool is_valid(BodyId body) const;
     /// Number of live bodies.
     std::uint32_t body_count() const;
@@ -259,6 +266,7 @@ public:
     /// Multiple of the gravity that the body feels.
     float gravity_scale(BodyId body) const;
     void set_gravity_scale(BodyId body, float scale);
+    /// BodyDef::fixed_rotation. Fixing it makes the angular velocity 0.
     bool is_rotation_fixed(BodyId body) const;
     void set_fixed_rotation(BodyId body, bool fixed);
     /// BodyDef::lock_x and lock_y.
@@ -266,6 +274,7 @@ public:
     bool is_y_locked(BodyId body) const;
     void lock_x(BodyId body, bool lock);
     void lock_y(BodyId body, bool lock);
+    /// BodyDef::enabled.
     bool is_enabled(BodyId body) const;
     /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold no body, it does not
     /// move, and no query finds it. Disabling and enabling wake the bodies that touched it or are joined to it.
@@ -279,12 +288,14 @@ public:
     /// m/s, >= 0 (BodyDef::sleep_threshold)
     float sleep_threshold(BodyId body) const;
     void set_sleep_threshold(BodyId body, float threshold);
+    /// False for a body that sleeps.
     bool is_awake(BodyId body) const;
     /// Wakes the body and its island.
     void wake(BodyId body);
     /// Puts a dynamic body and its island to sleep at once; their velocities and forces become 0. No effect on other bodies, if the island touches or is joined
     /// to a kinematic body that is awake, or if the world does not sleep (WorldDef::enable_sleep).
     void sleep(BodyId body);
+    /// BodyDef::user_data: a number of yours, 0 by default. The engine only keeps it.
     std::uint64_t user_data(BodyId body) const;
     void set_user_data(BodyId body, std::uint64_t data);
     /// Writes the body's touching contacts, newest first, as far as they fit; returns how many there are.
@@ -315,7 +326,9 @@ public:
     std::uint32_t create_chain(BodyId body, span<const Vec2> points, bool loop, const ShapeDef& def = {}, span<ShapeId> out = {});
     /// Destroys the shape and its contacts, and computes the body's mass again.
     void destroy_shape(ShapeId shape);
+    /// True if the id names a shape that exists. No id is an error here.
     bool is_valid(ShapeId shape) const;
+    /// Number of live shapes.
     std::uint32_t shape_count() const;
     /// Id of the shape in slot 0 <= slot < capacity().shapes; null if the slot is free.
     ShapeId shape_at(std::uint32_t slot) const;
@@ -381,9 +394,11 @@ public:
     /// width times coefficient, where u is the air's velocity past the shape's middle, the shape's own motion included. It pushes each face of a polygon at
     /// the face's middle; only flat faces have lift. No effect on segments and on bodies that are not dynamic. Shapes do not shield each other.
     void apply_wind(ShapeId shape, const WindDef& wind);
+    /// ShapeDef::filter.
     Filter filter(ShapeId shape) const;
     /// Contacts that the new filter forbids end; new ones are found in the next step.
     void set_filter(ShapeId shape, const Filter& filter);
+    /// ShapeDef::user_data.
     std::uint64_t user_data(ShapeId shape) const;
     void set_user_data(ShapeId shape, std::uint64_t data);
 
@@ -441,6 +456,7 @@ public:
     float break_force(JointId joint) const;
     float break_torque(JointId joint) const;
     void set_break(JointId joint, float force, float torque);
+    /// The number of yours that the joint was made with.
     std::uint64_t user_data(JointId joint) const;
     void set_user_data(JointId joint, std::uint64_t data);
 
@@ -493,7 +509,8 @@ public:
     JointId joint2(JointId gear) const;
 
     /// What the joint did to body B over the last substep: force in N, torque about B's anchor in N m. A gets the opposite (a pulley's A is pulled
-    /// along its own rope).
+    /// along its own rope). A gear has no force, and its torque is that on body B of joint 1 (N along the axis if joint 1 is prismatic); body B of joint 2
+    /// gets ratio times as much.
     Vec2 joint_force(JointId joint) const;
     float joint_torque(JointId joint) const;
     /// How far apart the joint has been pulled now.

@@ -9,7 +9,8 @@
 // A rigid row is soft (softness.hpp): in each sweep it loses a part of its impulse, and under a steady load it gives way until its error makes up for
 // that. A limit loses a part only of the impulse that exceeds its load, so that it holds where it is set. The load is what the joint's own motor puts on the
 // limit, and a running mean of what else the limit bore (load_rate). (Without any loss the impulse follows the error like an integrating controller, which
-// swings up where the load is much heavier than the bodies of the joint. A mean over a shorter time does the same.)
+// swings up where the load is much heavier than the bodies of the joint. A mean over a shorter time does the same. What the heavy end of a row of limits does
+// decays the more slowly the heavier it is, in proportion, so the time of the mean grows with the load too: light_load.)
 // Units: rad, N m s and so on for an angle; m, N s for a length. Limits are speculative: they may be reached within the substep, not passed
 // (Catto, "Solver2D", 2024).
 #pragma once
@@ -46,6 +47,7 @@ struct CoordinateRows {
 };
 
 inline constexpr float load_rate = 60.0f / 128;  // 1/s, at which the load follows the impulse: slower than joints swing
+inline constexpr float light_load = 100;         // m/s^2: a load that would give the lighter body more is followed more slowly, in inverse proportion
 
 inline constexpr float no_bound = 1.0e12f;  // m or rad: what is farther is out of reach, and its products could leave the range of float
 inline float within_bound(float a) { return within_bounds(a, no_bound); }
@@ -67,10 +69,25 @@ ISLET_PART void hold_between(CoordinateRows<W>& r, std::uint32_t lane, const Joi
     r.high[lane] = n.warm * j.upper_impulse;
     r.load[lane] = n.warm * (j.limit_load - own_drive(j));
 }
+
+/// The speed that an impulse on the limits would give to the lighter of the joint's bodies; where it turns, at its radius of gyration. m/s.
+ISLET_SHARED float given_speed(const Joint& j, const Pose* poses, float impulse) {
+    const bool turns = j.joint_type() == JointType::revolute || j.joint_type() == JointType::angle;
+    const auto given_to = [&](std::uint32_t body) {
+        if (body == null_index) return 0.0f;
+        const Pose& p = poses[body];
+        return turns ? sqrt(p.inv_mass * p.inv_inertia) : p.inv_mass;
+    };
+    return abs(impulse) * max(given_to(j.body_a), given_to(j.body_b));
+}
+
 /// The load that the limits bore, after a step, from their impulse. An image may hold any load; one beyond all sense is forgotten, as impulses are.
 ISLET_PART void keep_load(float impulse, Joint& j, const JointOutput& out) {
     const float before = out.warm * j.limit_load;  // in this step's substeps
-    const float load = before + load_rate * out.dt * (impulse + own_drive(j) - before);
+    const float borne = impulse + own_drive(j);
+    const float bound = light_load * out.h;
+    const float rate = load_rate * bound / max(bound, given_speed(j, out.poses, max(abs(borne), abs(before))));
+    const float load = before + rate * out.dt * (borne - before);
     j.limit_load = abs(load) < unsound_impulse ? load : 0;
 }
 

@@ -204,6 +204,7 @@ void warm_start(Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, 
 /// Where a solved joint leaves its results.
 struct JointOutput {
     Joint* joints;
+    const Pose* poses;
     Body* bodies;
     const SolverBody* solved;
     float dt, h;  // s, step and substep

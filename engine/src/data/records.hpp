@@ -216,6 +216,8 @@ enum JointFlags : std::uint32_t {
     joint_anchor = 32u,     // of these, one that holds a tree at a static or kinematic body which another one holds already
     joint_loaded = 64u,     // a hinge with a limit, a motor or friction that bears so much that its tree is solved exactly
     joint_color_shift = 8,  // 8 bits: colour, or no_color
+    joint_calm = 1u << 16,  // times 0 to 15: for so many steps on end a loaded hinge has borne little
+    joint_calm_bits = 15 * joint_calm,
 };
 
 /// A joint. Which fields mean something depends on its type.

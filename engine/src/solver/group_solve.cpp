@@ -220,7 +220,7 @@ void GroupSolve<K>::store() {
     for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { One::store(s.core.manifolds, overflow, n); });
     for_members([&](Member&, Solve& s) { scatter_bodies(s, 1, s.plan.slot_count); });
     const auto output_of = [](const Solve& s) {
-        return JointOutput{s.core.joints, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
+        return JointOutput{s.core.joints, s.core.poses, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
     };
     for_links([&](Solve& s, const Batch& batch) { store_trees(s.links + batch.first_link, batch.link_count, output_of(s)); });
     for_runs([&](Solve& s, const JointRun& r) { store_joint_run(r, W, s.joint_rows + r.offset, output_of(s)); });

@@ -278,7 +278,7 @@ void BatchSolve<lanes>::store() {
     One::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
-    const JointOutput out{s.core.joints, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
+    const JointOutput out{s.core.joints, s.core.poses, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
     if (link_count() != 0) store_trees(s.links + batch.first_link, link_count(), out);
     for (std::uint32_t i = batch.first_run; has_run(i); ++i) {
         const JointRun& r = s.plan.runs[i];

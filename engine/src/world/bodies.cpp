@@ -57,7 +57,7 @@ void expect_load(Core& core, std::uint32_t i) {
     if (!has_exact_angles || (force.x == 0 && force.y == 0)) return;
     for_each_joint(core, i, [&](std::uint32_t joint, std::uint32_t) {
         Joint& j = core.joints[joint];
-        if (!has_acting_angle(j) || (j.flags & joint_loaded) != 0 || !(load_of(core, j, force) > heavy_load)) return;
+        if (!has_acting_angle(j) || (j.flags & joint_loaded) != 0 || !(load_of(core, j, force, 0) > heavy_load)) return;
         j.flags |= joint_loaded;
         core.state->trees_stale = 1;
     });

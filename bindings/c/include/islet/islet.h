@@ -255,8 +255,9 @@ enum {
     ISLET_JOINT_TREES_OFF = 0,
     /// those of trees in which a hinge carries at least IsletSolverDef.joint_tree_load times the mass of one of its bodies, and no hinge must be swept. A
     /// tree that static or kinematic bodies hold in several places is swept if one of its hinges can break. A tree with a limit, a motor or friction is
-    /// solved exactly only while one of these hinges bears more than 2500 m/s^2 times the mass of its lighter body, and until it bears less than a quarter of
-    /// that; held in several places, it is swept.
+    /// solved exactly only while one of these hinges bears more than 2500 m/s^2 times the mass of its lighter body (or its limits bear a torque that gives
+    /// that body 10 000 m/s^2 at its radius of gyration), and until it has borne less than a quarter of that for 16 steps on end; held in several places, it
+    /// is swept.
     ISLET_JOINT_TREES_AUTOMATIC = 1,
     /// all that can be
     ISLET_JOINT_TREES_ALL = 2,
@@ -639,7 +640,8 @@ typedef struct IsletSolverDef {
     float contact_push_speed;
     /// Hz, > 0. Stiffness with which joints correct their errors; capped at a quarter of the substep rate. A rigid joint that is swept gives way by F / (m (2
     /// pi joint_hertz)^2) under a steady force F, where m is the mass that it moves. A limit does not give way to the joint's own motor. To any other steady
-    /// load it first gives way as much as a rigid joint does; 128 steps later, about a third of that error is left.
+    /// load it first gives way as much as a rigid joint does; 128 steps of 1/60 s later, about a third of that error is left. (A load that would give the
+    /// lighter body more than 100 m/s^2 is taken up more slowly, in inverse proportion.)
     float joint_hertz;
     /// >= 0
     float joint_damping_ratio;
@@ -2402,9 +2404,13 @@ ISLET_C_API bool islet_proxy_contains(const IsletShapeProxy* shape, IsletVec2 po
 /// in_step; inexact_build (of a StaticWorld).
 ISLET_C_API IsletError islet_world_step(IsletWorld* world, float dt);
 
-/// m/s^2
+/// IsletWorldDef.gravity, m/s^2, (0, -10) by default. What a body feels of it is this times its gravity_scale.
 ISLET_C_API IsletVec2 islet_world_gravity(const IsletWorld* world);
+
+/// Sets it, from the next step on. It wakes no body: one that sleeps feels it when it is woken. A vector that is not finite is refused (not_finite).
 ISLET_C_API IsletError islet_world_set_gravity(IsletWorld* world, IsletVec2 gravity);
+
+/// The solver's settings: IsletWorldDef.solver, or what set_solver made of them.
 ISLET_C_API IsletError islet_world_solver(const IsletWorld* world, IsletSolverDef* out);
 
 /// Changes the solver's settings. A value out of range is refused (out_of_range), and nothing changes.
@@ -2414,6 +2420,8 @@ ISLET_C_API IsletError islet_world_set_solver(IsletWorld* world, const IsletSolv
 /// any single contact or joint once more would cause. (A change of the angular velocity counts as the speed at the radius of gyration.) It is 0 at a
 /// solution, for bodies at rest, and without IsletSolverDef.measure_residual. Hinges that are solved exactly, in joint trees, are not measured.
 ISLET_C_API float islet_body_residual(const IsletWorld* world, IsletBodyId body);
+
+/// The threads that step the world (IsletWorldDef.tasks); none by default.
 ISLET_C_API IsletError islet_world_tasks(const IsletWorld* world, IsletTaskSystem* out);
 
 /// Sets the threads that step the world. IsletTaskSystem.workers of 0 or above max_workers is refused (out_of_range). The task system is not part of the
@@ -2425,6 +2433,8 @@ ISLET_C_API IsletError islet_world_profile(const IsletWorld* world, IsletStepPro
 
 /// Sets the clock that measures stages; null for none. The clock is not part of the state: hashes and snapshots do not contain it.
 ISLET_C_API IsletError islet_world_set_clock(IsletWorld* world, IsletClock clock, void* context);
+
+/// Figures of the world for displays, beside those of report(). They are counted when you call it.
 ISLET_C_API IsletError islet_world_counters(const IsletWorld* world, IsletWorldCounters* out);
 
 /// IsletWorldDef.enable_sleep. Turning sleep off wakes everything.
@@ -2510,6 +2520,8 @@ ISLET_C_API bool islet_world_load(IsletWorld* world, const void* image, size_t i
 /// is no room for the snapshot (recording_full) or the buffer is misaligned (image_misaligned). If there is no more room later, the recording stops by itself
 /// (recording_full) and holds all calls before. A recording that is already running is discarded.
 ISLET_C_API bool islet_world_start_recording(IsletWorld* world, void* buffer, size_t buffer_bytes, bool bodies);
+
+/// True from start_recording until the recording stops.
 ISLET_C_API bool islet_world_is_recording(const IsletWorld* world);
 
 /// Bytes used so far; 0 if nothing is being recorded.
@@ -2551,6 +2563,8 @@ ISLET_C_API IsletBodyId islet_create_body(IsletWorld* world, const IsletBodyDef*
 
 /// Destroys the body with its shapes, contacts and joints. Wakes the bodies that touched it or were joined to it.
 ISLET_C_API IsletError islet_destroy_body(IsletWorld* world, IsletBodyId body);
+
+/// True if the id names a body that exists. No id is an error here.
 ISLET_C_API bool islet_body_is_valid(const IsletWorld* world, IsletBodyId body);
 
 /// Number of live bodies.
@@ -2640,6 +2654,8 @@ ISLET_C_API IsletError islet_body_set_angular_damping(IsletWorld* world, IsletBo
 /// Multiple of the gravity that the body feels.
 ISLET_C_API float islet_body_gravity_scale(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_gravity_scale(IsletWorld* world, IsletBodyId body, float scale);
+
+/// IsletBodyDef.fixed_rotation. Fixing it makes the angular velocity 0.
 ISLET_C_API bool islet_body_is_rotation_fixed(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_fixed_rotation(IsletWorld* world, IsletBodyId body, bool fixed);
 
@@ -2648,6 +2664,8 @@ ISLET_C_API bool islet_body_is_x_locked(const IsletWorld* world, IsletBodyId bod
 ISLET_C_API bool islet_body_is_y_locked(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_lock_x(IsletWorld* world, IsletBodyId body, bool lock);
 ISLET_C_API IsletError islet_body_lock_y(IsletWorld* world, IsletBodyId body, bool lock);
+
+/// IsletBodyDef.enabled.
 ISLET_C_API bool islet_body_is_enabled(const IsletWorld* world, IsletBodyId body);
 
 /// A disabled body keeps its shapes, joints and velocity, but takes part in nothing: its contacts and overlaps end, its joints hold no body, it does not
@@ -2665,6 +2683,8 @@ ISLET_C_API IsletError islet_body_enable_sleep(IsletWorld* world, IsletBodyId bo
 /// m/s, >= 0 (IsletBodyDef.sleep_threshold)
 ISLET_C_API float islet_body_sleep_threshold(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_sleep_threshold(IsletWorld* world, IsletBodyId body, float threshold);
+
+/// False for a body that sleeps.
 ISLET_C_API bool islet_body_is_awake(const IsletWorld* world, IsletBodyId body);
 
 /// Wakes the body and its island.
@@ -2673,6 +2693,8 @@ ISLET_C_API IsletError islet_body_wake(IsletWorld* world, IsletBodyId body);
 /// Puts a dynamic body and its island to sleep at once; their velocities and forces become 0. No effect on other bodies, if the island touches or is joined
 /// to a kinematic body that is awake, or if the world does not sleep (IsletWorldDef.enable_sleep).
 ISLET_C_API IsletError islet_body_sleep(IsletWorld* world, IsletBodyId body);
+
+/// IsletBodyDef.user_data: a number of yours, 0 by default. The engine only keeps it.
 ISLET_C_API uint64_t islet_body_user_data(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_user_data(IsletWorld* world, IsletBodyId body, uint64_t data);
 
@@ -2713,7 +2735,11 @@ ISLET_C_API uint32_t islet_create_chain(IsletWorld* world, IsletBodyId body, con
 
 /// Destroys the shape and its contacts, and computes the body's mass again.
 ISLET_C_API IsletError islet_destroy_shape(IsletWorld* world, IsletShapeId shape);
+
+/// True if the id names a shape that exists. No id is an error here.
 ISLET_C_API bool islet_shape_is_valid(const IsletWorld* world, IsletShapeId shape);
+
+/// Number of live shapes.
 ISLET_C_API uint32_t islet_world_shape_count(const IsletWorld* world);
 
 /// Id of the shape in slot 0 <= slot < capacity().shapes; null if the slot is free.
@@ -2793,10 +2819,14 @@ ISLET_C_API IsletError islet_shape_set_one_way(IsletWorld* world, IsletShapeId s
 /// width times coefficient, where u is the air's velocity past the shape's middle, the shape's own motion included. It pushes each face of a polygon at the
 /// face's middle; only flat faces have lift. No effect on segments and on bodies that are not dynamic. Shapes do not shield each other.
 ISLET_C_API IsletError islet_shape_apply_wind(IsletWorld* world, IsletShapeId shape, const IsletWindDef* wind);
+
+/// IsletShapeDef.filter.
 ISLET_C_API IsletFilter islet_shape_filter(const IsletWorld* world, IsletShapeId shape);
 
 /// Contacts that the new filter forbids end; new ones are found in the next step.
 ISLET_C_API IsletError islet_shape_set_filter(IsletWorld* world, IsletShapeId shape, const IsletFilter* filter);
+
+/// IsletShapeDef.user_data.
 ISLET_C_API uint64_t islet_shape_user_data(const IsletWorld* world, IsletShapeId shape);
 ISLET_C_API IsletError islet_shape_set_user_data(IsletWorld* world, IsletShapeId shape, uint64_t data);
 
@@ -2857,6 +2887,8 @@ ISLET_C_API IsletError islet_joint_set_collide_connected(IsletWorld* world, Isle
 ISLET_C_API float islet_joint_break_force(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API float islet_joint_break_torque(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletError islet_joint_set_break(IsletWorld* world, IsletJointId joint, float force, float torque);
+
+/// The number of yours that the joint was made with.
 ISLET_C_API uint64_t islet_joint_user_data(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API IsletError islet_joint_set_user_data(IsletWorld* world, IsletJointId joint, uint64_t data);
 
@@ -2921,7 +2953,8 @@ ISLET_C_API IsletJointId islet_gear_joint1(const IsletWorld* world, IsletJointId
 ISLET_C_API IsletJointId islet_gear_joint2(const IsletWorld* world, IsletJointId gear);
 
 /// What the joint did to body B over the last substep: force in N, torque about B's anchor in N m. A gets the opposite (a pulley's A is pulled along its own
-/// rope).
+/// rope). A gear has no force, and its torque is that on body B of joint 1 (N along the axis if joint 1 is prismatic); body B of joint 2 gets ratio times as
+/// much.
 ISLET_C_API IsletVec2 islet_joint_force(const IsletWorld* world, IsletJointId joint);
 ISLET_C_API float islet_joint_torque(const IsletWorld* world, IsletJointId joint);
 

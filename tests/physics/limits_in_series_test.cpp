@@ -1,0 +1,147 @@
+// Limits one after another, which bear what hangs on all that follow, take energy or leave it: they give none.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "../support/random.hpp"
+#include "measure.hpp"
+
+namespace islet::test {
+namespace {
+
+constexpr float half = 0.25f;  // m, of a plank
+
+/// Planks in a row on a hinge at the origin and hinges between them, the last one `load` times as dense. Each start moves them a little.
+struct Planks {
+    TestWorld world;
+    std::vector<BodyId> bodies;
+    std::vector<JointId> hinges;
+
+    Planks(int count, float load, JointLimit limit, float friction, Vec2 along, std::uint32_t start, const WorldDef& def) : world(roomy, def) {
+        Random random(start);
+        const float angle = along.x != 0 ? 0 : -pi / 2;
+        BodyId before = world->create_body({});
+        for (int i = 0; i < count; ++i) {
+            BodyDef at = dynamic_at((half + 2 * half * float(i)) * along, angle);
+            at.linear_velocity = {random.between(-0.1f, 0.1f), along.x != 0 ? random.between(-0.1f, 0.1f) : 0};
+            bodies.push_back(world.add(make_box(0.8f * half, 0.07f), at, dense(i + 1 == count ? load : 1)));
+            RevoluteJointDef def_of{.base = {.body_a = before, .body_b = bodies.back(), .frame_a = {{i == 0 ? 0 : half, 0}, i == 0 ? angle : 0.0f}, .frame_b = {{-half, 0}, {}}}};
+            def_of.limit = limit;
+            def_of.friction = friction;
+            hinges.push_back(world->create_joint(def_of));
+            before = bodies.back();
+        }
+    }
+
+    double weight_times_length() const {  // J
+        double mass = 0;
+        for (const BodyId body : bodies) mass += double(world->mass(body));
+        return mass * g * 2 * double(half) * double(bodies.size());
+    }
+    double fastest() const {
+        double most = 0;
+        for (const BodyId body : bodies) most = std::fmax(most, double(length(world->linear_velocity(body))));
+        return most;
+    }
+};
+
+class LimitsInSeries : public testing::TestWithParam<std::tuple<int, float, bool, JointTrees>> {};
+
+// A row that juts out falls onto its limits, which bear all of it. No force drives it, so it has never more energy than at its start; a hundredth of its weight
+// times its length is left to limits that mend what the blow has bent.
+TEST_P(LimitsInSeries, GiveNoEnergy) {
+    const auto [count, load, symmetric, trees] = GetParam();
+    const JointLimit limit = symmetric ? JointLimit{.enable = true, .lower = -0.3f, .upper = 0.3f} : JointLimit{.enable = true, .lower = 0, .upper = 0.5f};
+    for (std::uint32_t start = 0; start < 10; ++start) {
+        WorldDef def = sleepless();
+        def.solver.joint_trees = trees;
+        Planks row(count, load, limit, 0, {1, 0}, start, def);
+        const double before = energy_of(*row.world, row.bodies);
+        double most = before;
+        for (int i = 0; i < 1200; ++i) {
+            row.world.step();
+            most = std::fmax(most, energy_of(*row.world, row.bodies));
+        }
+        EXPECT_LT(most - before, 0.01 * row.weight_times_length()) << "start " << start;
+        ASSERT_EQ(row.world.errors.size(), 0u);
+    }
+}
+
+std::string name_of_row(const testing::TestParamInfo<LimitsInSeries::ParamType>& test) {
+    return std::to_string(std::get<0>(test.param)) + "_planks_load_" + std::to_string(int(std::get<1>(test.param))) +
+           (std::get<2>(test.param) ? "_both_ways" : "_one_way") + (std::get<3>(test.param) == JointTrees::off ? "_swept" : "");
+}
+INSTANTIATE_TEST_SUITE_P(Rows, LimitsInSeries,
+                         testing::Combine(testing::Values(4, 6, 8, 12), testing::Values(1.0f, 3.0f, 10.0f, 30.0f), testing::Bool(),
+                                          testing::Values(JointTrees::automatic, JointTrees::off)),
+                         name_of_row);
+
+TEST(LimitsUnderLoad, PlanksThatJutOutComeToRestUnderAHeavyTip) {
+    for (const int count : {1, 2, 3}) {
+        for (const float load : {10.0f, 30.0f, 100.0f, 300.0f}) {
+            Planks row(count, load, {.enable = true, .lower = 0, .upper = 0.5f}, 0, {1, 0}, 1, {});
+            row.world.step(1800);
+            EXPECT_FALSE(row.world->is_awake(row.bodies[0])) << count << " planks, load " << load;
+        }
+    }
+}
+
+TEST(LimitsUnderLoad, ARopeOfDistanceLimitsComesToRestUnderAHeavyEnd) {
+    for (const int count : {2, 3, 6}) {
+        for (const float load : {10.0f, 30.0f, 100.0f}) {
+            for (std::uint32_t start = 0; start < 10; ++start) {
+                TestWorld world(roomy, sleepless());
+                Random random(start);
+                std::vector<BodyId> bodies;
+                BodyId before = world->create_body({});
+                for (int i = 0; i < count; ++i) {
+                    BodyDef at = dynamic_at({0, -half - 2 * half * float(i)});
+                    at.linear_velocity = {random.between(-0.1f, 0.1f), 0};
+                    bodies.push_back(world.add(make_box(0.07f, 0.8f * half), at, dense(i + 1 == count ? load : 1)));
+                    const JointBase base = {.body_a = before, .body_b = bodies.back(), .frame_a = {{0, i == 0 ? 0 : -0.8f * half}, {}}, .frame_b = {{0, 0.8f * half}, {}}};
+                    const float reach = (i == 0 ? 0.2f : 0.4f) * half;
+                    world->create_joint(DistanceJointDef{.base = base, .length = reach, .limit = {.enable = true, .lower = 0, .upper = reach}});
+                    before = bodies.back();
+                }
+                const double at_start = energy_of(*world, bodies);
+                double most = at_start, late = 0;
+                for (int i = 0; i < 1800; ++i) {
+                    world.step();
+                    most = std::fmax(most, energy_of(*world, bodies));
+                    if (i > 1200)
+                        for (const BodyId body : bodies) late = std::fmax(late, double(length(world->linear_velocity(body))));
+                }
+                double mass = 0;
+                for (const BodyId body : bodies) mass += double(world->mass(body));
+                EXPECT_LT(most - at_start, 0.01 * mass * g * 2 * double(half) * count) << count << " links, load " << load << ", start " << start;
+                EXPECT_LT(late, 1) << count << " links, load " << load << ", start " << start;  // m/s; what they began with swings on
+            }
+        }
+    }
+}
+
+// Sweeps cannot carry so much, and hand the rope over, its hinges open, to be solved exactly.
+TEST(FrictionUnderLoad, ARopeOfHingesWithFrictionComesToRestUnderAHeavyEnd) {
+    for (const auto& [count, load] : {std::tuple{5, 200.0f}, {5, 300.0f}, {10, 200.0f}}) {
+        for (const float friction : {0.001f, 0.01f, 0.1f}) {
+            int restless = 0;
+            for (std::uint32_t start = 0; start < 10; ++start) {
+                Planks rope(count, load, {}, friction, {0, -1}, start, sleepless());
+                rope.world.step(1200);
+                double late = 0;
+                for (int i = 0; i < 600; ++i) {
+                    rope.world.step();
+                    late = std::fmax(late, rope.fastest());
+                }
+                restless += late > 1;
+            }
+            EXPECT_EQ(restless, 0) << count << " links, load " << load << ", friction " << friction;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace islet::test
