@@ -28,7 +28,8 @@ struct Planks {
             BodyDef at = dynamic_at((half + 2 * half * float(i)) * along, angle);
             at.linear_velocity = {random.between(-0.1f, 0.1f), along.x != 0 ? random.between(-0.1f, 0.1f) : 0};
             bodies.push_back(world.add(make_box(0.8f * half, 0.07f), at, dense(i + 1 == count ? load : 1)));
-            RevoluteJointDef def_of{.base = {.body_a = before, .body_b = bodies.back(), .frame_a = {{i == 0 ? 0 : half, 0}, i == 0 ? angle : 0.0f}, .frame_b = {{-half, 0}, {}}}};
+            RevoluteJointDef def_of{
+                .base = {.body_a = before, .body_b = bodies.back(), .frame_a = {{i == 0 ? 0 : half, 0}, i == 0 ? angle : 0.0f}, .frame_b = {{-half, 0}, {}}}};
             def_of.limit = limit;
             def_of.friction = friction;
             hinges.push_back(world->create_joint(def_of));
@@ -101,7 +102,8 @@ TEST(LimitsUnderLoad, ARopeOfDistanceLimitsComesToRestUnderAHeavyEnd) {
                     BodyDef at = dynamic_at({0, -half - 2 * half * float(i)});
                     at.linear_velocity = {random.between(-0.1f, 0.1f), 0};
                     bodies.push_back(world.add(make_box(0.07f, 0.8f * half), at, dense(i + 1 == count ? load : 1)));
-                    const JointBase base = {.body_a = before, .body_b = bodies.back(), .frame_a = {{0, i == 0 ? 0 : -0.8f * half}, {}}, .frame_b = {{0, 0.8f * half}, {}}};
+                    const JointBase base = {
+                        .body_a = before, .body_b = bodies.back(), .frame_a = {{0, i == 0 ? 0 : -0.8f * half}, {}}, .frame_b = {{0, 0.8f * half}, {}}};
                     const float reach = (i == 0 ? 0.2f : 0.4f) * half;
                     world->create_joint(DistanceJointDef{.base = base, .length = reach, .limit = {.enable = true, .lower = 0, .upper = reach}});
                     before = bodies.back();

@@ -67,7 +67,7 @@ public:
 
     /// WorldDef::gravity, m/s^2, (0, -10) by default. What a body feels of it is this times its gravity_scale.
     Vec2 gravity() const;
-    /// Sets it, from the next step on. It wakes no body: one that sleeps feels it when it is woken. A vector that is not finite is refused (not_finite).
+    /// Sets it, m/s^2, from the next step on. It wakes no body: one that sleeps feels it when it is woken. A vector that is not finite is refused (not_finite).
     void set_gravity(Vec2 gravity);
     /// The solver's settings: WorldDef::solver, or what set_solver made of them.
     SolverDef solver() const;

@@ -37,9 +37,7 @@ inline constexpr float heavy_load = 2500;
 /// (With all of it, blows made a ragdoll that lands exact, which pressed a limb halfway into the floor. Without it, two planks that jut out on limits and
 /// carry 100 times their mass are swept, and sag by a quarter of their length.)
 ISLET_SHARED float load_of(const Core& core, const Joint& j, Vec2 force, float turning) {
-    const auto given_to = [&](const Pose& p) {
-        return (abs(force.x) + abs(force.y)) * p.inv_mass + 0.25f * abs(turning) * sqrt(p.inv_mass * p.inv_inertia);
-    };
+    const auto given_to = [&](const Pose& p) { return (abs(force.x) + abs(force.y)) * p.inv_mass + 0.25f * abs(turning) * sqrt(p.inv_mass * p.inv_inertia); };
     return max(given_to(core.poses[j.body_a]), given_to(core.poses[j.body_b]));
 }
 

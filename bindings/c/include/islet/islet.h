@@ -2407,7 +2407,7 @@ ISLET_C_API IsletError islet_world_step(IsletWorld* world, float dt);
 /// IsletWorldDef.gravity, m/s^2, (0, -10) by default. What a body feels of it is this times its gravity_scale.
 ISLET_C_API IsletVec2 islet_world_gravity(const IsletWorld* world);
 
-/// Sets it, from the next step on. It wakes no body: one that sleeps feels it when it is woken. A vector that is not finite is refused (not_finite).
+/// Sets it, m/s^2, from the next step on. It wakes no body: one that sleeps feels it when it is woken. A vector that is not finite is refused (not_finite).
 ISLET_C_API IsletError islet_world_set_gravity(IsletWorld* world, IsletVec2 gravity);
 
 /// The solver's settings: IsletWorldDef.solver, or what set_solver made of them.
