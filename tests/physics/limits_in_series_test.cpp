@@ -90,36 +90,54 @@ TEST(LimitsUnderLoad, PlanksThatJutOutComeToRestUnderAHeavyTip) {
     }
 }
 
-TEST(LimitsUnderLoad, ARopeOfDistanceLimitsComesToRestUnderAHeavyEnd) {
-    for (const int count : {2, 3, 6}) {
-        for (const float load : {10.0f, 30.0f, 100.0f}) {
-            for (std::uint32_t start = 0; start < 10; ++start) {
-                TestWorld world(roomy, sleepless());
-                Random random(start);
-                std::vector<BodyId> bodies;
-                BodyId before = world->create_body({});
-                for (int i = 0; i < count; ++i) {
-                    BodyDef at = dynamic_at({0, -half - 2 * half * float(i)});
-                    at.linear_velocity = {random.between(-0.1f, 0.1f), 0};
-                    bodies.push_back(world.add(make_box(0.07f, 0.8f * half), at, dense(i + 1 == count ? load : 1)));
-                    const JointBase base = {
-                        .body_a = before, .body_b = bodies.back(), .frame_a = {{0, i == 0 ? 0 : -0.8f * half}, {}}, .frame_b = {{0, 0.8f * half}, {}}};
-                    const float reach = (i == 0 ? 0.2f : 0.4f) * half;
-                    world->create_joint(DistanceJointDef{.base = base, .length = reach, .limit = {.enable = true, .lower = 0, .upper = reach}});
-                    before = bodies.back();
+enum class Link { distance, slider, wheel };
+
+/// Links that hang one from another, each at its limit.
+JointId hang(World& world, Link link, BodyId above, BodyId below, bool first) {
+    const float end = link == Link::distance ? 0.8f * half : half;
+    JointBase base = {.body_a = above, .body_b = below, .frame_a = {{0, first ? 0 : -end}, {}}, .frame_b = {{0, end}, {}}};
+    if (link == Link::distance) {
+        const float reach = (first ? 0.2f : 0.4f) * half;
+        return world.create_joint(DistanceJointDef{.base = base, .length = reach, .limit = {.enable = true, .lower = 0, .upper = reach}});
+    }
+    base.frame_a.angle = base.frame_b.angle = -pi / 2;
+    const JointLimit limit = {.enable = true, .lower = -0.2f, .upper = 0.1f};
+    if (link == Link::slider) return world.create_joint(PrismaticJointDef{.base = base, .limit = limit});
+    return world.create_joint(WheelJointDef{.base = base, .spring = {.enable = false}, .limit = limit});
+}
+
+TEST(LimitsUnderLoad, WhatHangsFromLimitToLimitComesToRestUnderAHeavyEnd) {
+    for (const Link link : {Link::distance, Link::slider, Link::wheel}) {
+        for (const int count : {2, 3, 6}) {
+            for (const float load : {10.0f, 30.0f, 100.0f}) {
+                for (std::uint32_t start = 0; start < 10; ++start) {
+                    const std::string which = "link " + std::to_string(int(link)) + ", " + std::to_string(count) + " of them, load " +
+                                              std::to_string(int(load)) + ", start " + std::to_string(start);
+                    TestWorld world(roomy, sleepless());
+                    Random random(start);
+                    std::vector<BodyId> bodies;
+                    BodyId before = world->create_body({});
+                    for (int i = 0; i < count; ++i) {
+                        BodyDef at = dynamic_at({0, -half - 2 * half * float(i)});
+                        const float nudge = random.between(-0.1f, 0.1f);
+                        at.linear_velocity = link == Link::distance ? Vec2{nudge, 0} : Vec2{0, nudge};
+                        bodies.push_back(world.add(make_box(0.07f, 0.8f * half), at, dense(i + 1 == count ? load : 1)));
+                        hang(*world, link, before, bodies.back(), i == 0);
+                        before = bodies.back();
+                    }
+                    const double at_start = energy_of(*world, bodies);
+                    double most = at_start, late = 0, mass = 0;
+                    for (int i = 0; i < 1800; ++i) {
+                        world.step();
+                        most = std::fmax(most, energy_of(*world, bodies));
+                        if (i > 1200)
+                            for (const BodyId body : bodies) late = std::fmax(late, double(length(world->linear_velocity(body))));
+                    }
+                    for (const BodyId body : bodies) mass += double(world->mass(body));
+                    EXPECT_LT(most - at_start, 0.01 * mass * g * 2 * double(half) * count) << which;
+                    EXPECT_LT(late, 1) << which;  // m/s; ropes swing on with what they began with
+                    ASSERT_EQ(world.errors.size(), 0u);
                 }
-                const double at_start = energy_of(*world, bodies);
-                double most = at_start, late = 0;
-                for (int i = 0; i < 1800; ++i) {
-                    world.step();
-                    most = std::fmax(most, energy_of(*world, bodies));
-                    if (i > 1200)
-                        for (const BodyId body : bodies) late = std::fmax(late, double(length(world->linear_velocity(body))));
-                }
-                double mass = 0;
-                for (const BodyId body : bodies) mass += double(world->mass(body));
-                EXPECT_LT(most - at_start, 0.01 * mass * g * 2 * double(half) * count) << count << " links, load " << load << ", start " << start;
-                EXPECT_LT(late, 1) << count << " links, load " << load << ", start " << start;  // m/s; what they began with swings on
             }
         }
     }
@@ -128,7 +146,7 @@ TEST(LimitsUnderLoad, ARopeOfDistanceLimitsComesToRestUnderAHeavyEnd) {
 // Sweeps cannot carry so much, and hand the rope over, its hinges open, to be solved exactly.
 TEST(FrictionUnderLoad, ARopeOfHingesWithFrictionComesToRestUnderAHeavyEnd) {
     for (const auto& [count, load] : {std::tuple{5, 200.0f}, {5, 300.0f}, {10, 200.0f}}) {
-        for (const float friction : {0.001f, 0.01f, 0.1f}) {
+        for (const float friction : {0.001f, 0.1f}) {
             int restless = 0;
             for (std::uint32_t start = 0; start < 10; ++start) {
                 Planks rope(count, load, {}, friction, {0, -1}, start, sleepless());
