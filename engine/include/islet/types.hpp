@@ -150,7 +150,7 @@ enum class JointTrees : std::uint8_t {
                 ///< motor or friction is solved exactly only while one of these hinges bears more than 2500 m/s^2 times the mass of its lighter body
                 ///< (or its limits bear a torque that gives that body 10 000 m/s^2 at its radius of gyration), and until it has borne less than a
                 ///< quarter of that for 16 steps on end; held in several places, it is swept.
-    all,        ///< all that can be
+    all,        ///< all that can be. An angle that is beyond a limit of a hinge solved exactly, as set or swept there, returns by at most 0.25 rad/s.
 };
 
 /// The order in which a sweep visits contacts. (In every order, joints come before the contacts and joint trees after them.)

@@ -17,6 +17,7 @@
 
 #include "../constraint/joint_parts.hpp"
 #include "../constraint/joint_rows.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

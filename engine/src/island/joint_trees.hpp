@@ -19,6 +19,7 @@
 #include "../graph/joint_graph.hpp"
 #include "../island/union_find.hpp"
 #include "../math/inlining.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet::detail {
 

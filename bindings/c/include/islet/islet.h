@@ -259,7 +259,7 @@ enum {
     /// that body 10 000 m/s^2 at its radius of gyration), and until it has borne less than a quarter of that for 16 steps on end; held in several places, it
     /// is swept.
     ISLET_JOINT_TREES_AUTOMATIC = 1,
-    /// all that can be
+    /// all that can be. An angle that is beyond a limit of a hinge solved exactly, as set or swept there, returns by at most 0.25 rad/s.
     ISLET_JOINT_TREES_ALL = 2,
 };
 
