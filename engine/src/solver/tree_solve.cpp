@@ -15,7 +15,7 @@ namespace {
 // flat, with 200 times a plank's weight on it: 7 mm a hinge at 100, 1.5 mm at 1000, 0.3 mm at 10 000.)
 constexpr float ground_ratio = 1000;
 
-// Where something acts on angles, a substep mends this share of the gaps that sweeps have left when they hand a tree over; and so does one to first order.
+// Where something acts on angles, a substep mends this share of the gaps that sweeps have left when they hand a tree over; and so does solve_safely, at most.
 constexpr float mend_share = 0.2f;
 
 // m: a hinge that would be so far open at the end of the substep is taken to first order. Contacts may push light bodies against their tree so hard that
@@ -23,10 +23,11 @@ constexpr float mend_share = 0.2f;
 constexpr float far_open = linear_slop;
 
 // Hinges do no work. If after a sweep the bodies of a batch's trees have more kinetic energy than they would have without their hinges, by this share of it
-// and by that of these speeds (m/s), the sweep is made anew in a way that adds none (solve_trees). Rods that whip round gain 1.7 % in a sound substep.
+// and by that of these speeds (m/s), the sweep is made anew in a way that adds none (solve_safely). Rods that whip round gain 1.7 % in a sound substep.
 // Where friction acts on angles, they lose some.
 constexpr float energy_gain = 0.02f, acting_energy_gain = 0.002f;
 constexpr float mending_speed = 1, noise_speed = 0.01f;  // in sweeps with bias, which mend gaps, and in others
+constexpr float spare_speed = 0.3f;                      // m/s; see solve_safely
 
 // 1 / x, or 0 where x is not above 0, as extreme masses may make it.
 ISLET_SHARED float inverse(float x) { return inverse_or_zero<Lane1>(x); }
@@ -340,8 +341,8 @@ ISLET_SHARED void start_from(SolverBody& b, TreeLink& l, Vec2 arm, Vec2 p, float
     l.dw += b.inv_inertia * turning;
 }
 
-// True if hinges gave the bodies more energy than a share of what these had, and that of a speed.
-ISLET_APART bool gained_energy(const SolverBody* bodies, const TreeLink* links, std::uint32_t count, float share, float speed) {
+// Twice the energy that hinges gave the bodies beyond a share of what these had, and that of a speed.
+ISLET_APART float gained_energy(const SolverBody* bodies, const TreeLink* links, std::uint32_t count, float share, float speed) {
     float gain = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
         const TreeLink& l = links[k];
@@ -350,7 +351,7 @@ ISLET_APART bool gained_energy(const SolverBody* bodies, const TreeLink* links, 
         gain += inverse(c.inv_mass) * (length_squared(c.v) - (1 + share) * length_squared(c.v - l.dv) - speed * speed) +
                 inverse(c.inv_inertia) * (c.w * c.w - (1 + share) * free_w * free_w);
     }
-    return gain > 0;
+    return gain;
 }
 
 // Makes passes until the hinges hold; in a sweep with bias, where the substep ends, or there to first order. Returns whether something acts on angles.
@@ -359,7 +360,7 @@ ISLET_APART bool make_passes(SolverBody* bodies, TreeLink* links, std::uint32_t 
     constexpr float close = 1.0e-6f;  // m
     const bool acts = begin_angles(links, count, n);
     if (acts) most_passes = 24;
-    if (acts || first_order) n.tree_rate *= mend_share;
+    if (acts) n.tree_rate *= mend_share;
     // Angles are sought with the error to first order: a poor guess of what is held may turn bodies too fast for more.
     bool linear = acts, stale = false;
     float before = 0;  // what was lacking before the last pass
@@ -380,6 +381,43 @@ ISLET_APART bool make_passes(SolverBody* bodies, TreeLink* links, std::uint32_t 
         stale = cap_turning(bodies, links, count, n);
     }
     return acts;
+}
+
+// Mends gaps as far as twice the energy `most` goes. The hinges' velocities are right, and stay so: what mends gaps is at right angles to them, in the metric
+// of the masses, so the energies add up.
+ISLET_APART void mend_gaps(SolverBody* bodies, TreeLink* links, std::uint32_t count, JointSweep n, bool acts, float most) {
+    n.tree_rate *= mend_share;
+    look<true>(bodies, links, count, n, true);
+    push<true>(bodies, links, count, true);
+    float needed = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const SolverBody& c = bodies[links[k].child];
+        const Motion3& change = links[k].change;
+        needed += inverse(c.inv_mass) * length_squared(change.linear()) + inverse(c.inv_inertia) * change.turning * change.turning;
+    }
+    if (acts) share_room(links, count);
+    for (std::uint32_t k = 0; k < count; ++k) {
+        TreeLink& l = links[k];
+        l.share = min(acts ? l.share : 1.0f, needed > most ? sqrt(max(most, 0.0f) / needed) : 1.0f);
+    }
+    apply(bodies, links, count);
+}
+
+// Solves the trees anew, to first order and without more energy: making the hinges' velocities right takes some from the bodies, and gaps are mended with no
+// more than that. They may take besides what moves bodies as light as the lightest of these at spare_speed, so that gaps close where nothing moves. (Without
+// that bound, gaps in a rope of ten hinges with friction under 300 times its links' mass throw the mass up, and open again.)
+ISLET_APART void solve_safely(SolverBody* bodies, TreeLink* links, std::uint32_t count, const Joint* joints, const JointSweep& n) {
+    for (std::uint32_t k = 0; k < count; ++k) links[k].lambda.turning = 0;
+    take_back(bodies, links, count);
+    JointSweep still = n;
+    still.tree_rate = 0;
+    const bool acts = make_passes(bodies, links, count, joints, still, 1, true);
+    if (!n.biased) return;
+    float lightest = 3.0e38f;
+    for (std::uint32_t k = 0; k < count; ++k)
+        if (is_positive(bodies[links[k].child].inv_mass)) lightest = min(lightest, inverse(bodies[links[k].child].inv_mass));
+    const float spare = static_cast<float>(count) * lightest * spare_speed * spare_speed;
+    mend_gaps(bodies, links, count, n, acts, spare - gained_energy(bodies, links, count, 0, 0));
 }
 
 }  // namespace
@@ -429,10 +467,8 @@ void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const
     if (n.biased) take_back(bodies, links, count);
     const bool acts = make_passes(bodies, links, count, joints, n, n.biased ? 5 : 1, false);
     if (taut && !n.biased) return;
-    if (!gained_energy(bodies, links, count, acts ? acting_energy_gain : energy_gain, n.biased ? mending_speed : noise_speed)) return;
-    for (std::uint32_t k = 0; k < count; ++k) links[k].lambda.turning = 0;
-    take_back(bodies, links, count);
-    make_passes(bodies, links, count, joints, n, 1, true);
+    const float gain = gained_energy(bodies, links, count, acts ? acting_energy_gain : energy_gain, n.biased ? mending_speed : noise_speed);
+    if (gain > 0) solve_safely(bodies, links, count, joints, n);
 }
 
 void store_trees(const TreeLink* links, std::uint32_t count, const JointOutput& out) {
