@@ -61,7 +61,8 @@ build_scenes() {
 
 # build_engine FOLDER PROCESSOR COMPILER FLAG...: the engine and the program. (The engine of every other build is compiled file by file.)
 build_engine() {
-    local folder=$1
+    local folder=$1 wide=()
+    case $2 in x86_64 | amd64) wide=("$root"/engine/src/*/*_avx*.cpp) ;; esac # for other processors they hold nothing
     find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx*.cpp' | sort | as_one "$folder/engine.cpp"
-    printf '%s\n' "$folder/engine.cpp" "$root"/engine/src/*/*_avx*.cpp "$root/tests/determinism/hashes.cpp" | compile "$@"
+    printf '%s\n' "$folder/engine.cpp" "${wide[@]}" "$root/tests/determinism/hashes.cpp" | compile "$@"
 }
