@@ -171,7 +171,7 @@ board() {
     wait
 )
 # The longest first.
-row check same by-hand-g++ as_manual g++ -O2
+row check same by-hand-g++ as_manual g++ -O1  # optimised more: below
 row check same by-hand-clang++ as_manual clang++ -O1
 row board cortex-m4f-softfp -mfloat-abi=softfp -O2
 row board cortex-m4f-fast -mfloat-abi=hard -O3 -ffast-math -funsigned-char
