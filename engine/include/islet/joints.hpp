@@ -65,6 +65,14 @@ struct JointSpring {
 };
 
 /// The springs of a weld or motor joint, and the linear one of a mouse joint.
+///
+/// A weld swings at its frequency and decays by its damping ratio: up to 10 Hz at 240 substeps a second, the frequency is right within 0.5 % and a ratio of up
+/// to 1 within 0.012. Stiffer springs are damped more: undamped ones as by a ratio of 0.05 at 13 Hz, of 0.44 at 19 Hz. So are stiff springs of a body with many
+/// joints: with four joints, an undamped weld of 10 Hz decays as by 0.06. The stiffness of the point is that of the mean over its directions.
+///
+/// Motor and mouse joints are less stiff where their point gives way more easily. So the point sets off straight to the target, from a corner as from the
+/// centre. They are damped more than asked, the more so the stiffer: at 240 substeps a second, an undamped spring of 5 Hz decays as if its ratio were 0.13, one
+/// of 10 Hz as if it were 0.25, and 0.5 at 5 Hz comes out as 0.603.
 struct JointSoftness {
     float linear_hertz = 0;           ///< Hz, >= 0; of a mouse joint > 0. 0: rigid, or, of a motor joint, it drives the velocity.
     float linear_damping_ratio = 1;   ///< >= 0

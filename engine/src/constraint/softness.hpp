@@ -48,4 +48,35 @@ inline Softness make_spring(float hertz, float damping_ratio, float h) {
     return softness_of(omega, a1, turn * a1);
 }
 
+/// A spring of a weld. With K = J M^-1 J^T, k a number that stands for it, C the error and v = dC/dt, a sweep ends where
+///     with bias    scale (K delta + v) +      kick C + (1 - scale) k (lambda + delta) = 0                         `held` = lambda + delta
+///     relaxing     scale (K delta + v) + late kick C + (1 - scale) k (lambda + delta - (1 - late) held) = 0
+struct SplitSpring {
+    float kick, scale, late;  // kick: 1/s
+};
+
+/// Half of the damper acts before the bodies move, half of it after, and the stiffness in between (Strang splitting):
+///     v1 = e (v + h force k - h omega^2 C),   C' = C + h v1,   v' = e v1,   e = 1 / (1 + a + a^2 / 2) = exp(-a) + O(a^3),   a = z h omega
+/// This swings with cos(turn) = cosh(a) - (h omega)^2 / 2, an error of second order; a whole damper before the move makes one of first order. Up to 10 Hz
+/// and 240 substeps a second frequencies are right within 0.5 %, damping ratios of up to 1 within 0.011. A spring at rest gives way by exactly
+/// force / stiffness.
+///
+/// Stiffness that is taken at the start of a substep makes energy where a swing is faster than about 2 / h. From h omega = 0.5 on (19 Hz at 240 substeps) it is
+/// therefore implicit in both sweeps, late = 1, which damps; below, late falls with the sixth power of h omega. `reach` is by how much omega^2 of the fastest
+/// swing exceeds that of this spring alone.
+inline SplitSpring split_spring(float hertz, float damping_ratio, float reach, float h, bool relaxes) {
+    const float omega = 2.0f * pi * min(hertz, stiffest);
+    const float turn = h * omega;
+    const float a = min(min(damping_ratio, most_damped) * turn, 1.0e6f);  // beyond, nothing is left of a velocity
+    const float damper = relaxes ? a + 0.5f * a * a : 2.0f * a;           // where no sweep relaxes, all of it acts before the move
+    const float near = min(turn * turn * max(4.0f, reach), 1.0f);         // 1 if it is not a number
+    const float late = near * near * near;
+    const float both = damper + turn * turn * late;
+    const float e = 1.0f / (1.0f + both);
+    return {turn * omega * e, both * e, late};
+}
+
+/// The spring of sweeps with bias.
+inline Softness softness_of(const SplitSpring& s) { return s.scale > least_soft ? Softness{s.kick / s.scale, s.scale, 1.0f - s.scale} : no_spring; }
+
 }  // namespace islet::detail

@@ -64,6 +64,7 @@ struct StepNumbers {
     float give_back = 0;             // kg m/N: see undo_overlap in contact_prepare.hpp
     Vec2 up = {};                    // against gravity, unit; zero if there is none
     float deep = 0, deep_level = 0;  // of deep overlaps, of level faces apart
+    bool relaxes = false;            // relaxing sweeps follow those with bias
     bool lightens = false;           // shock propagation takes bodies for lighter than they are: a harder blow to one would add energy
 };
 

@@ -53,6 +53,7 @@ ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
     n.restitution_threshold = state.restitution_threshold;
     n.max_speed = state.max_speed;
     n.max_turn = max_turn_of(dt);
+    n.relaxes = is_soft(def) && def.relax_iterations > 0;
     n.lightens = has_shock(def);
 
     s.relaxed.inv_h = n.inv_h;

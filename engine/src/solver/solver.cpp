@@ -293,7 +293,7 @@ void BatchSolve<lanes>::run() {
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_velocities(s, first, end, substep == 0); });
         hold();
-        const bool relaxes = is_soft(def) && def.relax_iterations > 0;
+        const bool relaxes = s.numbers.step.relaxes;
         const bool measures = has_tuning && s.residuals != nullptr && substep + 1 == def.substeps;
         sweeps(def.iterations, s.numbers.biased, s.numbers.ground, s.numbers.biased_joints);
         if (measures && !relaxes) measure(s.numbers.biased, s.numbers.ground, s.numbers.biased_joints);
