@@ -1,10 +1,11 @@
-// Hinged bodies at the default settings: pendulums of several rods and hinged rods in space keep their energy and momenta; bridges keep together.
+// Hinged bodies at the default settings: pendulums of several rods and hinged rods in space keep their energy and momenta; bridges keep together; nets rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "measure.hpp"
+#include "support/random.hpp"
 #include "support/starts.hpp"
 
 namespace islet::test {
@@ -78,6 +79,44 @@ TEST(JointEnergy, ARodTurnsTenTimesASecondOnItsHinge) { holds_from_every_start("
 TEST(JointTrees, ABridgeOf60PlanksBearsACrateOfATon) { holds_from_every_start("long_bridges"); }  // and another one 100 kg
 
 TEST(JointTrees, ARagdollWhirledByFiftyTimesItsWeightHoldsTogether) { holds_from_every_start("whirled_doll"); }
+
+// Loops of hinges, which are swept, whatever they bear. No force drives the net, so it gains no energy, and what hangs in it comes to rest.
+TEST(Nets, OfHingedDiscsRestUnderAHeavyOne) {
+    constexpr float apart = 0.3f;  // m
+    for (const int side : {3, 6}) {
+        for (const float load : {50.0f, 120.0f, 200.0f}) {
+            for (std::uint32_t start = 0; start < (slow_build ? 1 : starts); ++start) {
+                SCOPED_TRACE(std::to_string(side) + " discs a side, load " + std::to_string(int(load)) + ", start " + std::to_string(start));
+                Linkage net(sleepless());
+                Random random(start);
+                for (int i = 0; i < side * side; ++i) {
+                    const int x = i % side, y = i / side;
+                    BodyDef at = dynamic_at({apart * float(x), -apart * float(y)});
+                    if (y == 0 && (x == 0 || x == side - 1))
+                        at.type = BodyType::static_body;
+                    else
+                        at.linear_velocity = {random.between(-0.1f, 0.1f), 0};
+                    const bool heavy = y == side - 1 && x == side / 2;
+                    net.rods.push_back(net.world.add(Circle{{}, 0.05f}, at, {.density = heavy ? load : 1, .filter = {.mask = 0}}));
+                    const Vec2 middle = at.position;
+                    if (x > 0) net.hinge(net.rods[std::size_t(i - 1)], net.rods.back(), middle - Vec2{0.5f * apart, 0});
+                    if (y > 0) net.hinge(net.rods[std::size_t(i - side)], net.rods.back(), middle + Vec2{0, 0.5f * apart});
+                }
+                double weight = 0;
+                for (const BodyId disc : net.rods) weight += double(net.world->mass(disc)) * g;
+                const double first = net.energy();
+                double most = first, late = 0;
+                for (int i = 0; i < 1200; ++i) {
+                    net.world.step();
+                    most = std::max(most, net.energy());
+                }
+                for (const BodyId disc : net.rods) late = std::max(late, double(length(net.world->linear_velocity(disc))));
+                EXPECT_LT(most - first, 0.01 * weight * double(apart) * side);
+                EXPECT_LT(late, 1);  // m/s
+            }
+        }
+    }
+}
 
 }  // namespace
 }  // namespace islet::test

@@ -122,14 +122,15 @@ float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, c
     return r.spring[lane] + r.motor[lane] + r.friction[lane] + r.low[lane] - r.high[lane];
 }
 
+/// `torn`: the joint's other rows gave way so far that what its limits bore is no load.
 template <std::uint32_t W>
-ISLET_SHARED void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+ISLET_SHARED void get_coordinate(const CoordinateRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out, bool torn = false) {
     j.spring_impulse = r.spring[lane];
     j.motor_impulse = r.motor[lane];
     j.friction_impulse = r.friction[lane];
     j.lower_impulse = r.low[lane];
     j.upper_impulse = r.high[lane];
-    if ((j.flags & joint_limit) != 0) keep_load(r.low[lane] - r.high[lane], j, out);
+    if ((j.flags & joint_limit) != 0) keep_load(torn ? 0 : r.low[lane] - r.high[lane], j, out);
 }
 
 /// The sum of the impulses so far.

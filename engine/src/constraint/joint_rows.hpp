@@ -345,24 +345,25 @@ ISLET_SHARED void forget_unsound(Joint& j) {
     if ((j.flags & joint_limit) != 0) j.limit_load = 0;
 }
 
-/// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in free_motion.hpp). What cannot
-/// be pushed is not stretched.
-inline void add_stretch(const JointOutput& out, std::uint32_t slot, std::uint32_t body, Vec2 arm, Vec2 p) {
+/// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in free_motion.hpp), up to
+/// `most` times its inertia. What cannot be pushed is not stretched.
+inline void add_stretch(const JointOutput& out, std::uint32_t slot, std::uint32_t body, Vec2 arm, Vec2 p, float most = 1.0e37f) {
     const SolverBody& b = out.solved[slot];
     if (!is_positive(b.inv_mass)) return;
-    constexpr float most = 1.0e37f;  // many joints may pull at one body: their sum must not overflow
+    const float inv_inertia = out.poses[body].inv_inertia;
+    const float bound = is_positive(inv_inertia) ? min(most / inv_inertia, 1.0e37f) : 1.0e37f;  // many joints may pull at one body: no sum may overflow
     float& stretch = out.bodies[body].stretch;
-    stretch = within_bounds(stretch + out.h * dot(turned(b.dq, arm.x, arm.y), p), most);
+    stretch = within_bounds(stretch + out.h * dot(turned(b.dq, arm.x, arm.y), p), bound);
 }
 
 /// Writes back the impulse, for readers, and how the joint stretched its bodies.
 template <std::uint32_t W>
-void store_applied(const Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
+void store_applied(const Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out, float most_stretch) {
     const Vec2 p = {applied.px[lane], applied.py[lane]};
     j.force_impulse = p;
     if (!(abs(p.x) + abs(p.y) < unsound_impulse)) return;
-    add_stretch(out, r.body_b[lane], j.body_b, {r.rbx[lane], r.rby[lane]}, p);
-    add_stretch(out, r.body_a[lane], j.body_a, {r.rax[lane], r.ray[lane]}, -p);
+    add_stretch(out, r.body_b[lane], j.body_b, {r.rbx[lane], r.rby[lane]}, p, most_stretch);
+    add_stretch(out, r.body_a[lane], j.body_a, {r.rax[lane], r.ray[lane]}, -p, most_stretch);
 }
 
 }  // namespace islet::detail

@@ -56,7 +56,7 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, WheelRows<L::
 
 template <std::uint32_t W>
 void store(const WheelRows<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out) {
-    get_coordinate(r.free, lane, j, out);
+    get_coordinate(r.free, lane, j, out, is_torn(r, lane));
     j.impulse = {r.across[lane], 0};
     j.torque_impulse = r.free.motor[lane] + r.free.friction[lane];
 }
