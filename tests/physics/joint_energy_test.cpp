@@ -16,7 +16,7 @@ constexpr int starts = 10;
 // Bodies that meet nothing, and their hinges.
 struct Linkage {
     TestWorld world;
-    std::vector<BodyId> rods;
+    std::vector<BodyId> rods;  // or discs
     std::vector<JointId> hinges;
 
     explicit Linkage(const WorldDef& def) : world({.bodies = 128, .shapes = 128, .contacts = 256, .joints = 128}, def) {}
@@ -92,10 +92,9 @@ TEST(Nets, OfHingedDiscsRestUnderAHeavyOne) {
                 for (int i = 0; i < side * side; ++i) {
                     const int x = i % side, y = i / side;
                     BodyDef at = dynamic_at({apart * float(x), -apart * float(y)});
-                    if (y == 0 && (x == 0 || x == side - 1))
-                        at.type = BodyType::static_body;
-                    else
-                        at.linear_velocity = {random.between(-0.1f, 0.1f), 0};
+                    const bool holds = y == 0 && (x == 0 || x == side - 1);
+                    if (holds) at.type = BodyType::static_body;
+                    if (!holds) at.linear_velocity = {random.between(-0.1f, 0.1f), 0};
                     const bool heavy = y == side - 1 && x == side / 2;
                     net.rods.push_back(net.world.add(Circle{{}, 0.05f}, at, {.density = heavy ? load : 1, .filter = {.mask = 0}}));
                     const Vec2 middle = at.position;

@@ -66,8 +66,8 @@ ISLET_LANE void solve(JointBodies<L>& s, const JointArms<L>& arms, SliderRows<L:
     s.push_angular(delta2);
 }
 
-/// True if B's point was far off the line when the step began. (Telescopes that jut out under 200 times their mass and more come apart at their rails. What
-/// their limits then bear, taken for a lasting load, threw them at 400 m/s.)
+/// True if B's point was more than 5 cm off the line when the step began. (Telescopes that jut out under 200 times their mass and more come apart at their
+/// rails. What their limits then bear, taken for a lasting load, threw them at 400 m/s.)
 template <class Rows>
 bool is_torn(const Rows& r, std::uint32_t lane) {
     const auto& e = r.ends;

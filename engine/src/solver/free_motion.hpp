@@ -12,8 +12,8 @@ namespace islet::detail {
 ///
 /// A body pulled at both ends swings back about its centre like a string, with the geometric stiffness S = sum of r . f over its joints. Where the substep is
 /// too long for that swing, h^2 S > I, the body gets the inertia that keeps it stable (from the implicit treatment in Tournier and others, "Stable Constrained
-/// Dynamics", 2015). Elsewhere nothing changes. `stretch` is h^2 S of the last step, within
-/// bounds (most_stretch in joint_runs.hpp).
+/// Dynamics", 2015). Elsewhere nothing changes. `stretch` is h^2 S of the last step, within bounds (most_stretch
+/// in joint_runs.hpp).
 inline float stiffened(float inv_inertia, float stretch) { return stretch * inv_inertia > 1.0f ? 1.0f / stretch : inv_inertia; }
 
 /// Fills in what a substep of length h adds to the body's velocity, and the damping.

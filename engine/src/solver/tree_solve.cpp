@@ -395,11 +395,9 @@ ISLET_APART void mend_gaps(SolverBody* bodies, TreeLink* links, std::uint32_t co
         const Motion3& change = links[k].change;
         needed += inverse(c.inv_mass) * length_squared(change.linear()) + inverse(c.inv_inertia) * change.turning * change.turning;
     }
+    const float share = needed > most ? sqrt(max(most, 0.0f) / needed) : 1.0f;
     if (acts) share_room(links, count);
-    for (std::uint32_t k = 0; k < count; ++k) {
-        TreeLink& l = links[k];
-        l.share = min(acts ? l.share : 1.0f, needed > most ? sqrt(max(most, 0.0f) / needed) : 1.0f);
-    }
+    for (std::uint32_t k = 0; k < count; ++k) links[k].share = acts ? min(links[k].share, share) : share;
     apply(bodies, links, count);
 }
 
