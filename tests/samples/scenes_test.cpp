@@ -11,6 +11,7 @@
 #include "harness/engine.hpp"
 #include "physics/measure.hpp"
 #include "scenes/catalogue.hpp"
+#include "support/kept_plan.hpp"
 
 namespace islet::test {
 namespace {
@@ -36,6 +37,8 @@ TEST_P(EveryScene, KeepsItsCheck) {
     for (int i = 0; i < steps; ++i) {
         engine.advance(scene, i, scene.dt);
         ASSERT_EQ(engine.world().report().dropped_contacts, 0u) << "step " << i;
+        if (i % 7 == 0) expect_kept_plan_is_right(engine.world());
+        ASSERT_FALSE(HasFailure()) << "step " << i;
     }
 
     if (cut_short) {

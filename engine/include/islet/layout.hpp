@@ -121,11 +121,15 @@ inline constexpr std::uint32_t joint_kernel_count = 0 ISLET_JOINT_KERNELS(ISLET_
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t tree_link_bytes = 184;  // per link of a joint tree
 inline constexpr std::size_t batch_bytes = ISLET_SMALL ? 92 : 168;
+inline constexpr std::size_t plan_bytes = 160;
 inline constexpr std::uint32_t max_plan_parts = 8;                             // that the touching contacts are cut into while they are planned
 inline constexpr std::size_t sweep_bytes = 108;                                // per shape, while pairs are found by sorting
 inline constexpr std::uint32_t sort_digits = layout_lanes > 1 ? 1u << 11 : 0;  // counted by the sort; 0: where memory is small it counts none
 inline constexpr std::uint32_t color_count = 32;                               // constraint colours: bits of a body's mask
 inline constexpr std::uint32_t batch_bodies = 704;  // a batch is full from so many bodies on: with their rows they fit a core's own cache
+
+// Whether a world keeps the plan of a step until something changes that it was made from. Not where memory is small.
+inline constexpr bool keeps_plan = max_lanes > 1;
 
 // Where memory is small, no set tells which pairs of shapes have a contact: the shorter list of contacts of their two bodies does.
 inline constexpr bool has_pair_set = layout_lanes > 1 || sizeof(void*) >= 8;
@@ -282,7 +286,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     // Planning: islands, and lists of constraints. Weighing: what bodies bear, in place of the rows.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + words_for(c.bodies) * 8 + sort_digits * 4 + 12 * 4 * layout_lanes + 20 * line_bytes;
-    const std::size_t collide = words_for(c.contacts) * (8 * 2 + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * line_bytes;
+    const std::size_t collide = words_for(c.contacts) * (8 * (layout_lanes > 1 ? 3 : 2) + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * line_bytes;
     const std::size_t calls =
         max_of(std::size_t{next_power_of_two(2 * c.contacts + 1)} * 8, max_of(geometry_capacity(c) * std::size_t{4}, bodies * 8)) + 2 * line_bytes;
     const std::size_t constraints = std::size_t{c.contacts} + c.joints, ends = std::size_t{2} * c.contacts + std::size_t{4} * c.joints;
@@ -304,7 +308,8 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     const std::size_t stays = plan + align_up(bodies * solver_body_bytes) + align_up(bodies * tuned_bytes) + align_up(c.contacts * hit_bytes);
     const std::size_t late = lent ? 0 : late_bytes(c);
     const std::size_t step = stays + max_of(max_of(planning, rows), max_of(weighing, late + finish));
-    return max_of(step, late + max_of(max_of(calls, exporting), max_of(pairs, collide))) - late;
+    const std::size_t kept = layout_lanes > 1 && !lent ? plan + align_up(plan_bytes) : 0;  // the plan stays while other stages and calls use scratch
+    return max_of(step + align_up(layout_lanes > 1 ? plan_bytes : 0), late + kept + max_of(max_of(calls, exporting), max_of(pairs, collide))) - late;
 }
 
 /// Worlds of a fleet that a worker steps side by side, so that their contacts share lanes. Larger worlds fill the lanes by themselves.

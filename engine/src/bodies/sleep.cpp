@@ -11,6 +11,7 @@ namespace islet::detail {
 namespace {
 
 void wake_one(Core& core, std::uint32_t body) {
+    core.forget_plan();
     core.awake_bodies.set(body);
     core.motions[body].sleep_time = 0;
     unrest_shapes(core, body);
@@ -120,6 +121,7 @@ void end_contacts(Core& core, std::uint32_t body) {
 }
 
 void put_to_sleep(Core& core, std::uint32_t body) {
+    core.forget_plan();
     core.awake_bodies.clear(body);
     core.motions[body].v = {0, 0};
     core.motions[body].w = 0;

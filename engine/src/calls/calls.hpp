@@ -119,6 +119,45 @@ enum class Call : std::uint32_t {
 #undef ISLET_NAME
 };
 
+/// Whether a call leaves the plan of a step as it is, but for bodies that it wakes and joint trees that it makes stale, which is noted there.
+constexpr bool keeps_plan_of(Call call) {
+    switch (call) {
+        case Call::step:
+        case Call::set_gravity:
+        case Call::set_hit_threshold:
+        case Call::set_restitution_threshold:
+        case Call::set_max_speed:
+        case Call::set_linear_velocity:
+        case Call::set_angular_velocity:
+        case Call::set_body_target:
+        case Call::apply_force:
+        case Call::apply_force_to_center:
+        case Call::apply_torque:
+        case Call::apply_linear_impulse:
+        case Call::apply_linear_impulse_to_center:
+        case Call::apply_angular_impulse:
+        case Call::apply_force_no_wake:
+        case Call::apply_force_to_center_no_wake:
+        case Call::apply_torque_no_wake:
+        case Call::apply_linear_impulse_no_wake:
+        case Call::apply_linear_impulse_to_center_no_wake:
+        case Call::apply_angular_impulse_no_wake:
+        case Call::apply_wind:
+        case Call::wake:
+        case Call::set_spring:
+        case Call::set_limit:
+        case Call::set_motor:
+        case Call::set_joint_length:
+        case Call::set_joint_velocity:
+        case Call::set_joint_strength:
+        case Call::set_joint_target:
+        case Call::set_body_user_data:
+        case Call::set_shape_user_data:
+        case Call::set_joint_user_data: return true;
+        default: return false;
+    }
+}
+
 /// The header of a recording, at the start of the caller's memory. A snapshot follows, and then the calls, in words of 32 bits.
 struct RecordingHead {
     std::uint32_t magic = 0;

@@ -38,10 +38,11 @@ struct SignatureOf;
 ISLET_CALLS(ISLET_SIGNATURE)
 #undef ISLET_SIGNATURE
 
-/// Records a call, if the world is being recorded. Each public function that changes a world begins with this.
+/// Records a call, if the world is being recorded, and forgets the plan that the call may change. Each public function that changes a world begins with this.
 template <Call call, class... Args>
 ISLET_ALWAYS_INLINE inline void note_call(Core& core, const Args&... args) {
     static_assert(__is_same(typename SignatureOf<call>::Type, Signature<Args...>));
+    if constexpr (!keeps_plan_of(call)) core.forget_plan();
     if constexpr (has_recorder) {
         if (core.recording == nullptr) [[likely]]
             return;

@@ -18,6 +18,7 @@ struct SensorEvents {
 };
 
 struct RecordingHead;  // calls/calls.hpp
+struct Plan;           // island/batches.hpp
 
 /// Why nothing may change the world now: the world is calling a function of the user's.
 enum Inside : std::uint32_t {
@@ -35,6 +36,26 @@ template <>
 struct TimesOfCore<false> {
     static inline StepProfile profile;  // zeros
     static inline std::uint64_t last_tick = 0;
+};
+
+/// What the next step may take over from the last one. A build without lanes, whose memory may be small, keeps nothing.
+template <bool is_there = keeps_plan>
+struct KeptOfCore {
+    Plan* plan = nullptr;                // at the end of scratch, if the next step would make the same one
+    std::uint32_t settled_contacts = 0;  // how many kept their manifolds at once (step/recycling.hpp)
+
+    void keep(Plan* made) { plan = made; }
+    void forget() { plan = nullptr; }
+    void note_settled(std::uint32_t count) { settled_contacts = count; }
+};
+template <>
+struct KeptOfCore<false> {
+    static constexpr Plan* plan = nullptr;
+    static constexpr std::uint32_t settled_contacts = 0;
+
+    void keep(Plan*) {}
+    void forget() {}
+    void note_settled(std::uint32_t) {}
 };
 
 struct Core {
@@ -88,16 +109,19 @@ struct Core {
     std::byte* scratch = nullptr;
     std::byte* scratch_end = nullptr;
     StepReport report;
+    KeptOfCore<> kept;
     TimesOfCore<> times;
 
-    Arena arena() const { return {scratch, scratch_end}; }
+    Arena arena() const { return {scratch, kept.plan == nullptr ? scratch_end : reinterpret_cast<std::byte*>(kept.plan)}; }
     /// Constraints in a block of rows.
     std::uint32_t block_lanes() const { return max_block_lanes == 1 ? 1 : lanes < max_block_lanes ? lanes : max_block_lanes; }
-    /// Scratch with the arrays before it that a step writes at its end. (A fleet lends its worlds scratch that lies elsewhere.)
-    Arena arena_until_told() const {
-        auto* const told_end = reinterpret_cast<std::byte*>(residuals) + align_up(capacity.bodies * sizeof(float));
-        return {told_end == scratch ? reinterpret_cast<std::byte*>(begin_events) : scratch, scratch_end};
-    }
+    /// Whether scratch follows the world's arrays. A fleet lends its worlds scratch that lies elsewhere.
+    bool owns_scratch() const { return scratch == reinterpret_cast<std::byte*>(residuals) + align_up(capacity.bodies * sizeof(float)); }
+    /// Scratch with the arrays before it that a step writes at its end.
+    Arena arena_until_told() const { return {owns_scratch() ? reinterpret_cast<std::byte*>(begin_events) : scratch, arena().end}; }
+    /// Call this when something changes that a plan is made from: which bodies, joints and touching contacts are awake, their colours, or which kernel or tree
+    /// solves a joint. (State::trees_stale tells of the last.)
+    void forget_plan() { kept.forget(); }
 
     ISLET_SHARED void fail(Error error) const {
         last_error = error;

@@ -91,6 +91,7 @@ void destroy_contact(Core& core, std::uint32_t index) {
     ContactManifold& m = core.manifolds[index];
     if (is_told(m)) record_end_event(core, index);
     if (has_sensors && (m.flags & contact_overlap) != 0) end_overlap(core, index);
+    if ((m.flags & contact_touching) != 0) core.forget_plan();
     release_color(core, index);
     detach_contact(core, index, 0, m.body_a);
     detach_contact(core, index, 1, m.body_b);

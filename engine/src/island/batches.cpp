@@ -7,6 +7,7 @@
 #include "../island/height_order.hpp"
 #include "../island/joint_trees.hpp"
 #include "../island/union_find.hpp"
+#include "../memory/place.hpp"
 
 namespace islet::detail {
 
@@ -370,6 +371,17 @@ Plan make_plan(const Core& core, Arena& arena) {
     plan_contacts(core, plan, contacts, batch_of, temporary);
     plan_joints(core, plan, joints, batch_of, temporary);
     if (plan.has_trees) plan_links(core, plan, islands, temporary);
+    return plan;
+}
+
+Plan kept_or_new_plan(Core& core, Arena& arena) {
+    if (Plan* const kept = core.kept.plan) {
+        for (std::uint32_t b = 0; b < kept->batch_count; ++b) kept->batches[b].sweeps = 0;
+        return *kept;
+    }
+    const Plan plan = make_plan(core, arena);
+    if (keeps_plan && core.owns_scratch() && !is_ordered(core.state->solver) && !has_shock(core.state->solver))
+        core.kept.keep(new (arena.take_last<Plan>(1), IsletPlace{}) Plan(plan));
     return plan;
 }
 

@@ -1,8 +1,8 @@
 // Islands and batches: which bodies and constraints are solved together.
 //
-// An island is a set of dynamic bodies that touching contacts and joints connect. Static and kinematic bodies connect nothing. Each step finds the islands
-// anew, by union-find: they join as soon as a contact touches, and split as soon as one ends. Several islands make a batch, sized so that its bodies and rows
-// fit a core's cache. Within a batch, contacts are grouped by colour, and joints by colour and kernel.
+// An island is a set of dynamic bodies that touching contacts and joints connect. Static and kinematic bodies connect nothing. Islands join as soon as a
+// contact touches, and split as soon as one ends: a step finds them anew, by union-find, unless it can take the plan of the last step. Several islands make a
+// batch, sized so that its bodies and rows fit a core's cache. Within a batch, contacts are grouped by colour, and joints by colour and kernel.
 //
 //   slots:   | 0: static | batch 0's bodies | batch 1's bodies | ...
 //   rows:    | batch 0: colour 0 (padded to whole blocks), colour 1, ... | batch 1: ... |        + the overflow, in blocks of one
@@ -67,6 +67,8 @@ struct Plan {
     std::uint32_t touching_count = 0;
 };
 
+static_assert(sizeof(Plan) <= plan_bytes);
+
 /// Batch 0 holds the kinematic bodies, and all islands that touch one or are joined to one.
 inline constexpr std::uint32_t kinematic_batch = 0;
 
@@ -90,5 +92,9 @@ ISLET_OPTIONAL void plan_links(const Core& core, Plan& plan, const Islands& isla
 
 /// Makes the plan of all awake bodies. Its arrays are taken from the end of `arena`.
 Plan make_plan(const Core& core, Arena& arena);
+
+/// The plan of the last step, if nothing has changed that it was made from (Core::forget_plan). Otherwise a new one, which is kept at the end of scratch, but
+/// not if scratch is lent, or if the plan depends on where bodies are (sweep orders, shock propagation).
+Plan kept_or_new_plan(Core& core, Arena& arena);
 
 }  // namespace islet::detail

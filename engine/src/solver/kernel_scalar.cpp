@@ -2,6 +2,7 @@
 #include "../exact.hpp"
 
 #include "../constraint/contact.hpp"
+#include "../constraint/settled_kernel.hpp"
 #if ISLET_MAX_LANES >= 4
 #include "../constraint/joint_runs.hpp"
 #endif
@@ -11,6 +12,7 @@ namespace islet::detail {
 template struct ContactKernel<1>;
 #if ISLET_MAX_LANES >= 4
 template struct ContactKernel<4>;
+template std::uint32_t keep_settled<4>(ContactManifold*, const Pose*, const std::uint32_t*, LoadRate, bool);
 template void solve_joints<4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 #endif
 

@@ -187,6 +187,7 @@ void tell_nothing(Core& core) {
     core.end_reported = core.begin_count = core.moved_count = core.slept_count = core.break_count = 0;
     const State& s = *core.state;
     core.report = {};
+    core.forget_plan();
     forget_residuals(core);
     core.report.bodies = s.body_pool.count;
     core.report.awake_bodies = core.awake_bodies.count();

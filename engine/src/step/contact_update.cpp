@@ -1,21 +1,11 @@
-// If two bodies have hardly moved relative to each other since their contact's manifold was made, the contact keeps the manifold. (The idea of recycling
-// contacts is that of Box2D 3.2, which credits the persistent manifolds of PhysX.) The measure here is how far the two surfaces have slipped at the contact
-// points.
-//
-// A kept manifold keeps its normal and lever arms in the world; only its separations follow the bodies. This does more than save time. Over a few hundredths of
-// a radian it leaves out the geometric stiffness of a loaded contact, which a Gauss-Seidel solver cannot balance in a few sweeps. With the exact geometry in
-// each step, a column of 30 boxes buckles within ten seconds, as it does in Box2D 3.2 without recycling. The faces of moving bodies also keep their manifold
-// while a load presses them into each other, because separations follow that motion exactly. Made anew for it, a column of 100 boxes takes up its own lean
-// again and again as it settles, and falls.
-//
-// But a normal that lags behind bodies which turn together holds them like a spring between them and the world: cargo would brake its swing, and no box would
-// slide off a board before that has tilted by 0.1 rad. So where both bodies turn faster than a column leans, the manifold turns with them.
+// The contact update: keeps manifolds or makes them anew, and lets touches begin and end.
 #include "../exact.hpp"
 
 #include "../step/contact_update.hpp"
 
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
+#include "../constraint/kernels.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
@@ -29,135 +19,16 @@
 #include "../step/continuous.hpp"
 #include "../step/inner_edges.hpp"
 #include "../step/one_way.hpp"
+#include "../step/recycling.hpp"
 
 namespace islet::detail {
 
 namespace {
 
-inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the surfaces may slip before a manifold is made anew
-inline constexpr std::uint32_t update_grain = 4;               // words of 64 contacts that are worth a task
-inline constexpr std::uint32_t clear_grain = 16;               // words of 64 bodies that are worth a task
-inline constexpr float load_rate = 0.07f;                      // 1/s, at which the load of a contact follows the force that it bears
-inline constexpr float most_load = 1.0e28f;                    // N
-inline constexpr float worth_learning = 0.4f * linear_slop;    // m; a contact that would rise by less learns its load slowly
-inline constexpr float learning_tilt = 0.01f;                  // sine of the angle between gravity and the normal of a face that learns, at most
-inline constexpr float learning_friction = 0.5f;               // its friction, as a share of its load, at most
-inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
-inline constexpr float least_lag = 0.001f;                     // rad that a manifold may lag behind two bodies that turn
-inline constexpr float turn_rate = 0.015f;                     // rad/s of bodies with which a manifold turns: at a body that is not dynamic
-inline constexpr float level_turn_rate = 0.05f;                // of two bodies that meet with a level face; card houses fall if it is less
-inline constexpr float wedged_turn_rate = 0.15f;               // of all others; arches, whose stones press against each other, fold if it is less
-inline constexpr float turn_alike = 0.1f;                      // share of their rates by which two bodies on a level face may differ
-inline constexpr float level_face = 0.3f;                      // tangent of the angle between gravity and the normal of a level face, at most
-
-// How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load. But when an
-// island has come to rest (pose_learns), level faces, as those of columns and walls, learn their load at once. So a stack rises by most of what it has sunk by
-// before it falls asleep. (Ten boxes then lie 0.01 m too low instead of 0.03, thirty 0.07 m instead of 0.29, and a brick wall of 20 rows 0.025 m. If tilted
-// faces and corners learn too, a pile of 500 boxes slides into another one, and sleeps seconds later. Loads that are followed quickly in every step pump up the
-// sway of a wall of 30 rows to 0.8 m/s, even if that is done in quiet islands only.)
-struct LoadFollower {
-    float keep = 1;   // share of the old load
-    float gain = 0;   // 1/s, of the impulses of the last substep
-    float force = 0;  // 1/s, what the impulses of the last substep come to
-    float give = 0;   // s^2, by which a contact gives way: 1 / omega^2
-    Vec2 gravity;     // m/s^2
-
-    LoadFollower(const State& state, float dt) : gravity(state.gravity) {
-        if (!(state.last_substep > 0)) return;
-        const float share = min(load_rate * dt, 1.0f);
-        keep = 1 - share;
-        gain = share / state.last_substep;
-        force = 1.0f / state.last_substep;
-        const float omega = 2.0f * pi * min(state.solver.contact_hertz, 0.125f * static_cast<float>(state.solver.substeps) / dt);
-        give = 1.0f / (omega * omega);
-    }
-    void follow(ContactManifold& m) const {
-        if ((m.flags & contact_special) != 0 || m.count() == 0) return;
-        const float load = keep * m.load + gain * (m.normal_impulse[0] + m.normal_impulse[1]);
-        m.load = load >= 0 && load < most_load ? load : 0;
-    }
-    // `inv_mass` (1/kg) is that of both bodies together.
-    void learn(ContactManifold& m, float inv_mass) const {
-        const float impulse = m.normal_impulse[0] + m.normal_impulse[1];
-        if ((m.flags & contact_special) != 0 || m.count() != 2) return;
-        if (!(abs(cross(m.normal, gravity)) < learning_tilt * abs(dot(m.normal, gravity)))) return;
-        if (abs(m.tangent_impulse[0] + m.tangent_impulse[1]) > learning_friction * impulse) return;
-        const float load = force * impulse;
-        if (load < most_load && give * inv_mass * abs(load - m.load) > worth_learning) m.load = load;
-    }
-};
-
-// True if one of the two bodies is not dynamic.
-ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return !(min(a.inv_mass, b.inv_mass) > 0); }
+inline constexpr std::uint32_t update_grain = 4;  // words of 64 contacts that are worth a task
+inline constexpr std::uint32_t clear_grain = 16;  // words of 64 bodies that are worth a task
 
 bool comes_fast(const Approach& approach) { return approach.most() > 2.0f * fast_way; }
-
-// True if the surfaces have slipped little at the points of a contact that has `count` of them, 1 or 2.
-ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const Pose& b, std::uint32_t count, Rot turn_a, Rot turn_b) {
-    // As one body turns against the other, points that are not in the manifold may come near, by at most the smaller body's size times the turn. They were
-    // apart by more than the speculative distance.
-    const float turn = abs(turn_b.s * turn_a.c - turn_b.c * turn_a.s);
-    const float size = min(a.max_extent, b.max_extent);
-    const float reach = recycle_distance - 2.0f * size * turn;
-    if (reach <= 0) return false;
-    // Faces of moving bodies that are pressed into each other do not slip: separations follow. (slip_of, with what both points share worked out once.)
-    const Vec2 shift = b.center - a.center - rotate(turn_b, m.offset);
-    const Rot apart = {turn_b.c - turn_a.c, turn_b.s - turn_a.s};
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec2 slip = shift + rotate(apart, m.anchors[i]);
-        if (length_squared(slip) <= reach * reach) continue;
-        const float sunk = clamp(dot(slip, m.normal), -0.5f * size, 0.0f);
-        if (count != 2 || has_floor(a, b) || length_squared(slip) - sunk * sunk > reach * reach) return false;
-    }
-    return true;
-}
-
-// True if neither body has turned far since the manifold was made.
-ISLET_PART bool have_turned_little(Rot turn_a, Rot turn_b) { return !(min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn); }
-
-// Turns the manifold, with all that it holds of how the bodies stood, as far as the bodies have turned together. (It then lags by half a step in the mean.
-// Turned ahead by that much, it would keep the spin of two bodies that are pressed together; but pressed hard, they would gain spin.)
-ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a, const Pose& b) {
-    const Rot turn = inv_mul(m.rotation_a, a.q);
-    if (abs(turn.s) <= least_lag) return;
-    const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, slower = min(abs(wa), abs(wb));
-    const Vec2 gravity = core.state->gravity;
-    const bool level = m.count() == 2 && abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity));
-    const float least = has_floor(a, b) ? turn_rate : level && abs(wa - wb) < turn_alike * slower ? level_turn_rate : wedged_turn_rate;
-    if (!(wa * wb > 0) || !(slower > least)) return;
-    m.normal = rotate(turn, m.normal);
-    m.normal = (1.5f - 0.5f * length_squared(m.normal)) * m.normal;  // a unit vector, however often it is turned
-    m.offset = rotate(turn, m.offset);
-    for (Vec2& anchor : m.anchors) anchor = rotate(turn, anchor);
-    m.rotation_a = a.q;
-    m.rotation_b = normalize(turn * m.rotation_b);
-}
-
-bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
-    if ((m.flags & (contact_posed | contact_ahead)) != contact_posed) return false;
-    const Rot turn_a = inv_mul(m.rotation_a, a.q);
-    const Rot turn_b = inv_mul(m.rotation_b, b.q);
-    if (!have_turned_little(turn_a, turn_b)) return false;
-    const std::uint32_t count = m.count();
-    if (count == 0) {
-        // Nothing touches yet. The bound of the relative motion of any two points must stay well within the speculative distance.
-        const Vec2 shift = b.center - a.center - m.offset;
-        const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
-        return reach > 0 && length_squared(shift) < reach * reach;
-    }
-    return has_kept_points(m, a, b, count, turn_a, turn_b);
-}
-
-// True if the contact touches as before, and all that an update does is to keep its manifold. Of most contacts of a pile two tests tell that. (False says
-// nothing.)
-ISLET_PART bool is_settled(const ContactManifold& m, const Pose& a, const Pose& b) {
-    constexpr std::uint32_t asked = contact_touching | contact_posed | contact_sensor | contact_asks | contact_one_way | contact_ahead | contact_untold;
-    if ((m.flags & asked) != (contact_touching | contact_posed) || ((a.flags | b.flags) & (pose_moved | pose_fast | pose_learns)) != 0) return false;
-    const std::uint32_t count = m.count();
-    if (count == 0) return false;
-    const Rot turn_a = inv_mul(m.rotation_a, a.q), turn_b = inv_mul(m.rotation_b, b.q);
-    return abs(turn_a.s) <= least_lag && have_turned_little(turn_a, turn_b) && has_kept_points(m, a, b, count, turn_a, turn_b);
-}
 
 // How the bodies of a contact come together in this step. Two bodies that fall together do not look ahead for each other: each goes at least a quarter of the
 // way by which they come together, and neither comes through half of the other. What falls together and lands exactly piles up to towers, which topple later.
@@ -268,17 +139,25 @@ ISLET_SHARED bool is_deep(const Core& core, const ContactManifold& m) {
     return min(m.separation[0], m.separation[1]) < -share * core.bodies[body].min_extent;
 }
 
+/// Contacts that kept their manifolds; of these, those that nothing else had to be done for (is_settled).
+struct KeptCount {
+    std::uint32_t manifolds = 0, settled = 0;
+};
+
 enum class Change : std::uint8_t { none, changes, parts };
 
 // Updates one contact and touches nothing else, so contacts may be updated in any order or in parallel. Changes to shared state are only reported.
-ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, const LoadFollower& loads, std::uint32_t& recycled) {
+// `looks_settled` is false if it is known not to be settled.
+ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, const LoadFollower& loads, KeptCount& kept,
+                         [[maybe_unused]] bool looks_settled) {
     ContactManifold& m = core.manifolds[index];
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
 #if !defined(__OPTIMIZE_SIZE__)
-    if (is_settled(m, a, b)) {
+    if (looks_settled && is_settled(m, a, b)) {
         loads.follow(m);
-        ++recycled;
+        ++kept.manifolds;
+        if (max_lanes > 1) ++kept.settled;
         return is_continuous(core) && is_deep(core, m) ? Change::changes : Change::none;
     }
 #endif
@@ -306,7 +185,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if (fast && m.count() == 0) approach = approach_to(core, m, dt, fall);
     if ((m.flags & (contact_posed | contact_ahead)) == contact_posed && m.count() != 0) turn_along(core, m, a, b);
     if (!comes_fast(approach) && can_recycle(m, a, b)) {
-        ++recycled;
+        ++kept.manifolds;
     } else {
         if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);
         remake(core, index, approach, dt);
@@ -334,6 +213,7 @@ void tell_touch(Core& core, std::uint32_t index) {
 void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
     ContactManifold& m = core.manifolds[index];
     m.flags |= contact_touching;
+    core.forget_plan();
     assign_color(core, index);
     if ((m.flags & contact_ahead) != 0 && separation_now(core, m) > speculative_distance) {
         m.flags |= contact_untold;
@@ -350,6 +230,7 @@ void end_touch(Core& core, std::uint32_t index) {
     if (is_told(m)) record_end_event(core, index);
     m.flags &= ~static_cast<std::uint32_t>(contact_touching | contact_untold);
     core.begins.clear(index);
+    core.forget_plan();
     release_color(core, index);
 }
 
@@ -374,6 +255,26 @@ void commit(Core& core, std::uint32_t index, BitSet to_wake) {
     } else {
         begin_touch(core, index, to_wake);
     }
+}
+
+// Keeps the settled contacts of a word of awake ones, W at a time, and counts them. Returns the bits of the others.
+template <std::uint32_t W>
+std::uint64_t keep_settled_of(const Core& core, std::uint32_t word, LoadRate rate, KeptCount& kept) {
+    std::uint64_t bits = core.awake_contacts.words[word], others = 0;
+    while (bits != 0) {
+        std::uint32_t contact[W], count = 0;
+        std::uint64_t bit[W];
+        for (; count < W && bits != 0; ++count, bits &= bits - 1) {
+            contact[count] = 64 * word + trailing_zeros_of_long(bits);
+            bit[count] = bits & -bits;
+        }
+        for (std::uint32_t i = count; i < W; ++i) contact[i] = contact[0];
+        const std::uint32_t settled = detail::keep_settled<W>(core.manifolds, core.poses, contact, rate, is_continuous(core));
+        for (std::uint32_t left = ~settled & ((1u << count) - 1); left != 0; left &= left - 1, --count) others |= bit[trailing_zeros(left)];
+        kept.manifolds += count;
+        kept.settled += count;
+    }
+    return others;
 }
 
 }  // namespace
@@ -413,21 +314,31 @@ void update_contacts(Core& core, float dt) {
     const float fall = fall_in(core, dt);
     const LoadFollower loads(*core.state, dt);
     const std::uint32_t words = core.awake_contacts.word_count;
-    std::uint32_t* recycled = arena.take<std::uint32_t>(range_count(words, update_grain));
-    core.report.recycled_contacts = 0;
-    std::memset(recycled, 0, std::size_t{range_count(words, update_grain)} * 4);
+    KeptCount* const kept_in = arena.take<KeptCount>(range_count(words, update_grain));
+    const bool most_settled = max_lanes > 1 && core.lanes > 1 && 4 * core.kept.settled_contacts > 3 * core.awake_contacts.count();  // in the last step
+    const BitSet open = most_settled ? take_bits(core.capacity.contacts) : core.awake_contacts;  // to be looked at one by one
+    std::memset(static_cast<void*>(kept_in), 0, range_count(words, update_grain) * sizeof(KeptCount));
     for_ranges(core, words, update_grain, [&](std::uint32_t first, std::uint32_t end) {
-        std::uint32_t kept = 0;
-        const auto update_one = [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
-            const Change change = update(core, i, dt, fall, loads, kept);
+        KeptCount kept;
+        if constexpr (max_lanes > 1) {
+            for (std::uint32_t w = first; most_settled && w < end; ++w)
+                open.words[w] = core.lanes >= 8 ? keep_settled_of<max_block_lanes>(core, w, loads.rate, kept) : keep_settled_of<4>(core, w, loads.rate, kept);
+        }
+        open.for_each_in(first, end, [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
+            const Change change = update(core, i, dt, fall, loads, kept, max_lanes == 1 || !most_settled);
             if (change == Change::none) return;
             changed.set(i);
             if (change == Change::parts) parted.set(i);
-        };
-        core.awake_contacts.for_each_in(first, end, update_one);
-        recycled[first / update_grain] = kept;
+        });
+        kept_in[first / update_grain] = kept;
     });
-    for (std::uint32_t i = 0; i < range_count(words, update_grain); ++i) core.report.recycled_contacts += recycled[i];
+    KeptCount kept;
+    for (std::uint32_t i = 0; i < range_count(words, update_grain); ++i) {
+        kept.manifolds += kept_in[i].manifolds;
+        kept.settled += kept_in[i].settled;
+    }
+    core.report.recycled_contacts = kept.manifolds;
+    core.kept.note_settled(kept.settled);
 
     // Changes to shared state are applied in index order.
     changed.for_each([&](std::uint32_t i) {

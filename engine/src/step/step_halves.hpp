@@ -54,10 +54,10 @@ ISLET_PART void begin_step(Core& c, float dt) {
     note(c, Stage::collide);
 }
 
-/// Plans the solve. The plan's arrays are taken from the end of `arena`.
+/// Plans the solve. The arrays of a new plan are taken from the end of `arena`; a plan that was kept lies behind it.
 ISLET_PART Plan plan_step(Core& c, Arena& arena) {
     if (has_joints && c.state->joint_pool.count != 0) choose_trees(c, arena);
-    const Plan plan = make_plan(c, arena);
+    const Plan plan = kept_or_new_plan(c, arena);
     note(c, Stage::islands);
     return plan;
 }

@@ -1,0 +1,81 @@
+// Keeping settled contacts in lanes: the arithmetic of is_settled (step/recycling.hpp), operation by operation, so that no manifold is kept that one lane would
+// not keep.
+#pragma once
+
+#include <cstring>
+
+#include "../constraint/lane_vectors.hpp"
+#include "../constraint/settled_contacts.hpp"
+#include "../math/lanes.hpp"
+
+namespace islet::detail {
+
+template <class F>
+ISLET_LANE LaneVec<F> turned_in_lanes(LaneVec<F> q, LaneVec<F> v) {  // q: cosine, sine
+    return {q.x * v.x - q.y * v.y, q.y * v.x + q.x * v.y};
+}
+template <class F>
+ISLET_LANE LaneVec<F> turn_between(LaneVec<F> from, LaneVec<F> to) {
+    return {from.x * to.x + from.y * to.y, from.x * to.y - from.y * to.x};
+}
+
+/// A bit for each lane whose surfaces have slipped by less than the root of `most` at a point, but for what they are pressed into each other where they may be.
+template <class L, class F = typename L::F>
+ISLET_LANE std::uint32_t slips_little(LaneVec<F> anchor, LaneVec<F> normal, LaneVec<F> shift, LaneVec<F> apart, F size, F most, std::uint32_t pressed) {
+    const LaneVec<F> slip = shift + turned_in_lanes(apart, anchor);
+    const F way = dot(slip, slip), sunk = clamp_lanes<L>(dot(slip, normal), L::splat(-0.5f) * size, L::splat(0));
+    return L::bits(way <= most) | (pressed & L::bits(way - sunk * sunk <= most));
+}
+
+template <std::uint32_t W>
+std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep) {
+    using L = LaneOf<W>;
+    using F = typename L::F;
+    using I = decltype(F{} < F{});
+    using Vec = LaneVec<F>;
+    constexpr std::uint32_t manifold_stride = sizeof(ContactManifold) / 4, pose_stride = sizeof(Pose) / 4;
+    typename L::template Columns<4> head, surface;        // bodies, flags, ids; load, separations, friction
+    typename L::template Columns<8> frame, points, a, b;  // normal, offset, rotations; anchors, impulses; poses
+    const float* const words = reinterpret_cast<const float*>(manifolds);
+    L::template gather4<manifold_stride>(words, contact, head);
+    const I flags = reinterpret_cast<I>(head[2]);
+    const std::uint32_t two = L::bits((flags & static_cast<std::int32_t>(2u << contact_count_shift)) != 0);
+    std::uint32_t kept = L::bits((flags & static_cast<std::int32_t>(asked_flags | contact_special)) == static_cast<std::int32_t>(settled_flags)) &
+                         L::bits((flags & static_cast<std::int32_t>(3u << contact_count_shift)) != 0);
+    if (kept == 0) return 0;
+    std::uint32_t body_a[W], body_b[W];
+    std::memcpy(body_a, &head[0], sizeof body_a);
+    std::memcpy(body_b, &head[1], sizeof body_b);
+    L::template gather8<pose_stride>(reinterpret_cast<const float*>(poses), body_a, a);
+    L::template gather8<pose_stride>(reinterpret_cast<const float*>(poses), body_b, b);
+    L::template gather8<manifold_stride>(words + 4, contact, frame);
+    L::template gather8<manifold_stride>(words + 12, contact, points);
+    L::template gather4<manifold_stride>(words + 20, contact, surface);
+    kept &= L::bits(((reinterpret_cast<I>(a[7]) | reinterpret_cast<I>(b[7])) & static_cast<std::int32_t>(pose_unsettled)) == 0);
+
+    const Vec turn_a = turn_between(Vec{frame[4], frame[5]}, Vec{a[2], a[3]}), turn_b = turn_between(Vec{frame[6], frame[7]}, Vec{b[2], b[3]});
+    kept &= L::bits(L::abs(turn_a.y) <= L::splat(least_lag)) & L::bits(min(turn_a.x, turn_b.x) >= L::splat(0)) &
+            L::bits(max(L::abs(turn_a.y), L::abs(turn_b.y)) <= L::splat(recycle_turn));
+    const F turn = L::abs(turn_b.y * turn_a.x - turn_b.x * turn_a.y);
+    const F size = min(a[6], b[6]);
+    const F reach = L::splat(recycle_distance) - L::splat(2.0f) * size * turn;
+    const F most = reach * reach;
+    kept &= L::positive(reach);
+    const std::uint32_t moving = L::positive(min(a[4], b[4]));
+    const Vec shift = Vec{b[0], b[1]} - Vec{a[0], a[1]} - turned_in_lanes(turn_b, Vec{frame[2], frame[3]});
+    const Vec apart = turn_b - turn_a, normal = {frame[0], frame[1]};
+    const std::uint32_t pressed = two & moving;  // faces of moving bodies
+    kept &= slips_little<L>(Vec{points[0], points[1]}, normal, shift, apart, size, most, pressed) &
+            (slips_little<L>(Vec{points[2], points[3]}, normal, shift, apart, size, most, pressed) | ~two);
+    if (follows_deep) kept &= moving | L::bits(min(surface[1], surface[2]) >= L::splat(-2.0f * linear_slop));
+
+    const F load = L::splat(rate.keep) * surface[0] + L::splat(rate.gain) * (points[4] + points[5]);
+    const F followed = select((load >= L::splat(0)) & (load < L::splat(most_load)), load, L::splat(0));
+    float loads[W];
+    L::store(loads, followed);
+    for (std::uint32_t i = 0; i < W; ++i)
+        if ((kept >> i & 1u) != 0) manifolds[contact[i]].load = loads[i];
+    return kept;
+}
+
+}  // namespace islet::detail

@@ -1,0 +1,100 @@
+// Settled contacts that are kept in lanes are those that one lane keeps, and what they hold comes to the same bits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "../../engine/src/math/cpu.hpp"
+#include "../../engine/src/step/recycling.hpp"
+#include "support/random.hpp"
+
+namespace islet::detail {
+namespace {
+
+#if ISLET_MAX_LANES > 1
+
+Rot turned(Rot q, float angle) { return q * make_rot(angle); }
+
+// Contacts near all the limits at which one is not settled any more.
+struct RandomContacts {
+    std::vector<ContactManifold> manifolds;
+    std::vector<Pose> poses;
+
+    explicit RandomContacts(std::uint32_t count) : manifolds(count), poses(count + 1) {
+        test::Random random(7);
+        for (Pose& p : poses) {
+            p.center = {random.between(-1, 1), random.between(-1, 1)};
+            p.q = make_rot(random.between(-3, 3));
+            p.inv_mass = p.inv_inertia = random.one_in(4) ? 0.0f : 1.0f;
+            p.max_extent = random.between(0.2f, 3);
+            const std::uint32_t flags[] = {pose_moved, pose_fast, pose_learns, pose_alone, pose_deep};
+            if (random.one_in(12)) p.flags = flags[random.below(5)];
+        }
+        for (std::uint32_t i = 0; i < count; ++i) {
+            ContactManifold& m = manifolds[i];
+            m.body_a = i;
+            m.body_b = i + 1;
+            const std::uint32_t others[] = {contact_special, contact_sensor, contact_asks,   contact_one_way,
+                                            contact_ahead,   contact_untold, contact_bouncy, contact_hits};
+            m.flags = settled_flags | (random.one_in(8) ? random.below(3) : 2u) << contact_count_shift;
+            if (random.one_in(6)) m.flags |= others[random.below(8)];
+            if (random.one_in(20)) m.flags &= ~(random.one_in(2) ? std::uint32_t{contact_touching} : std::uint32_t{contact_posed});
+            const Pose &a = poses[i], &b = poses[i + 1];
+            const float lag = random.one_in(5) ? 0.13f : 0.0011f, slip = random.one_in(4) ? 0.02f : 0.006f;
+            m.rotation_a = turned(a.q, random.between(-lag, lag));
+            m.rotation_b = turned(b.q, random.between(-lag, lag));
+            m.normal = rotate(make_rot(random.between(-3, 3)), {1, 0});
+            m.offset = b.center - a.center + Vec2{random.between(-slip, slip), random.between(-slip, slip)};
+            for (std::uint32_t k = 0; k < 2; ++k) {
+                m.anchors[k] = {random.between(-1, 1), random.between(-1, 1)};
+                m.normal_impulse[k] = random.between(0, 5);
+                m.separation[k] = random.between(-0.015f, 0.001f);
+            }
+            m.load = random.one_in(30) ? most_load : random.between(-1, 100);
+        }
+    }
+};
+
+bool is_kept_by_one_lane(const ContactManifold& m, const Pose& a, const Pose& b, bool follows_deep) {
+    const bool deep = min(m.separation[0], m.separation[1]) < -2.0f * linear_slop && has_floor(a, b);
+    return (m.flags & contact_special) == 0 && is_settled(m, a, b) && !(follows_deep && deep);
+}
+
+template <std::uint32_t W>
+void expect_as_one_lane(bool follows_deep) {
+    RandomContacts all(8000);
+    std::vector<ContactManifold> wanted = all.manifolds;
+    LoadFollower loads{State{}, 1.0f / 60};
+    loads.rate = {0.9f, 0.1f};
+    std::uint32_t settled = 0;
+    for (std::uint32_t i = 0; i + W <= wanted.size(); i += W) {
+        std::uint32_t contact[W], bits = 0;
+        for (std::uint32_t k = 0; k < W; ++k) {
+            contact[k] = i + (5 * k + 3) % W;  // in any order
+            ContactManifold& m = wanted[contact[k]];
+            if (!is_kept_by_one_lane(m, all.poses[m.body_a], all.poses[m.body_b], follows_deep)) continue;
+            bits |= 1u << k;
+            loads.follow(m);
+            ++settled;
+        }
+        ASSERT_EQ(keep_settled<W>(all.manifolds.data(), all.poses.data(), contact, loads.rate, follows_deep), bits) << "contacts from " << i;
+    }
+    EXPECT_EQ(std::memcmp(all.manifolds.data(), wanted.data(), wanted.size() * sizeof(ContactManifold)), 0);
+    EXPECT_GT(settled, wanted.size() / 5);
+    EXPECT_LT(settled, wanted.size() * 4 / 5);
+}
+
+TEST(SettledContacts, InLanesAreThoseThatOneLaneKeeps) {
+    for (const bool follows_deep : {false, true}) {
+        expect_as_one_lane<4>(follows_deep);
+#if ISLET_MAX_LANES >= 8
+        if (cpu_has_avx2()) expect_as_one_lane<8>(follows_deep);
+#endif
+    }
+}
+
+#endif
+
+}  // namespace
+}  // namespace islet::detail
