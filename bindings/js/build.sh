@@ -16,7 +16,7 @@ work=$root/build/js
 
 # What stands in no folder of the engine but is read by it all the same makes everything new.
 newest=$(find "$root"/engine/{include,src} "$root"/bindings/{c,js} "$root/bindings/api.json" -path "$dist" -prune -o -path '*/node_modules' -prune -o \
-    -path '*/test/*' -prune -o -path '*/bench/*' -prune -o -path '*/__pycache__' -prune -o -type f -newer "$dist/made" -print -quit 2>/dev/null || echo all)
+    -path "$root/*/test/*" -prune -o -path "$root/*/bench/*" -prune -o -path '*/__pycache__' -prune -o -type f -newer "$dist/made" -print -quit 2>/dev/null || echo all)
 if [ -z "$newest" ] && [ -e "$dist/made" ] && [ -e "$work/simd/cold.o" ]; then exit 0; fi
 rm -rf "$dist"
 mkdir -p "$dist" "$work"
