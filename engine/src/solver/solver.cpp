@@ -43,12 +43,16 @@ struct BatchSolve {
     ContactRows<1>* overflow = s.overflow + batch.first_overflow;
     std::uint32_t overflow_count = batch.end_overflow - batch.first_overflow;
     std::uint32_t lone_colors = 0;  // bits of those with one contact, which has a row by itself: it costs less than a block that is mostly padding
+    /// Of a narrow batch without joints, bits of the colours at which a piece begins: blocks that lie side by side and are solved alike, and so in one go,
+    /// whatever their colours. 0: all blocks are solved colour by colour.
+    std::uint32_t piece_colors = 0;
 
     Rows* row(std::uint32_t block) const { return first_row + (block - batch.first_block[0]); }
     // In place of the block.
     ContactRows<1>* lone_row(std::uint32_t block) const { return reinterpret_cast<ContactRows<1>*>(row(block)); }
     bool is_lone(std::uint32_t color) const { return W > 1 && (lone_colors >> color & 1) != 0; }
     void find_lone_colors();
+    void find_pieces();
 
     /// Calls work(kernel, its rows, how many, first block) for some of a colour's blocks. Sixteen lanes solve them two by two, and one that is left over by
     /// itself; so the parts of a colour must begin at even blocks of it, as they do where workers share it.
@@ -92,6 +96,33 @@ struct BatchSolve {
             const std::uint32_t begin = batch.first_block[c];
             over(batch.first_block[c + 1] - begin, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) { work(begin + first, begin + end, c); });
         }
+    }
+
+    /// Whether one kernel solves the colour's blocks one by one: not one that has a row by itself, or, in sixteen lanes, two blocks.
+    bool is_plain(std::uint32_t color) const { return !is_lone(color) && (lanes == W || batch.first_block[color + 1] - batch.first_block[color] == 1); }
+
+    /// Calls work(kernel, its rows, how many, first block, colour) piece by piece.
+    template <class Work>
+    void over_pieces(Work&& work) {
+        for (std::uint32_t left = piece_colors; left != 0;) {
+            const auto c = trailing_zeros(left);
+            left &= left - 1;
+            const std::uint32_t first = batch.first_block[c], end = batch.first_block[left != 0 ? trailing_zeros(left) : color_count];
+            if (is_plain(c)) {
+                work(K{}, row(first), end - first, first, c);
+            } else {
+                with_rows(c, first, end, [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t block) { work(kernel, rows, count, block, c); });
+            }
+        }
+    }
+
+    /// Calls work(kernel, its rows, how many, first block) for all blocks.
+    template <class Work>
+    void over_rows(Work&& work) {
+        if constexpr (W > 1)
+            if (piece_colors != 0)
+                return over_pieces([&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t block, std::uint32_t) { work(kernel, rows, count, block); });
+        over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) { with_rows(c, first, end, work); });
     }
 
     /// Calls work(part of the run, its rows). A run without a colour is one part.
@@ -139,16 +170,30 @@ void BatchSolve<lanes>::find_lone_colors() {
     }
 }
 
+// A piece ends where the kernel or its numbers change: contacts with static bodies have others.
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::find_pieces() {
+    if (W == 1 || wide || has_run(batch.first_run)) return;
+    bool goes_on = false;
+    for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
+        const auto c = trailing_zeros(left);
+        if (batch.first_block[c] == batch.first_block[c + 1]) continue;
+        const bool first_of_ground = c >= dynamic_color_limit && (piece_colors >> dynamic_color_limit) == 0;
+        const bool plain = is_plain(c);
+        if (!goes_on || !plain || first_of_ground) piece_colors |= 1u << c;
+        goes_on = plain;
+    }
+}
+
 template <std::uint32_t lanes>
 void BatchSolve<lanes>::prepare() {
     over_bodies([&](std::uint32_t first, std::uint32_t end) { gather_bodies(s, first, end); });
     const PrepareInput in = s.input();
     find_lone_colors();
-    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) {
-        with_rows(c, first, end, [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t block) {
-            name_contacts(s.core, rows, count, s.plan.contacts + std::size_t{block} * W);
-            decltype(kernel)::prepare(in, rows, count);
-        });
+    find_pieces();
+    over_rows([&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t block) {
+        name_contacts(s.core, rows, count, s.plan.contacts + std::size_t{block} * W);
+        decltype(kernel)::prepare(in, rows, count);
     });
     name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
     One::prepare(in, overflow, overflow_count);
@@ -172,7 +217,12 @@ void BatchSolve<lanes>::sweep(const SweepNumbers& dynamic, const SweepNumbers& g
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
     if (!s.numbers.is_ordered && overflow_count != 0) One::solve(s.bodies, overflow, overflow_count, dynamic);
-    for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
+    if constexpr (W > 1) {
+        over_pieces([&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t, std::uint32_t c) {
+            decltype(kernel)::solve(s.bodies, rows, count, c < dynamic_color_limit ? dynamic : ground);
+        });
+    }
+    for (std::uint32_t left = piece_colors == 0 ? s.plan.colors : 0; left != 0; left &= left - 1) {
         const auto c = trailing_zeros(left);
         for (; has_run(run) && s.plan.runs[run].color == c; ++run) {
             const JointRun& r = s.plan.runs[run];
@@ -273,7 +323,7 @@ void BatchSolve<lanes>::store() {
         over(batch.first_block[color_count] - begin, 4 * contact_grain / W,
              [&](std::uint32_t first, std::uint32_t end) { store_rows(K{}, row(begin + first), end - first, begin + first); });
     } else {
-        over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) { with_rows(c, first, end, store_rows); });
+        over_rows(store_rows);
     }
     One::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
@@ -304,10 +354,7 @@ void BatchSolve<lanes>::run() {
     }
     const float threshold = s.numbers.step.restitution_threshold;
     One::restitute(s.bodies, overflow, overflow_count, threshold);
-    over_colors([&](std::uint32_t first, std::uint32_t end, std::uint32_t c) {
-        with_rows(c, first, end,
-                  [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t) { decltype(kernel)::restitute(s.bodies, rows, count, threshold); });
-    });
+    over_rows([&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t) { decltype(kernel)::restitute(s.bodies, rows, count, threshold); });
     hold();
     store();
 }
