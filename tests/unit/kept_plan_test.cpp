@@ -37,17 +37,26 @@ protected:
     }
 };
 
+// Takes a step, and says whether it took over the plan that was kept: one that is marked by a number of islands which no plan here has.
+bool takes_over(TestWorld& w) {
+    detail::Plan* const kept = detail::Core::of(*w).kept.plan;
+    const std::uint32_t islands = 777, before = kept->island_count;
+    kept->island_count = islands;
+    w.step();
+    const bool took_over = w->report().islands == islands;
+    if (took_over) kept->island_count = before;
+    return took_over;
+}
+
 TEST_F(KeptPlan, IsKeptWhileBodiesRestOrAreDrivenAsBefore) {
     RestingWorld r;
-    const detail::Plan* const first = detail::Core::of(*r.w).kept.plan;
-    ASSERT_NE(first, nullptr);
+    ASSERT_TRUE(r.keeps());
     for (int i = 0; i < 60; ++i) {
         r.w->apply_force_to_center(r.boxes[1], {0.1f, 0});
         r.w->apply_torque(r.door, 0.1f);
         r.w->set_motor(r.hinge, {true, 1 + 0.01f * static_cast<float>(i), 100});
         r.w->set_gravity({0, -10 - 0.01f * static_cast<float>(i)});
-        r.w.step();
-        ASSERT_EQ(detail::Core::of(*r.w).kept.plan, first) << "step " << i;
+        ASSERT_TRUE(takes_over(r.w)) << "step " << i;
         expect_kept_plan_is_right(*r.w);
     }
 }
@@ -89,6 +98,46 @@ TEST_F(KeptPlan, IsMadeAnewInTheStepInWhichATouchBeginsOrEnds) {
         changes += before != r.w->report().touching_contacts ? 1 : 0;
     }
     EXPECT_EQ(changes, 2u) << "the ball lands, and is thrown up";
+}
+
+TEST_F(KeptPlan, IsKeptAfterChangesOfAWorldWithoutJoints) {
+    TestWorld w{roomy, {.enable_sleep = false}};
+    w.add_ground();
+    const BodyId box = w.add_box({0, 0.5f});
+    w.step(60);
+    w->lock_x(box, true);  // joint trees would have to be chosen anew
+    w.step(2);
+    EXPECT_TRUE(takes_over(w));
+}
+
+TEST_F(KeptPlan, IsForgottenWhenTheLastJointBreaks) {
+    TestWorld w{roomy, {.gravity = {0, 0}, .enable_sleep = false}};
+    const BodyId a = w.add_box({0, 0}), b = w.add_box({5, 0});
+    DistanceJointDef def;
+    def.base.body_a = a;
+    def.base.body_b = b;
+    def.base.break_force = 100;
+    const JointId rod = w->create_joint(def);
+    w.step(2);
+    ASSERT_TRUE(takes_over(w));
+    w->apply_force_to_center(b, {1000, 0});
+    w.step();
+    ASSERT_FALSE(w->is_valid(rod));
+    EXPECT_FALSE(keeps_plan(*w));
+    w.step();
+    EXPECT_EQ(w->report().islands, 2u);
+}
+
+// Contacts with rolling resistance are looked at one by one. If the update took them for settled, it would try lanes in every second step, and in vain.
+TEST_F(KeptPlan, WorldsOfSpecialContactsTryNoLanes) {
+    TestWorld w{roomy, {.enable_sleep = false}};
+    w.add_ground();
+    for (int i = 0; i < 30; ++i) w.add_box({2.0f * static_cast<float>(i % 3), 0.5f + static_cast<float>(i / 3)}, 0.5f, 0.5f, {.rolling_resistance = 0.1f});
+    for (int i = 0; i < 90; ++i) {
+        w.step();
+        ASSERT_EQ(detail::Core::of(*w).kept.settled_contacts, 0u) << "step " << i;
+    }
+    EXPECT_GT(w->report().recycled_contacts, 20u);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ namespace {
 
 void untie(Core& core, std::uint32_t i) {
     Joint& j = core.joints[i];
+    core.forget_plan();
     if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
     wake_island(core, j.body_b, core.arena());
     give_color(core, j.color(), j.body_a, j.body_b);

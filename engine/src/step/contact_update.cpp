@@ -131,15 +131,20 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
               (lands ? std::uint32_t{contact_ahead} : 0u);
 }
 
-// True if a body has sunk into a floor by a quarter of its half-thickness. Its way is then followed like a fast body's, even if it creeps.
+// True if a body has sunk into a floor by more than contacts commonly do. (Lanes leave those to be looked at one by one.)
+ISLET_PART bool has_sunk(const Core& core, const ContactManifold& m) {
+    return min(m.separation[0], m.separation[1]) < -2.0f * linear_slop && has_floor(core.poses[m.body_a], core.poses[m.body_b]);
+}
+
+// True if it has sunk by a quarter of its half-thickness. Its way is then followed like a fast body's, even if it creeps.
 ISLET_SHARED bool is_deep(const Core& core, const ContactManifold& m) {
     constexpr float share = 0.25f;
-    if (!(min(m.separation[0], m.separation[1]) < -2.0f * linear_slop) || !has_floor(core.poses[m.body_a], core.poses[m.body_b])) return false;
+    if (!has_sunk(core, m)) return false;
     const std::uint32_t body = core.is_dynamic(m.body_a) ? m.body_a : m.body_b;
     return min(m.separation[0], m.separation[1]) < -share * core.bodies[body].min_extent;
 }
 
-/// Contacts that kept their manifolds; of these, those that nothing else had to be done for (is_settled).
+/// Contacts that kept their manifolds; of these, those that lanes keep (keep_settled).
 struct KeptCount {
     std::uint32_t manifolds = 0, settled = 0;
 };
@@ -157,8 +162,9 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if (looks_settled && is_settled(m, a, b)) {
         loads.follow(m);
         ++kept.manifolds;
-        if (max_lanes > 1) ++kept.settled;
-        return is_continuous(core) && is_deep(core, m) ? Change::changes : Change::none;
+        const bool sunk = is_continuous(core) && has_sunk(core, m);
+        if (max_lanes > 1 && !sunk && (m.flags & contact_special) == 0) ++kept.settled;
+        return sunk && is_deep(core, m) ? Change::changes : Change::none;
     }
 #endif
     if (((a.flags | b.flags) & pose_moved) != 0) {

@@ -17,7 +17,7 @@ void World::step(float dt) {
     if (!check_open(c) || !check(c, is_time_step(dt), Error::bad_time_step)) return;
     const DefaultFloatMode mode;
     begin_step(c, dt);
-    if (c.state->trees_stale != 0) c.forget_plan();  // and then its place is free
+    if (has_joints && c.state->trees_stale != 0 && c.state->joint_pool.count != 0) c.forget_plan();  // and then its place is free
     Arena arena = c.arena_until_told();
     const Plan plan = plan_step(c, arena);
     SolverBody* bodies = detail::solve(c, plan, arena, dt);
