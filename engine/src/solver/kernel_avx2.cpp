@@ -5,8 +5,8 @@
 
 #include "../constraint/contact.hpp"
 #include "../constraint/joint_runs.hpp"
-#include "../constraint/settled_kernel.hpp"
 #include "../solver/body_vectors.hpp"
+#include "../solver/settled_contacts.hpp"
 
 namespace islet::detail {
 
@@ -16,7 +16,9 @@ template struct ContactKernel<8>;
 void LoneKernel8::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { prepare_blocks<1>(in, rows, count); }
 void LoneKernel8::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) { solve_blocks<1>(bodies, rows, count, numbers); }
 
-template std::uint32_t keep_settled<8>(ContactManifold*, const Pose*, const std::uint32_t*, LoadRate, bool);
+std::uint32_t keep_settled_8(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep) {
+    return keep_settled<Lane8>(manifolds, poses, contact, rate, follows_deep);
+}
 
 template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 

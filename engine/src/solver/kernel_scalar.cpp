@@ -2,17 +2,19 @@
 #include "../exact.hpp"
 
 #include "../constraint/contact.hpp"
-#include "../constraint/settled_kernel.hpp"
 #if ISLET_MAX_LANES >= 4
 #include "../constraint/joint_runs.hpp"
 #endif
+#include "../solver/settled_contacts.hpp"
 
 namespace islet::detail {
 
 template struct ContactKernel<1>;
 #if ISLET_MAX_LANES >= 4
 template struct ContactKernel<4>;
-template std::uint32_t keep_settled<4>(ContactManifold*, const Pose*, const std::uint32_t*, LoadRate, bool);
+std::uint32_t keep_settled_4(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep) {
+    return keep_settled<Lane4>(manifolds, poses, contact, rate, follows_deep);
+}
 template void solve_joints<4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 #endif
 

@@ -275,7 +275,12 @@ std::uint64_t keep_settled_of(const Core& core, std::uint32_t word, LoadRate rat
             bit[count] = bits & -bits;
         }
         for (std::uint32_t i = count; i < W; ++i) contact[i] = contact[0];
-        const std::uint32_t settled = detail::keep_settled<W>(core.manifolds, core.poses, contact, rate, is_continuous(core));
+        std::uint32_t settled;
+        if constexpr (W == 8) {
+            settled = keep_settled_8(core.manifolds, core.poses, contact, rate, is_continuous(core));
+        } else {
+            settled = keep_settled_4(core.manifolds, core.poses, contact, rate, is_continuous(core));
+        }
         for (std::uint32_t left = ~settled & ((1u << count) - 1); left != 0; left &= left - 1, --count) others |= bit[trailing_zeros(left)];
         kept.manifolds += count;
         kept.settled += count;

@@ -13,10 +13,10 @@
 #pragma once
 
 #include "../collide/manifold.hpp"
-#include "../constraint/settled_contacts.hpp"
 #include "../data/core.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
+#include "../solver/settled_contacts.hpp"
 
 namespace islet::detail {
 

@@ -1,14 +1,30 @@
-// Keeping settled contacts in lanes: the arithmetic of is_settled (step/recycling.hpp), operation by operation, so that no manifold is kept that one lane would
-// not keep.
+// Contacts that touch as before: when an update only keeps their manifolds. step/recycling.hpp asks that of one contact, keep_settled of several in lanes: by
+// the same arithmetic, operation by operation, so that no manifold is kept that one lane would not keep.
 #pragma once
 
 #include <cstring>
 
 #include "../constraint/lane_vectors.hpp"
-#include "../constraint/settled_contacts.hpp"
+#include "../data/records.hpp"
 #include "../math/lanes.hpp"
 
 namespace islet::detail {
+
+inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the surfaces may slip before a manifold is made anew
+inline constexpr float most_load = 1.0e28f;                    // N
+inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
+inline constexpr float least_lag = 0.001f;                     // rad that a manifold may lag behind two bodies that turn
+
+/// How the load of a contact follows the force that it bore: m.load = keep * m.load + gain * (sum of its normal impulses).
+struct LoadRate {
+    float keep = 1;  // share of the old load
+    float gain = 0;  // 1/s, of the impulses of the last substep
+};
+
+/// The flags of a contact that may be settled; what else is among `asked_flags` keeps it from that. So do all of `pose_unsettled`, of either body.
+inline constexpr std::uint32_t settled_flags = contact_touching | contact_posed;
+inline constexpr std::uint32_t asked_flags = settled_flags | contact_sensor | contact_asks | contact_one_way | contact_ahead | contact_untold;
+inline constexpr std::uint32_t pose_unsettled = pose_moved | pose_fast | pose_learns;
 
 template <class F>
 ISLET_LANE LaneVec<F> turned_in_lanes(LaneVec<F> q, LaneVec<F> v) {  // q: cosine, sine
@@ -27,9 +43,11 @@ ISLET_LANE std::uint32_t slips_little(LaneVec<F> anchor, LaneVec<F> normal, Lane
     return L::bits(way <= most) | (pressed & L::bits(way - sunk * sunk <= most));
 }
 
-template <std::uint32_t W>
-std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep) {
-    using L = LaneOf<W>;
+/// Keeps those contacts that are settled, as many as there are lanes: their loads follow. Returns a bit for each that is kept. None is that has rolling
+/// resistance or a tangent speed, or, if `follows_deep`, that has sunk deep into a floor.
+template <class L>
+ISLET_LANE std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep) {
+    constexpr std::uint32_t W = L::width;
     using F = typename L::F;
     using I = decltype(F{} < F{});
     using Vec = LaneVec<F>;
@@ -77,5 +95,9 @@ std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* poses, const 
         if ((kept >> i & 1u) != 0) manifolds[contact[i]].load = loads[i];
     return kept;
 }
+
+/// The same of four contacts (kernel_scalar.cpp), and of eight (kernel_avx2.cpp), for processors with AVX2 alone.
+std::uint32_t keep_settled_4(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep);
+std::uint32_t keep_settled_8(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep);
 
 }  // namespace islet::detail
