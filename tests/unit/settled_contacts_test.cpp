@@ -57,7 +57,7 @@ struct RandomContacts {
 };
 
 bool is_kept_by_one_lane(const ContactManifold& m, const Pose& a, const Pose& b, bool follows_deep) {
-    const bool deep = min(m.separation[0], m.separation[1]) < -2.0f * linear_slop && has_floor(a, b);
+    const bool deep = min(m.separation[0], m.separation[1]) < sunk_from && has_floor(a, b);
     return (m.flags & contact_special) == 0 && is_settled(m, a, b) && !(follows_deep && deep);
 }
 

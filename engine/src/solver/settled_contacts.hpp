@@ -11,9 +11,11 @@
 namespace islet::detail {
 
 inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the surfaces may slip before a manifold is made anew
-inline constexpr float most_load = 1.0e28f;                    // N
+inline constexpr float most_load = 1.0e28f;                    // N; a contact whose load would be more forgets it
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
 inline constexpr float least_lag = 0.001f;                     // rad that a manifold may lag behind two bodies that turn
+
+inline constexpr float sunk_from = -2.0f * linear_slop;  // m, separation below which a contact with a floor is looked at by itself
 
 /// How the load of a contact follows the force that it bore: m.load = keep * m.load + gain * (sum of its normal impulses).
 struct LoadRate {
@@ -85,7 +87,7 @@ ISLET_LANE std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* po
     const std::uint32_t pressed = two & moving;  // faces of moving bodies
     kept &= slips_little<L>(Vec{points[0], points[1]}, normal, shift, apart, size, most, pressed) &
             (slips_little<L>(Vec{points[2], points[3]}, normal, shift, apart, size, most, pressed) | ~two);
-    if (follows_deep) kept &= moving | L::bits(min(surface[1], surface[2]) >= L::splat(-2.0f * linear_slop));
+    if (follows_deep) kept &= moving | L::bits(min(surface[1], surface[2]) >= L::splat(sunk_from));
 
     const F load = L::splat(rate.keep) * surface[0] + L::splat(rate.gain) * (points[4] + points[5]);
     const F followed = select((load >= L::splat(0)) & (load < L::splat(most_load)), load, L::splat(0));

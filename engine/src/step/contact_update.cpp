@@ -133,7 +133,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
 
 // True if a body has sunk into a floor by more than contacts commonly do. (Lanes leave those to be looked at one by one.)
 ISLET_PART bool has_sunk(const Core& core, const ContactManifold& m) {
-    return min(m.separation[0], m.separation[1]) < -2.0f * linear_slop && has_floor(core.poses[m.body_a], core.poses[m.body_b]);
+    return min(m.separation[0], m.separation[1]) < sunk_from && has_floor(core.poses[m.body_a], core.poses[m.body_b]);
 }
 
 // True if it has sunk by a quarter of its half-thickness. Its way is then followed like a fast body's, even if it creeps.
