@@ -8,7 +8,8 @@
 #   tools/footprint.sh --json        the same as JSON
 #   tools/footprint.sh --write       the table, and its figures into docs/microcontrollers.md
 #   tools/footprint.sh --check       the table (without the Cortex-M7, and some without all programs), and whether every figure keeps its limit: part of
-#                                    tools/test.sh --all
+#                                    tools/test.sh --release
+#   tools/footprint.sh --check-few   the same of a Cortex-M4F, of the small profile, and of one board each of another kind: part of tools/test.sh --all
 #   tools/footprint.sh --c           what the C interface adds to a program of ten calls on a Cortex-M4F, and whether it is at most 500 bytes
 #   tools/footprint.sh --options     what each feature in islet/config.hpp saves on a Cortex-M4F when ISLET_WITHOUT leaves it out alone
 # Installs the cross compilers and QEMU with apt if they are missing.
@@ -44,21 +45,23 @@ most_soft_instructions=8150000 # the same without a floating-point unit
 
 # Boards for which drawer.cpp alone is built, and their limits: flash (bytes), memory of the world (bytes), instructions of a step in the mean.
 boards=(cortex-m0 stm32f103 riscv32imc)
-declare -A most_on_board=([cortex-m0]='52900 12232 1890000' [stm32f103]='48800 12232 1180000' [riscv32imc]='61000 12232 1580000')
+declare -A most_on_board=([cortex-m0]='53000 11752 1890000' [stm32f103]='48800 11752 1180000' [riscv32imc]='61300 11752 1580000')
 
 mode=table
+few=false
 for argument in "$@"; do
     case $argument in
     --json) mode=json ;;
     --check) mode=check ;;
+    --check-few) mode=check few=true ;;
     --write) mode='write' ;;
     --c) mode=c ;;
     --options) mode=options ;;
     -h | --help)
-        sed -n '2,14s/^# \{0,1\}//p' "$0"
+        sed -n '2,15s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
-    *) die "$0: unknown option $argument; there are --json, --check, --write, --c and --options" ;;
+    *) die "$0: unknown option $argument; there are --json, --check, --check-few, --write, --c and --options" ;;
     esac
 done
 
@@ -149,6 +152,10 @@ at_most() { [ "$3" -le "$4" ] || complain "$1: $2 is $3, more than $4"; }
 
 # The code of a Cortex-M7 and of an M33 is that of the M55 to a few hundred bytes, and so are its instructions.
 if [ "$mode" = check ]; then targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m55 riscv32); fi
+if $few; then
+    targets=(cortex-m4f riscv32)
+    boards=(cortex-m0)
+fi
 
 # write_figures: the manual's tables of targets and of worlds, row by row, from `rows` and `worlds`. A row is known by its target, or by its first numbers.
 write_figures() {
@@ -282,6 +289,10 @@ for target in "${boards[@]}"; do
 done
 
 # The smallest program in the small profile; both folders were built above.
+if $few; then
+    only=(small)
+    build_firmware cortex-m4f-lto cortex-m4f -DISLET_LTO=ON
+fi
 profile=("$(flash "$root/build/firmware/cortex-m4f" small)" "$(flash "$root/build/firmware/cortex-m4f-lto" small)")
 at_most cortex-m4f 'flash of the small profile' "${profile[0]}" 41200
 at_most cortex-m4f-lto 'flash of the small profile' "${profile[1]}" 39500
@@ -289,17 +300,22 @@ stack=$(stack_from _ZN5islet5World4stepEf "$root/build/firmware/cortex-m4f/CMake
 step_stack=${stack%% *}
 at_most cortex-m4f 'the stack of a step in the small profile' "$step_stack" 1536
 
-say "a Cortex-M4F without what can be left out"
-only=()
-build_firmware cortex-m4f-cut cortex-m4f -DISLET_TRIMMED=OFF \
-    '-DISLET_WITHOUT=shortcuts;capsules;segments;half_spaces;chains;restitution;surfaces;sleep;bullets;sensors;hits;hooks;one_way;disabling;queries;recorder;tuning;profile;joints'
-status=0
-log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --tests-regex refusals --verbose 2>&1) || status=$?
-[ "$status" -eq 0 ] || complain "what is left out: $(grep -E 'refused|fault|\*\*\*|No tests' <<<"$log" | head -n 3)"
-[ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
-    complain "what is left out changes the pyramid"
-cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
-at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 44600
+# What a Cortex-M4F takes without what can be left out, and whether that is refused.
+measure_cut() {
+    say "a Cortex-M4F without what can be left out"
+    local log status=0
+    only=()
+    build_firmware cortex-m4f-cut cortex-m4f -DISLET_TRIMMED=OFF \
+        '-DISLET_WITHOUT=shortcuts;capsules;segments;half_spaces;chains;restitution;surfaces;sleep;bullets;sensors;hits;hooks;one_way;disabling;queries;recorder;tuning;profile;joints'
+    log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --tests-regex refusals --verbose 2>&1) || status=$?
+    [ "$status" -eq 0 ] || complain "what is left out: $(grep -E 'refused|fault|\*\*\*|No tests' <<<"$log" | head -n 3)"
+    [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
+        complain "what is left out changes the pyramid"
+    cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
+    at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 44600
+}
+cut=
+$few || measure_cut
 
 if [ "$mode" = json ]; then
     separator=
@@ -321,7 +337,7 @@ else
     printf '%-14s %9s %8s %9s %7s %9s %9s %9s\n' '' 'every' 'large' 'small' '' '' '' '64'
     printf '%-14s %9s %8s %9s %7s %9s %9s %9s\n' 'target' 'function' 'program' 'program' 'bytes' 'pyramid' 'ragdoll' 'balls'
     printf '%s\n' "${rows[@]}"
-    printf 'Boxes and balls with all left out that can be (ISLET_WITHOUT), on the Cortex-M4F: %d bytes.\n' "$cut"
+    $few || printf 'Boxes and balls with all left out that can be (ISLET_WITHOUT), on the Cortex-M4F: %d bytes.\n' "$cut"
     printf 'Boxes and balls in the small profile, on the Cortex-M4F: %d bytes; optimised at the link %d. A step needs %d bytes of stack.\n' \
         "${profile[@]}" "$step_stack"
     printf '\n%-14s %9s %8s %9s %9s\n' 'ten boxes, ball' 'flash' 'memory' 'stack' 'a step'

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -83,6 +85,24 @@ TEST(SmallProfile, GivesTheWholeEnginesBits) {
     const std::string whole = run("islet_with_all", names);
     EXPECT_EQ(run("islet_without_small", names), whole);
     EXPECT_NE(run("islet_with_all", names + "joints"), whole) << "joints that are put back are used";
+}
+
+std::string bytes_of(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The small profile's worlds have contacts with 16-bit indices, those of the whole engine 32-bit ones: their images are the same bytes.
+TEST(SmallProfile, ImagesGoFromEachToTheOther) {
+    const std::string of_whole = testing::TempDir() + "islet_whole.image", of_small = testing::TempDir() + "islet_small.image";
+    const std::string save = "--save " + listed(cut_from_small());
+    const std::string end = run("islet_with_all", save + of_whole);
+    EXPECT_NE(end.find("No error."), std::string::npos) << end;
+    EXPECT_EQ(run("islet_without_small", save + of_small), end);
+    EXPECT_GT(bytes_of(of_whole).size(), 10000u);
+    EXPECT_TRUE(bytes_of(of_small) == bytes_of(of_whole));
+    EXPECT_EQ(run("islet_without_small", "--load " + of_whole), end);
+    EXPECT_EQ(run("islet_with_all", "--load " + of_small), end);
 }
 
 TEST(SmallProfile, RefusesWhatItLeavesOut) {

@@ -2,7 +2,8 @@
 // first error. It is linked once with the whole engine and once with each engine that leaves one feature out (switched_off_test.cpp).
 //
 //   without NAME...                  with these features switched off from the beginning
-//   without --switch NAME... FILE    sleep and continuous collision are switched off after a second; the world is saved then, too
+//   without --save NAME... FILE      the same, but nothing is done between the steps; the world is saved after a second
+//   without --switch NAME... FILE    sleep and continuous collision are switched off after a second; the world is saved then
 //   without --load FILE              goes on from there
 //   without --crowd                  another world: a crowd of which few move
 #include <algorithm>
@@ -175,15 +176,15 @@ struct Player {
 
 int main(int count, char** words) {
     std::string file;
-    bool switches = false, loads = false;
+    bool saves = false, switches = false, loads = false;
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
         if (word == "--crowd") return run_crowd();
-        if (word == "--switch")
-            switches = true;
+        if (word == "--save" || word == "--switch")
+            saves = true, switches = word == "--switch";
         else if (word == "--load")
             loads = true;
-        else if ((switches || loads) && i + 1 == count)
+        else if ((saves || loads) && i + 1 == count)
             file = word;
         else
             unused.push_back(word);
@@ -211,14 +212,14 @@ int main(int count, char** words) {
     if (uses("joints")) add_joints(world, ground);
     Player player{.ball = add(world, Circle{{}, 0.25f}, {-6.5f, 6})};
     for (int i = 0; i < 2 * half_steps; ++i) {
-        if (switches && i == half_steps) {
-            if (!uses("sleep")) world.enable_sleep(false);
-            if (!uses("continuous")) world.enable_continuous(false);
+        if (saves && i == half_steps) {
+            if (switches && !uses("sleep")) world.enable_sleep(false);
+            if (switches && !uses("continuous")) world.enable_continuous(false);
             std::vector<std::byte> image(world.snapshot_bytes());
             world.save(image);
             std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(image.data()), static_cast<std::streamsize>(image.size()));
         }
-        if (!switches) player.act(world, i);
+        if (!saves) player.act(world, i);
         world.step(dt);
     }
     std::printf("%016llx %s\n", static_cast<unsigned long long>(world.hash()), describe(first_error));

@@ -24,14 +24,16 @@ inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u
 
 ISLET_INTERNAL_BEGIN
 namespace detail {
-inline constexpr std::uint32_t max_solved = ISLET_SMALL ? 0xffffu : max_capacity;  // bodies and contacts, which the plan of a solve numbers
+// In the small profile 16 bits number bodies, shapes and contacts, and both ends of each contact.
+inline constexpr std::uint32_t max_solids = ISLET_SMALL ? 0xffffu : max_capacity;  // bodies; shapes
+inline constexpr std::uint32_t max_contacts = ISLET_SMALL ? 0x7fffu : max_capacity;
 }  // namespace detail
 ISLET_INTERNAL_END
 
-/// Whether World::create accepts the capacity. (In the small profile a world has at most 65 535 bodies, and as many contacts.)
+/// Whether World::create accepts the capacity. (In the small profile a world has at most 65 535 bodies, as many shapes, and 32 767 contacts.)
 constexpr bool is_valid(const Capacity& c) {
-    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= detail::max_solved && c.shapes <= max_capacity && c.contacts <= detail::max_solved &&
-           c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity && c.events <= max_capacity;
+    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= detail::max_solids && c.shapes <= detail::max_solids &&
+           c.contacts <= detail::max_contacts && c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity && c.events <= max_capacity;
 }
 
 ISLET_INTERNAL_BEGIN
@@ -76,8 +78,14 @@ inline constexpr std::size_t shape_bytes = 80;
 inline constexpr std::size_t box_bytes = 16;
 inline constexpr std::size_t geometry_bytes = 160;
 inline constexpr std::size_t tree_node_bytes = 32;
-inline constexpr std::size_t contact_bytes = 32;
-inline constexpr std::size_t manifold_bytes = 96;
+// Of an index in a contact: 16 bits in the small profile, but for processors with lanes, which load words of 32 bits. (Tests there ask for 16 bits, and one lane.)
+#if defined(ISLET_INDEX_BITS)
+inline constexpr std::size_t index_bytes = ISLET_INDEX_BITS / 8;
+#else
+inline constexpr std::size_t index_bytes = ISLET_SMALL && layout_lanes == 1 ? 2 : 4;
+#endif
+inline constexpr std::size_t contact_bytes = 6 * index_bytes + 8;
+inline constexpr std::size_t manifold_bytes = 2 * index_bytes + 88;
 inline constexpr std::size_t image_header_bytes = 80;
 inline constexpr std::size_t delta_header_bytes = 48;
 inline constexpr std::size_t solver_body_bytes = 32;
@@ -112,7 +120,7 @@ inline constexpr std::size_t row_bytes = layout_lanes > 1     ? 128
 /// An engine and a program whose worlds have another layout do not link.
 template <std::size_t...>
 struct LayoutName {};
-using LaidOut = LayoutName<core_bytes, row_bytes, hit_bytes, tuned_bytes, keeps_islands>;
+using LaidOut = LayoutName<core_bytes, contact_bytes, place_bytes, row_bytes, hit_bytes, tuned_bytes, keeps_islands>;
 inline constexpr std::size_t joint_bytes = 232;
 inline constexpr std::size_t joint_row_bytes = 144;  // per joint, in a block of rows: of the longest kind
 #define ISLET_ONE(...) +1
@@ -201,7 +209,7 @@ inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bit
 
 // The arrays of a world, in the order of its block and of its snapshots. To add one, add a line here and the pointer of that name to Core (data/core.hpp).
 // The offset, the pointer's value, snapshots, deltas, the hash and the checks of pools and bits follow. A saved array needs a new image_version.
-//   size   bytes of an element, or one_bit; a multiple of 8 if the array is saved
+//   size   bytes of an element, or one_bit
 //   hash   the array's turn in World::hash: 1 is first, 0 is never (the state is hashed field by field, before all arrays)
 //
 //    name              size                      one per    kept     hash
@@ -241,19 +249,24 @@ enum class Array : std::uint32_t {
 #undef ISLET_NAME
 };
 
+/// Bytes of an element in a snapshot: the same as in the block, but for contacts, whose indices have 32 bits there.
+constexpr std::size_t size_in_image(Array array, std::size_t size) { return array == Array::contacts ? 32 : array == Array::manifolds ? 96 : size; }
+
 /// A row of the table.
 struct ArrayRow {
     std::uint16_t size;
+    std::uint16_t image_size;  // a multiple of 8 if the array is saved
     Per per;
     Kept kept;
     std::uint8_t hash;
 
-    /// Bytes of `n` elements.
+    /// Bytes of `n` elements in the block, and in a snapshot.
     constexpr std::size_t bytes(std::size_t n) const { return size == one_bit ? words_for(static_cast<std::uint32_t>(n)) * 8 : n * size; }
+    constexpr std::size_t image_bytes(std::size_t n) const { return size == one_bit ? bytes(n) : n * image_size; }
 };
 
 inline constexpr ArrayRow array_rows[] = {
-#define ISLET_ROW(name, size, per, kept, hash) {size, Per::per, Kept::kept, hash},
+#define ISLET_ROW(name, size, per, kept, hash) {size, size_in_image(Array::name, size), Per::per, Kept::kept, hash},
     ISLET_ARRAYS(ISLET_ROW)
 #undef ISLET_ROW
 };
@@ -336,7 +349,7 @@ constexpr Layout layout_of(const Capacity& c) {
 ISLET_ALWAYS_INLINE constexpr std::size_t fleet_stride(const Layout& layout) {
     if constexpr (layout_lanes == 1) return (layout.scratch + 15) / 16 * 16;
     constexpr std::size_t unit = 192;
-    static_assert(unit % manifold_bytes == 0 && unit % pose_bytes == 0 && unit % 64 == 0);
+    static_assert(index_bytes == 2 || (unit % manifold_bytes == 0 && unit % pose_bytes == 0 && unit % 64 == 0));
     return (layout.scratch + unit - 1) / unit * unit;
 }
 

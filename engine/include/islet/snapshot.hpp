@@ -24,7 +24,7 @@ constexpr std::size_t max_snapshot_bytes(const Capacity& capacity) {
     using namespace detail;
     std::size_t bytes = image_header_bytes + capacity.contacts * sizeof(TouchEvent);  // of touches that ended since the last step
     for (const ArrayRow& row : array_rows)
-        if (row.kept == Kept::saved) bytes += row.bytes(room_for(row.per, capacity));
+        if (row.kept == Kept::saved) bytes += row.image_bytes(room_for(row.per, capacity));
     return bytes;
 }
 

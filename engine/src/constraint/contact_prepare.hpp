@@ -18,6 +18,7 @@
 namespace islet::detail {
 
 inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
+inline constexpr std::uint32_t manifold_head_words = offsetof(ContactManifold, normal) / 4;
 inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
 inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
 
@@ -85,10 +86,10 @@ struct LaneManifolds {
     typename L::template Columns<4> surface;  // rolling impulse or load, separations, friction
 
     ISLET_LANE LaneManifolds(const ContactManifold* manifolds, const std::uint32_t* contact) {
-        const float* words = reinterpret_cast<const float*>(manifolds);
-        L::template gather8<manifold_words>(words + 4, contact, frame);
-        L::template gather8<manifold_words>(words + 12, contact, points);
-        L::template gather4<manifold_words>(words + 20, contact, surface);
+        const float* words = reinterpret_cast<const float*>(manifolds) + manifold_head_words;
+        L::template gather8<manifold_words>(words, contact, frame);
+        L::template gather8<manifold_words>(words + 8, contact, points);
+        L::template gather4<manifold_words>(words + 16, contact, surface);
     }
     ISLET_LANE LaneVec<F> normal() const { return {frame[0], frame[1]}; }
     ISLET_LANE LaneVec<F> offset() const { return {frame[2], frame[3]}; }

@@ -11,12 +11,13 @@ struct Row {
     static constexpr Array array = a;
     static constexpr std::uint32_t place = static_cast<std::uint32_t>(a);
     static constexpr std::size_t size = array_rows[place].size;
+    static constexpr std::size_t image_size = array_rows[place].image_size;
     static constexpr Per per = array_rows[place].per;
     static constexpr Kept kept = array_rows[place].kept;
     static constexpr std::uint32_t hash = array_rows[place].hash;
 
-    /// Bytes of `n` elements. (With the size as a constant, for the compiler's sake.)
-    static constexpr std::size_t bytes(std::uint32_t n) { return (size == one_bit ? words_for(n) : n) * (size == one_bit ? 8 : size); }
+    /// Bytes of `n` elements in an image. (With the size as a constant, for the compiler's sake.)
+    static constexpr std::size_t image_bytes(std::uint32_t n) { return (size == one_bit ? words_for(n) : n) * (size == one_bit ? 8 : image_size); }
 };
 
 /// Calls visit(array, row) for each array in the order of the block: the pointer or set in `core`, which may be const, and its Row.
@@ -91,7 +92,7 @@ constexpr bool is_in_order() {
         const ArrayRow& row = array_rows[i];
         if (i > 0 && row.kept != Kept::output && array_rows[i - 1].kept == Kept::output) return false;
         if (i > 0 && row.kept == Kept::saved && row.size != one_bit && array_rows[i - 1].size == one_bit) return false;
-        if (row.kept == Kept::saved && row.size % 8 != 0) return false;
+        if (row.kept == Kept::saved && row.image_size % 8 != 0) return false;
         if (row.hash == 0) continue;
         ++hashed;
         turns |= 1u << (row.hash - 1);

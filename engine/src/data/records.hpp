@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "../data/features.hpp"
 #include "../math/inlining.hpp"
@@ -154,10 +155,15 @@ enum ContactFlags : std::uint32_t {
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
+/// An index in a contact: half as wide in the small profile. Images have 32 bits for it everywhere (state/image_records.hpp).
+using ContactIndex = std::conditional_t<index_bytes == 2, std::uint16_t, std::uint32_t>;
+static_assert(index_bytes == sizeof(ContactIndex) && (index_bytes == 4 || (ISLET_SMALL && max_lanes == 1)), "ISLET_INDEX_BITS");
+
 /// Two shapes whose fat boxes overlap, and the place of their contact in the lists of both bodies.
-struct Contact {
-    std::uint32_t shape_a = null_index, shape_b = null_index;
-    std::uint32_t next[2] = {0, 0}, prev[2] = {0, 0};  // contact keys, in the lists of the two bodies
+template <class Index>
+struct ContactWith {
+    Index shape_a = static_cast<Index>(null_index), shape_b = static_cast<Index>(null_index);
+    Index next[2] = {0, 0}, prev[2] = {0, 0};  // contact keys, in the lists of the two bodies
     std::uint32_t generation = 0;
     union {
         std::uint32_t next_free = null_index;  // of a free slot
@@ -170,12 +176,14 @@ struct Contact {
     void set_own_speed(float speed) { own_speed_bits = __builtin_bit_cast(std::uint32_t, speed); }
     void forget_own_speed() { own_speed_bits = no_own_speed; }
 };
+using Contact = ContactWith<ContactIndex>;
 
 /// What the narrow phase found and the solver keeps. Directions are the world's at the moment the manifold was made; the two rotations and the offset
 /// say how the bodies stood then, so that a later step can work out how far each point has slipped since. Groups of eight and four words are
 /// loaded in lanes.
-struct ContactManifold {
-    std::uint32_t body_a = 0, body_b = 0;
+template <class Index>
+struct ManifoldWith {
+    Index body_a = 0, body_b = 0;
     std::uint32_t flags = 0;  // ContactFlags
     std::uint32_t ids = 0;    // feature ids of the two points, 16 bits each
 
@@ -203,6 +211,7 @@ struct ContactManifold {
     }
     void forget_impulses() { normal_impulse[0] = normal_impulse[1] = tangent_impulse[0] = tangent_impulse[1] = rolling_impulse = 0; }
 };
+using ContactManifold = ManifoldWith<ContactIndex>;
 
 /// The user knows that the two shapes touch.
 inline bool is_told(const ContactManifold& m) { return (m.flags & (contact_touching | contact_untold)) == contact_touching; }
@@ -355,8 +364,10 @@ static_assert(offsetof(State, steps) == 4 * 44 && sizeof(State) == 4 * 64);
 static_assert(offsetof(Pose, inv_mass) == 4 * 4 && offsetof(Pose, flags) == 4 * 7 && sizeof(Pose) == 4 * 8);
 static_assert(offsetof(Motion, force) == 4 * 4 && offsetof(Motion, sleep_time) == 4 * 7 && sizeof(Motion) == 4 * 8);
 static_assert(offsetof(Geometry, words) == 4 * 4 && sizeof(Geometry) == 4 * 40);
-static_assert(offsetof(Contact, generation) == 4 * 6 && sizeof(Contact) == 4 * 8);
-static_assert(offsetof(ContactManifold, normal) == 4 * 4 && offsetof(ContactManifold, anchors) == 4 * 12 && sizeof(ContactManifold) == 4 * 24);
+using ImageContact = ContactWith<std::uint32_t>;
+using ImageManifold = ManifoldWith<std::uint32_t>;
+static_assert(offsetof(ImageContact, generation) == 4 * 6 && sizeof(ImageContact) == 4 * 8);
+static_assert(offsetof(ImageManifold, normal) == 4 * 4 && offsetof(ImageManifold, anchors) == 4 * 12 && sizeof(ImageManifold) == 4 * 24);
 static_assert(offsetof(TreeNode, parent) == 4 * 4 && sizeof(TreeNode) == 4 * 8);
 static_assert(offsetof(State, tree) == 4 * 15 && offsetof(State, solver) == 4 * 23 && offsetof(State, moved_count) == 4 * 43);
 

@@ -5,11 +5,16 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 namespace islet::detail {
 
 inline std::uint32_t constraint_of_key(std::uint32_t key) { return (key - 1) >> 1; }
 inline std::uint32_t side_of_key(std::uint32_t key) { return (key - 1) & 1u; }
+
+/// What a constraint keeps a key in.
+template <class Constraint>
+using KeptKey = std::remove_extent_t<decltype(Constraint::next)>;
 
 /// Calls visit(constraint, side) for each constraint from `head` on, newest first; `visit` may remove that constraint.
 template <class Constraint, class Visit>
@@ -27,8 +32,8 @@ template <class Constraint>
 void add_to_list(Constraint* constraints, std::uint32_t constraint, std::uint32_t side, std::uint32_t& head, std::uint32_t& count) {
     const std::uint32_t key = constraint * 2 + side + 1;
     constraints[constraint].prev[side] = 0;
-    constraints[constraint].next[side] = head;
-    if (head != 0) constraints[constraint_of_key(head)].prev[side_of_key(head)] = key;
+    constraints[constraint].next[side] = static_cast<KeptKey<Constraint>>(head);
+    if (head != 0) constraints[constraint_of_key(head)].prev[side_of_key(head)] = static_cast<KeptKey<Constraint>>(key);
     head = key;
     ++count;
 }
@@ -38,11 +43,11 @@ void remove_from_list(Constraint* constraints, std::uint32_t constraint, std::ui
     const std::uint32_t prev = constraints[constraint].prev[side];
     const std::uint32_t next = constraints[constraint].next[side];
     if (prev != 0) {
-        constraints[constraint_of_key(prev)].next[side_of_key(prev)] = next;
+        constraints[constraint_of_key(prev)].next[side_of_key(prev)] = static_cast<KeptKey<Constraint>>(next);
     } else {
         head = next;
     }
-    if (next != 0) constraints[constraint_of_key(next)].prev[side_of_key(next)] = prev;
+    if (next != 0) constraints[constraint_of_key(next)].prev[side_of_key(next)] = static_cast<KeptKey<Constraint>>(prev);
     --count;
 }
 

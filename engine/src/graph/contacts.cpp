@@ -58,12 +58,12 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
 
     const bool in_order = in_contact_order(core, shape_1, shape_2);
     Contact& c = core.contacts[index];
-    c.shape_a = in_order ? shape_1 : shape_2;
-    c.shape_b = in_order ? shape_2 : shape_1;
+    c.shape_a = static_cast<ContactIndex>(in_order ? shape_1 : shape_2);
+    c.shape_b = static_cast<ContactIndex>(in_order ? shape_2 : shape_1);
     ContactManifold& m = core.manifolds[index];
     m = ContactManifold{};
-    m.body_a = core.shapes[c.shape_a].body;
-    m.body_b = core.shapes[c.shape_b].body;
+    m.body_a = static_cast<ContactIndex>(core.shapes[c.shape_a].body);
+    m.body_b = static_cast<ContactIndex>(core.shapes[c.shape_b].body);
     m.set_color(no_color);
     if (is_sensor(core, shape_1) || is_sensor(core, shape_2)) m.flags |= contact_sensor;
     mix_materials(core, index);

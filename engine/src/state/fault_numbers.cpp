@@ -80,13 +80,13 @@ const char* fault_in_numbers(const Geometry& g) {
     return g.hash == geometry_hash(g) ? nullptr : "a geometry has the wrong hash";
 }
 
-const char* fault_in_numbers(const ContactManifold& m) {
+const char* fault_in_numbers(const ImageManifold& m) {
     constexpr std::uint32_t known = contact_touching | contact_posed | contact_special | contact_bouncy | 3u << contact_count_shift | contact_sensor |
                                     contact_overlap | contact_hits | contact_asks | contact_one_way | contact_passes | contact_dropped | contact_ahead |
                                     contact_untold | 0xffu << contact_color_shift;
     if ((m.flags & ~known) != 0 || m.count() > 2) return "a contact's flags are none";
     if (m.color() != no_color && m.color() >= color_count) return "a contact has a colour that is none";
-    if (!floats_are_finite(m, offsetof(ContactManifold, normal), sizeof m)) return "a contact's numbers are not finite";
+    if (!floats_are_finite(m, offsetof(ImageManifold, normal), sizeof m)) return "a contact's numbers are not finite";
     if (!is_unit(m.rotation_a) || !is_unit(m.rotation_b)) return "a rotation is not of unit length";
     const float length = length_squared(m.normal);
     if (length > 1.001f || (m.count() > 0 && length < 0.999f)) return "a contact's normal is not of unit length";

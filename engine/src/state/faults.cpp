@@ -12,6 +12,8 @@
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../island/joint_trees.hpp"
+#include "../state/image.hpp"
+#include "../state/image_records.hpp"
 
 namespace islet::detail {
 
@@ -88,8 +90,8 @@ const PoolState& pool_of(const State& s) {
     if constexpr (per == Per::contact) return s.contact_pool;
     if constexpr (per == Per::joint) return s.joint_pool;
 }
-template <Per per>
-auto* slots_of(const Core& c) {
+template <Per per, class AnyCore>
+auto* slots_of(const AnyCore& c) {
     if constexpr (per == Per::body) return c.bodies;
     if constexpr (per == Per::shape) return c.shapes;
     if constexpr (per == Per::contact) return c.contacts;
@@ -102,7 +104,8 @@ constexpr bool has_generation = false;
 template <class Array>
 constexpr bool has_generation<Array, decltype(void(Array {} -> generation))> = true;
 
-const char* fault_in_pools(const Core& c, Arena scratch) {
+template <class AnyCore>
+const char* fault_in_pools(const AnyCore& c, Arena scratch) {
     const State& s = *c.state;
     const char* bad = nullptr;
     for_each_array(c, [&](auto& array, auto row) {
@@ -132,7 +135,8 @@ const char* fault_in_ends(const Core& c, const Joint& j) {
     return nullptr;
 }
 
-const char* fault_in_records(const Core& c) {
+template <class AnyCore>
+const char* fault_in_records(const AnyCore& c) {
     const State& s = *c.state;
     const char* bad = fault_in_numbers(s);
     if (bad == nullptr) bad = first_fault(s.body_pool, c.bodies, [&](std::uint32_t i) { return fault_in_numbers(c.bodies[i], c.poses[i], c.motions[i]); });
@@ -143,11 +147,11 @@ const char* fault_in_records(const Core& c) {
                       [&](std::uint32_t i) { return live_body(c, c.shapes[i].body) ? fault_in_numbers(c.shapes[i], c.boxes[i]) : "a shape's body is gone"; });
     if (bad != nullptr) return bad;
     bad = first_fault(s.contact_pool, c.contacts, [&](std::uint32_t i) -> const char* {
-        const Contact& contact = c.contacts[i];
-        const ContactManifold& m = c.manifolds[i];
+        const auto& contact = c.contacts[i];
+        const auto& m = c.manifolds[i];
         if (!live_shape(c, contact.shape_a) || !live_shape(c, contact.shape_b)) return "a contact's shape is gone";
         if (c.shapes[contact.shape_a].body != m.body_a || c.shapes[contact.shape_b].body != m.body_b) return "a contact's bodies are not its shapes'";
-        return fault_in_numbers(m);
+        return fault_in_numbers(image_of(m));
     });
     if (bad != nullptr) return bad;
     return first_fault(s.joint_pool, c.joints, [&](std::uint32_t i) {
@@ -197,7 +201,8 @@ const char* fault_in_shapes_of(const Core& c, std::uint32_t i) {
     return shapes == b.shape_count ? nullptr : "a body miscounts its shapes";
 }
 
-ISLET_APART const char* fault_in_body(const Core& c, std::uint32_t i) {
+template <class AnyCore>
+ISLET_APART const char* fault_in_body(const AnyCore& c, std::uint32_t i) {
     const Body& b = c.bodies[i];
     const bool dynamic = b.type() == BodyType::dynamic;
     if (c.is_awake(i) && b.type() == BodyType::static_body) return "a static body is awake";
@@ -219,7 +224,8 @@ ISLET_APART const char* fault_in_body(const Core& c, std::uint32_t i) {
 }
 
 // If every list holds only constraints of its body, and there are as many entries as constraints have ends, each constraint is in the list at each of its ends.
-const char* fault_in_lists(const Core& c) {
+template <class AnyCore>
+const char* fault_in_lists(const AnyCore& c) {
     const State& s = *c.state;
     std::uint32_t shapes = 0, resting = 0, contacts = 0, joints = 0, ends = 0;
     const char* bad = first_fault(s.body_pool, c.bodies, [&](std::uint32_t i) {
@@ -304,7 +310,8 @@ const char* fault_in_box(const Core& c, std::uint32_t s) {
 // -- constraints ---------------------------------------------------------------------------------------------------------------------
 
 // A contact's flags for events and hooks follow from its shapes.
-const char* fault_in_told(const Core& c, const Contact& contact, const ContactManifold& m) {
+template <class Index>
+const char* fault_in_told(const Core& c, const ContactWith<Index>& contact, const ManifoldWith<Index>& m) {
     const Shape& a = c.shapes[contact.shape_a];
     const Shape& b = c.shapes[contact.shape_b];
     const std::uint32_t flags = a.flags | b.flags;
@@ -323,9 +330,10 @@ const char* fault_in_told(const Core& c, const Contact& contact, const ContactMa
     return (m.flags & contact_asks) != 0 && abs(speed) <= max_speed_limit ? nullptr : "a contact's surface speed is out of range";
 }
 
-const char* fault_in_contact(const Core& c, std::uint32_t i) {
-    const Contact& contact = c.contacts[i];
-    const ContactManifold& m = c.manifolds[i];
+template <class AnyCore>
+const char* fault_in_contact(const AnyCore& c, std::uint32_t i) {
+    const auto& contact = c.contacts[i];
+    const auto& m = c.manifolds[i];
     if (!may_collide(c, contact.shape_a, contact.shape_b)) return "two shapes that may not collide have a contact";
     if (!in_contact_order(c, contact.shape_a, contact.shape_b)) return "a contact's shapes are the wrong way round";
     const bool awake_a = c.is_awake(m.body_a), awake_b = c.is_awake(m.body_b);
@@ -404,7 +412,8 @@ const char* fault_in_counts(const Core& c) {
     return bullets != s.bullet_count ? "the bullets are miscounted" : locked != s.locked_count ? "the bodies with locks are miscounted" : nullptr;
 }
 
-const char* fault_in_pairs(const Core& c, Arena scratch) {
+template <class AnyCore>
+const char* fault_in_pairs(const AnyCore& c, Arena scratch) {
     const std::uint32_t size = next_power_of_two(2 * c.state->contact_pool.high_water + 1);
     PairSet seen{scratch.take<std::uint64_t>(size), size - 1};
     std::memset(seen.keys, 0, std::size_t{size} * 8);
@@ -430,7 +439,8 @@ const char* fault_in_pair_set(const Core& c) {
 
 }  // namespace
 
-const char* find_fault(const Core& c, Arena scratch) {
+template <class AnyCore>
+const char* find_fault(const AnyCore& c, Arena scratch) {
     const State& s = *c.state;
     const char* bad = fault_in_pools(c, scratch);
     if (bad == nullptr) bad = fault_in_records(c);
@@ -446,6 +456,8 @@ const char* find_fault(const Core& c, Arena scratch) {
     if (bad == nullptr) bad = tree_validate({&c.state->tree, c.tree});
     return bad;
 }
+
+template const char* find_fault(const ImageView& image, Arena scratch);
 
 }  // namespace islet::detail
 

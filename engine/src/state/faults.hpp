@@ -6,15 +6,17 @@
 
 namespace islet::detail {
 
-/// Null, or a sentence that says what is broken in the world's arrays. Takes scratch: a word for each shape and joint, two for each body, and a set of pairs.
-const char* find_fault(const Core& core, Arena scratch);
+/// Null, or a sentence that says what is broken in the arrays of a world, a Core, or of an image, an ImageView. Takes scratch: a word for each shape and joint,
+/// two for each body, and a set of pairs.
+template <class AnyCore>
+const char* find_fault(const AnyCore& core, Arena scratch);
 
 /// The same for the numbers of one live record.
 const char* fault_in_numbers(const State& state);
 const char* fault_in_numbers(const Body& body, const Pose& pose, const Motion& motion);
 const char* fault_in_numbers(const Shape& shape, const Aabb& box);
 const char* fault_in_numbers(const Geometry& geometry);
-const char* fault_in_numbers(const ContactManifold& manifold);
+const char* fault_in_numbers(const ImageManifold& manifold);
 const char* fault_in_numbers(const Joint& joint);
 
 }  // namespace islet::detail

@@ -8,6 +8,7 @@
 #include "../math/checksum.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
+#include "../state/image_records.hpp"
 
 namespace islet {
 
@@ -44,11 +45,16 @@ struct Hasher {
         static_assert(sizeof(T) % 4 == 0);
         words(items, std::size_t{count} * sizeof(T));
     }
-    /// The first `count` elements of an array. User data does not affect the future, so it counts as zeros.
+    /// The first `count` elements of an array, as images have them. User data does not affect the future, so it counts as zeros.
     template <class T>
     void array(const T* items, std::uint32_t count) {
         if constexpr (has_user_data<T>) {
             for (std::uint32_t i = 0; i < count; ++i) but_data(items + i, offsetof(T, user_data), sizeof(T));
+        } else if constexpr (!is_image_record<T>) {
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const auto record = image_of(items[i]);
+                records(&record, 1);
+            }
         } else {
             records(items, count);
         }

@@ -1,4 +1,5 @@
-// The format of a snapshot: a header, then the used prefixes of the world's arrays, one after the other, each a straight copy.
+// The format of a snapshot: a header, then the used prefixes of the world's arrays, one after the other, each a straight copy. (In the small profile contacts
+// are widened to what the whole engine has: image_records.hpp.)
 //
 // Every part is a multiple of 8 bytes long, so all parts are aligned as their records need. Arrays that follow from others are left out: the set of pairs
 // follows from the contacts, and the buckets from the geometries.
@@ -7,6 +8,7 @@
 #include <cstring>
 
 #include "../data/arrays.hpp"
+#include "../state/image_records.hpp"
 #include "islet/format.hpp"
 
 namespace islet::detail {
@@ -39,12 +41,19 @@ struct ImageHeader {
 
 static_assert(sizeof(ImageHeader) == image_header_bytes && sizeof(ImageHeader) % 8 == 0);
 
+/// An image seen as the arrays of a world, without copying it.
+struct WideContactsView : Core {
+    const ImageContact* contacts = nullptr;
+    const ImageManifold* manifolds = nullptr;
+};
+using ImageView = std::conditional_t<is_image_record<Contact>, Core, WideContactsView>;
+
 /// Calls visit(pointer, bytes) for each array of the image, in its order, with the length that the header gives its used prefix. No count in the header may
 /// exceed max_capacity. `core` may be const; otherwise `visit` may set the pointer.
 template <class AnyCore, class Visit>
 void for_each_part(AnyCore& core, const ImageHeader& h, Visit&& visit) {
     for_each_array(core, [&](auto& array, auto row) {
-        if constexpr (row.kept == Kept::saved) visit(memory_of(array), row.bytes(h.used.of<row.per>()));
+        if constexpr (row.kept == Kept::saved) visit(memory_of(array), row.image_bytes(h.used.of<row.per>()));
     });
     visit(core.end_events, std::size_t{h.ended} * sizeof(TouchEvent));
     visit(core.sensor_ends.events, std::size_t{h.ended_overlaps} * sizeof(SensorEvent));

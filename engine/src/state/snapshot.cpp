@@ -17,6 +17,7 @@
 #include "../solver/ordered_sweep.hpp"
 #include "../state/faults.hpp"
 #include "../state/image.hpp"
+#include "../state/image_records.hpp"
 #include "../state/world_copy.hpp"
 #include "../step/continuous.hpp"
 #include "../step/one_way.hpp"
@@ -81,6 +82,18 @@ class Writer {
 public:
     explicit Writer(std::byte* image) : begin_(image + sizeof(ImageHead)), summed_(begin_), at_(begin_) {}
 
+    /// Writes the records of an array, which take so many bytes in an image.
+    template <class Record>
+    void write_records(const Record* from, std::size_t size) {
+        if constexpr (is_image_record<Record>) {
+            write(from, size);
+        } else {
+            for (std::size_t i = 0; i < size / sizeof(typename ImageRecord<Record>::Type); ++i) {
+                const auto record = image_of(from[i]);
+                write(&record, sizeof record);
+            }
+        }
+    }
     void write(const void* from, std::size_t size) {
         const auto* bytes = static_cast<const std::byte*>(from);
         constexpr std::size_t chunk = 4096;
@@ -117,7 +130,7 @@ constexpr std::uint32_t cut_contact_flags = (has_restitution ? 0u : std::uint32_
 bool is_exact_angle(const Joint& j) { return (j.flags & joint_loaded) != 0 || ((j.flags & joint_exact) != 0 && has_acting_angle(j)); }
 
 // True if the image holds objects that this build leaves out (islet/config.hpp). Trusts no type that it reads.
-bool needs_what_is_cut(const Core& c) {
+bool needs_what_is_cut(const ImageView& c) {
     const State& s = *c.state;
     for (std::uint32_t i = 0; !has_all_joints && i < s.joint_pool.high_water; ++i)
         if (pool_live(s.joint_pool, c.joints, i) && !has_joint(static_cast<JointType>(c.joints[i].type))) return true;
@@ -144,6 +157,20 @@ bool needs_what_is_cut(const Core& c) {
         if (!has_sleep && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (flags & body_disabled) == 0) return true;
     }
     return (!has_sleep && s.enable_sleep != 0) || (!has_continuous && s.continuous != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
+}
+
+// True if a record has an index that this build's worlds have no room for. (Those of live contacts are sound; a slot that is free may hold anything.)
+template <class Record>
+bool has_wide_index(const Record* records, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Record again = image_of(record_of(records[i]));
+        if (std::memcmp(&again, &records[i], sizeof again) != 0) return true;
+    }
+    return false;
+}
+bool has_wide_index(const ImageView& c) {
+    const std::uint32_t contacts = c.state->contact_pool.high_water;
+    return !is_image_record<Contact> && (has_wide_index(c.contacts, contacts) || has_wide_index(c.manifolds, contacts));
 }
 
 // Clears the bits beyond those copied: they belong to slots that the image never used.
@@ -196,12 +223,26 @@ void tell_nothing(Core& core) {
     core.report.joints = s.joint_pool.count;
 }
 
+// Reads the records of an array, which take so many bytes in the image.
+template <class Record>
+void read_records(Record* to, const std::byte* image, std::size_t size) {
+    if constexpr (is_image_record<Record>) {
+        std::memcpy(static_cast<void*>(to), image, size);
+    } else {
+        typename ImageRecord<Record>::Type record;
+        for (std::size_t at = 0; at < size; at += sizeof record) {
+            std::memcpy(static_cast<void*>(&record), image + at, sizeof record);
+            *to++ = record_of(record);
+        }
+    }
+}
+
 // Copies an image that is known to be sound and to fit into the world.
 void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     const std::byte* at = image + sizeof h;
     core.sensor_ends = sensor_ends_of(core, h.ended_overlaps);
     for_each_part(core, h, [&](auto* to, std::size_t bytes) {
-        std::memcpy(static_cast<void*>(to), at, bytes);
+        read_records(to, at, bytes);
         at += bytes;
     });
     for_each_bit_set(core, h, clear_rest);
@@ -212,9 +253,9 @@ void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     tell_nothing(core);
 }
 
-// An image seen as the arrays of a world, without copying it. The result must stay const: Core's pointers are not, so the cast is needed.
-Core view_of(const Core& world, const ImageHeader& h, const std::byte* image) {
-    Core view;
+// The result must stay const: Core's pointers are not, so the cast is needed.
+ImageView view_of(const Core& world, const ImageHeader& h, const std::byte* image) {
+    ImageView view;
     view.capacity = world.capacity;
     auto* at = const_cast<std::byte*>(image) + sizeof h;
     for_each_part(view, h, [&](auto& pointer, std::size_t bytes) {
@@ -266,7 +307,7 @@ std::size_t World::save(span<std::byte> out) const {
     if (!check_open(c) || !check(c, out.data() != nullptr && out.size() >= h.head.length, Error::image_too_small)) return 0;
     Writer writer(out.data());
     writer.write(reinterpret_cast<const std::byte*>(&h) + sizeof h.head, sizeof h - sizeof h.head);
-    for_each_part(c, h, [&](const auto* from, std::size_t bytes) { writer.write(waiting(c, from), bytes); });
+    for_each_part(c, h, [&](const auto* from, std::size_t bytes) { writer.write_records(waiting(c, from), bytes); });
     h.head.checksum = writer.checksum();
     std::memcpy(out.data(), &h.head, sizeof h.head);
     return static_cast<std::size_t>(h.head.length);
@@ -292,9 +333,9 @@ bool World::load(span<const std::byte> image) {
     if (!check(c, reinterpret_cast<std::uintptr_t>(image.data()) % snapshot_alignment == 0, Error::image_misaligned)) return false;
     if (!check(c, image_checksum(image) == h.head.checksum, Error::corrupt_image)) return false;
     if (!check(c, fits(c.capacity, h), Error::image_too_large)) return false;
-    const Core view = view_of(c, h, image.data());
+    const ImageView view = view_of(c, h, image.data());
     if (!check(c, h.used == counts_of(*view.state), Error::unsound_image) || !check_there(c, !needs_what_is_cut(view))) return false;
-    if (!check(c, find_fault(view, c.arena()) == nullptr, Error::unsound_image)) return false;
+    if (!check(c, find_fault(view, c.arena()) == nullptr && !has_wide_index(view), Error::unsound_image)) return false;
     link_joint_solve();  // an image may hold objects that the program itself never makes
     link_joint_changes();
     take_over(c, h, image.data());

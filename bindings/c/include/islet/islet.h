@@ -2363,7 +2363,7 @@ ISLET_C_API IsletFieldFault islet_find_joint_motor_fault(const IsletJointMotor* 
 ISLET_C_API IsletFieldFault islet_find_joint_ratchet_fault(const IsletJointRatchet* ratchet);
 ISLET_C_API IsletFieldFault islet_find_mover_def_fault(const IsletMoverDef* def);
 
-/// Whether islet_create_world accepts the capacity. (In the small profile a world has at most 65 535 bodies, and as many contacts.)
+/// Whether islet_create_world accepts the capacity. (In the small profile a world has at most 65 535 bodies, as many shapes, and 32 767 contacts.)
 ISLET_C_API bool islet_capacity_is_valid(const IsletCapacity* c);
 
 /// Bytes of memory a world of this capacity needs, everything included; 0 if the capacity is not valid.
