@@ -92,17 +92,20 @@ need_wasm_tools() {
 # What builds for this processor's 32-bit form.
 need_32_bits() { need g++-12-multilib path_exists /usr/lib/gcc/x86_64-linux-gnu/12/32; }
 
-# What builds for other processors, and runs that.
-need_emulators() {
+# What builds for the processors that `tests/determinism/targets.sh --few` has, and runs that; and for all of them.
+need_few_emulators() {
     need_32_bits
     need g++-aarch64-linux-gnu command_exists aarch64-linux-gnu-g++
-    need g++-arm-linux-gnueabihf command_exists arm-linux-gnueabihf-g++
-    need g++-riscv64-linux-gnu command_exists riscv64-linux-gnu-g++
     need g++-s390x-linux-gnu command_exists s390x-linux-gnu-g++
     need qemu-user command_exists qemu-aarch64
+    need_wasm_tools
+}
+need_emulators() {
+    need_few_emulators
+    need g++-arm-linux-gnueabihf command_exists arm-linux-gnueabihf-g++
+    need g++-riscv64-linux-gnu command_exists riscv64-linux-gnu-g++
     need emscripten command_exists em++
     need_windows_tools
-    need_wasm_tools
 }
 
 # Installs everything that need found missing.

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang and sanitizers, and 110 seconds of fuzzing under them; hashes of unoptimised code, on
-#                              other processors, and of the firmware and the sketches in microcontrollers, all emulated; the engine compiled by hand and
-#                              in a fresh tree; pages played in a browser, the package for Python, and the scripts checked: what CI runs
+#   tools/test.sh --all        the same once more with clang and sanitizers, but for tests of physics and scenes, and 110 seconds of fuzzing under them;
+#                              hashes on other processors, and of the firmware and the sketches in microcontrollers, all emulated; the engine compiled by
+#                              hand and in a fresh tree; pages played in a browser, the package for Python, and the scripts checked: what CI runs
+#   tools/test.sh --release    all of that on more processors, systems and boards, with more compilers' flags, and physics and scenes under sanitizers too:
+#                              what a release must pass. Takes twice as long
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk, SDL, Xvfb, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr,
 # ShellCheck, ccache, Node.js, npm, Chromium, pybind11, numpy, Dask, cross compilers, Emscripten, QEMU and Wine; npm fetches what drives the browser).
@@ -17,16 +19,18 @@ fuzz_c_seconds=20
 fuzz_small_seconds=10
 
 all=false
+release=false
 coverage=false
 for argument in "$@"; do
     case $argument in
     --all) all=true ;;
+    --release) all=true release=true ;;
     --coverage) coverage=true ;;
     -h | --help)
-        sed -n '2,9s/^# \{0,1\}//p' "$0"
+        sed -n '2,11s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
-    *) die "$0: unknown option $argument; there are --all and --coverage" ;;
+    *) die "$0: unknown option $argument; there are --all, --release and --coverage" ;;
     esac
 done
 
@@ -65,7 +69,7 @@ install_missing
 installing=0
 if $all; then
     need_firmware_tools
-    need_emulators
+    if $release; then need_emulators; else need_few_emulators; fi
     if [ ${#missing[@]} -gt 0 ]; then
         install_missing &
         installing=$!
@@ -81,6 +85,9 @@ results=()  # one line per build, printed at the end
 failures=() # the parts and tests that failed, printed after that
 tools=ON    # whether run_tests builds the adapters of other engines and the comparison
 targets=()  # what it builds; everything if empty
+check=(--check-few)
+few=(--few)
+if $release; then check=(--check) few=(); fi
 
 # tell PART STATUS GOOD BAD: one of the two, by the part's status, as its line in the end.
 tell() {
@@ -221,19 +228,19 @@ check_scripts() {
     tell scripts "$status" "clean (${#scripts[@]} files)" 'shellcheck complains'
 }
 
-# The firmware in every emulated microcontroller: the host's hashes, and its size and stack within their limits.
+# The firmware in emulated microcontrollers: the host's hashes, and its size and stack within their limits.
 check_firmware() {
     local status=0
     say "the firmware"
-    "$root/tools/footprint.sh" --check || status=$?
+    "$root/tools/footprint.sh" "${check[@]}" || status=$?
     tell firmware "$status" "the host's hashes, within its limits" 'see above'
 }
 
-# The sketches for boards, on three emulated processors.
+# The sketches for boards, on emulated processors.
 check_boards() {
     local status=0
     say "the sketches for boards"
-    "$root/tools/boards.sh" --check || status=$?
+    "$root/tools/boards.sh" "${check[@]}" || status=$?
     tell boards "$status" "the sketches keep the host's bits" 'see above'
 }
 
@@ -249,7 +256,7 @@ check_description() {
 check_targets() {
     local status=0 table=$root/build/targets.txt
     say "the same bits on other processors"
-    "$root/tests/determinism/targets.sh" "$root/build/targets" | tee "$table" || status=$?
+    "$root/tests/determinism/targets.sh" "${few[@]}" "$root/build/targets" | tee "$table" || status=$?
     [ "$status" -eq 0 ] || failures+=("other processors")
     while IFS= read -r line; do results+=("hashes on $line"); done < <(tail -n +2 "$table")
 }
@@ -258,7 +265,7 @@ check_targets() {
 check_by_hand() {
     local status=0 log=$root/build/by_hand.txt
     say "the engine by hand"
-    "$root/tests/determinism/by_hand.sh" "$root/build/by_hand" | tee "$log" || status=$?
+    "$root/tests/determinism/by_hand.sh" "${few[@]}" "$root/build/by_hand" | tee "$log" || status=$?
     tell "by hand" "$status" "$(wc -l <"$log") builds keep the bits or are refused" 'see above'
     status=0
     "$root/tests/package/uncompiled.py" "$root" "$root/build/asan-ubsan" || status=$?
@@ -299,7 +306,8 @@ if $all || ! $coverage; then
     finish_installing
     if $all; then
         # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
-        targets=(--target islet_{unit,physics,control,queries,robustness,determinism,embedded,features,c,samples,tools_islet,tools_lab}_tests)
+        targets=(--target islet_{unit,control,queries,robustness,determinism,embedded,features,c,tools_islet,tools_lab}_tests)
+        if $release; then targets+=(islet_{physics,samples}_tests); fi
         targets+=(islet_runner islet-lab islet_hashes islet_fuzz_{api,c,small} islet_lockstep islet_lcp_search islet_scene_mutants islet_c_{calls,lcp,refusals} islet_fleet_workers islet_python_made)
         start_building asan-ubsan
     fi
@@ -322,7 +330,9 @@ if $all; then
     lap "first command"
     # Planning and random rooms call nothing that the lockstep tester does not; the thread sanitizer sees workers. The package for Python is only read
     # (check_by_hand).
-    run_tests asan-ubsan --exclude-regex '^(islet_)?(reference|tools[._]engines)|fast_math|^samples\.planning|random_rooms|any_number_of_workers|^python\.'
+    left_out='^(islet_)?(reference|tools[._]engines)|fast_math|^samples\.planning|random_rooms|any_number_of_workers|^python\.'
+    if ! $release; then left_out+='|^(islet_)?(physics|samples)'; fi
+    run_tests asan-ubsan --exclude-regex "$left_out"
     tools=OFF
     # What two workers share by mistake.
     targets=(--target islet_hashes islet_fleet_workers)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds Islet for Windows with MinGW-w64 and runs the tests of single parts, of bad input, of determinism and of the C interface there, for which Wine
-# stands. Ends with a line for each program. (tools/test.sh --all compares the golden hashes there.)
+# stands. Ends with a line for each program. (tools/test.sh --release compares the golden hashes there.)
 #   tools/windows.sh
 # Installs the compiler, Wine and GoogleTest's source with apt if they are missing.
 set -euo pipefail
