@@ -78,7 +78,7 @@ inline constexpr std::size_t shape_bytes = 80;
 inline constexpr std::size_t box_bytes = 16;
 inline constexpr std::size_t geometry_bytes = 160;
 inline constexpr std::size_t tree_node_bytes = 32;
-// Of an index in a contact: 16 bits in the small profile, but for processors with lanes, which load words of 32 bits. (Tests there ask for 16 bits, and one lane.)
+// Of an index in a contact: 16 bits in the small profile, but not where lanes load whole words of 32. (Tests ask for it there, with one lane.)
 #if defined(ISLET_INDEX_BITS)
 inline constexpr std::size_t index_bytes = ISLET_INDEX_BITS / 8;
 #else
