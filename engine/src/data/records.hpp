@@ -162,8 +162,10 @@ static_assert(index_bytes == sizeof(ContactIndex) && (index_bytes == 4 || (ISLET
 /// Two shapes whose fat boxes overlap, and the place of their contact in the lists of both bodies.
 template <class Index>
 struct ContactWith {
+    using Key = Index;
+
     Index shape_a = static_cast<Index>(null_index), shape_b = static_cast<Index>(null_index);
-    Index next[2] = {0, 0}, prev[2] = {0, 0};  // contact keys, in the lists of the two bodies
+    Key next[2] = {0, 0}, prev[2] = {0, 0};  // contact keys, in the lists of the two bodies
     std::uint32_t generation = 0;
     union {
         std::uint32_t next_free = null_index;  // of a free slot
@@ -231,10 +233,12 @@ enum JointFlags : std::uint32_t {
 
 /// A joint. Which fields mean something depends on its type.
 struct Joint {
+    using Key = std::uint32_t;
+
     std::uint32_t type = 0;                                  // JointType
     std::uint32_t flags = 0;                                 // JointFlags
     std::uint32_t body_a = null_index, body_b = null_index;  // a mouse joint has no A
-    std::uint32_t next[2] = {0, 0}, prev[2] = {0, 0};        // joint keys (joint * 2 + side + 1), in the lists of the two bodies
+    Key next[2] = {0, 0}, prev[2] = {0, 0};                  // joint keys (joint * 2 + side + 1), in the lists of the two bodies
     std::uint32_t generation = 0;
     std::uint32_t next_free = null_index;
     std::uint32_t joint1 = null_index, joint2 = null_index;  // gear
