@@ -25,14 +25,15 @@ inline constexpr std::uint32_t max_capacity = sizeof(void*) >= 8 ? 1u << 22 : 1u
 ISLET_INTERNAL_BEGIN
 namespace detail {
 // In the small profile 16 bits number bodies, shapes and contacts, and both ends of each contact.
-inline constexpr std::uint32_t max_solids = ISLET_SMALL ? 0xffffu : max_capacity;  // bodies; shapes
+inline constexpr std::uint32_t max_bodies = ISLET_SMALL ? 0xffffu : max_capacity;
+inline constexpr std::uint32_t max_shapes = max_bodies;
 inline constexpr std::uint32_t max_contacts = ISLET_SMALL ? 0x7fffu : max_capacity;
 }  // namespace detail
 ISLET_INTERNAL_END
 
 /// Whether World::create accepts the capacity. (In the small profile a world has at most 65 535 bodies, as many shapes, and 32 767 contacts.)
 constexpr bool is_valid(const Capacity& c) {
-    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= detail::max_solids && c.shapes <= detail::max_solids &&
+    return c.bodies > 0 && c.shapes > 0 && c.contacts > 0 && c.bodies <= detail::max_bodies && c.shapes <= detail::max_shapes &&
            c.contacts <= detail::max_contacts && c.joints <= max_capacity && c.geometries <= max_capacity && c.hits <= max_capacity && c.events <= max_capacity;
 }
 

@@ -11,7 +11,7 @@ namespace islet::detail {
 /// An index in the plan of a solve: of a body, its slot, its island, or a contact. The small profile has half the room for it.
 using PlanIndex = std::conditional_t<place_bytes == 2, std::uint16_t, std::uint32_t>;
 inline constexpr auto no_plan_index = static_cast<PlanIndex>(null_index);
-static_assert(max_solids <= no_plan_index && max_contacts <= no_plan_index);  // so an index is less
+static_assert(max_bodies <= no_plan_index && max_contacts <= no_plan_index);  // so an index is less
 
 /// The index as elsewhere: null_index if it is none.
 ISLET_ALWAYS_INLINE constexpr std::uint32_t index_of(PlanIndex place) { return place != no_plan_index ? place : null_index; }

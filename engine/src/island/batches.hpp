@@ -37,7 +37,7 @@ struct JointRun {
     std::uint64_t offset = 0;  // bytes, of its rows in those of all joints; the solve fills it in
 };
 
-static_assert(std::size_t{max_solids / batch_bodies + 2} * (color_count + 1) * joint_kernel_count <= no_plan_index, "runs of joints have no places");
+static_assert(std::size_t{max_bodies / batch_bodies + 2} * (color_count + 1) * joint_kernel_count <= no_plan_index, "runs of joints have no places");
 static_assert(sizeof(Batch) == batch_bytes && sizeof(JointRun) == joint_run_bytes);
 
 /// The plan of one solve, in scratch.

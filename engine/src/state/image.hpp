@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstring>
+#include <type_traits>
 
 #include "../data/arrays.hpp"
 #include "../state/image_records.hpp"
@@ -41,7 +42,7 @@ struct ImageHeader {
 
 static_assert(sizeof(ImageHeader) == image_header_bytes && sizeof(ImageHeader) % 8 == 0);
 
-/// An image seen as the arrays of a world, without copying it.
+/// An image seen as the arrays of a world, without copying it: a Core, with contacts as images have them.
 struct WideContactsView : Core {
     const ImageContact* contacts = nullptr;
     const ImageManifold* manifolds = nullptr;

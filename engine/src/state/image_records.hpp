@@ -2,6 +2,8 @@
 // image and hash are those of the whole engine. All other records, and with the whole engine these too, are in images as they are.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 

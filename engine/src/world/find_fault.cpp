@@ -339,8 +339,8 @@ FieldFault find_fault(const Capacity& capacity) {
     const auto count = [&f](const char* field, std::uint32_t n, std::uint32_t least, std::uint32_t most = max_capacity) {
         f.rule(field, n >= least && n <= most, Error::bad_capacity);
     };
-    count("bodies", capacity.bodies, 1, detail::max_solids);
-    count("shapes", capacity.shapes, 1, detail::max_solids);
+    count("bodies", capacity.bodies, 1, detail::max_bodies);
+    count("shapes", capacity.shapes, 1, detail::max_shapes);
     count("contacts", capacity.contacts, 1, detail::max_contacts);
     count("joints", capacity.joints, 0);
     count("geometries", capacity.geometries, 0);
