@@ -207,6 +207,42 @@ bool is_near_rest(const Core& core, const MovingShape& shape) {
 }
 
 inline constexpr std::uint32_t box_grain = 512;  // boxes that are worth a task
+using BoxCut = RangeCut<8>;
+
+// sort_by_key, by workers: a radix sort by digits of eight bits, in which each part of the items counts its digits, and knows from the counts of all where its
+// items go.
+[[maybe_unused]] KeyedItem* sort_by_parts(const Core& core, const BoxCut& cut, KeyedItem* items, KeyedItem* spare, std::uint32_t n, std::uint32_t* counts) {
+    constexpr std::uint32_t digits = 256;
+    static_assert(!sorts_by_digits || BoxCut::room * digits <= sort_digits);
+    for (std::uint32_t shift = 32; shift < 64; shift += 8) {
+        const auto digit_of = [&](KeyedItem item) { return static_cast<std::uint32_t>(item >> shift) & (digits - 1); };
+        for_ranges(core, n, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
+            std::uint32_t* const count = counts + cut.of(first) * digits;
+            std::memset(count, 0, digits * sizeof *count);
+            for (std::uint32_t i = first; i < end; ++i) ++count[digit_of(items[i])];
+        });
+        std::uint32_t place = 0, most = 0;
+        for (std::uint32_t d = 0; d < digits; ++d) {
+            const std::uint32_t first = place;
+            for (std::uint32_t p = 0; p < cut.count; ++p) {
+                std::uint32_t& count = counts[p * digits + d];
+                const std::uint32_t items_of_part = count;
+                count = place;
+                place += items_of_part;
+            }
+            most = most < place - first ? place - first : most;
+        }
+        if (most == n) continue;  // all alike, as the highest digit often is
+        for_ranges(core, n, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
+            std::uint32_t* const to = counts + cut.of(first) * digits;
+            for (std::uint32_t i = first; i < end; ++i) spare[to[digit_of(items[i])]++] = items[i];
+        });
+        KeyedItem* const sorted = spare;
+        spare = items;
+        items = sorted;
+    }
+    return items;
+}
 
 /// A part of the awake bodies, whose shapes a worker lists.
 struct ListPart {
@@ -276,28 +312,49 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     KeyedItem* keys = arena.take<KeyedItem>(n);
     KeyedItem* spare = sorts_by_digits ? arena.take<KeyedItem>(n) : nullptr;
     std::uint32_t* counts = sorts_by_digits ? arena.take<std::uint32_t>(sort_digits) : nullptr;
-    for_ranges(core, n, box_grain, [&](std::uint32_t first, std::uint32_t end) {
+    const BoxCut cut(core, n, box_grain);
+    for_ranges(core, n, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t i = first; i < end; ++i) {
             const Aabb box = box_along_way(core, shapes[i]);
             keys[i] = keyed(sort_key(along_x ? box.lower.x : box.lower.y), i);
         }
     });
-    const KeyedItem* sorted = sort_by_key(keys, spare, n, counts);
+    const KeyedItem* sorted =
+        sorts_by_digits && cut.count > 1 && has_many_workers(core) ? sort_by_parts(core, cut, keys, spare, n, counts) : sort_by_key(keys, spare, n, counts);
 
     Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, along_x, dt, fall_in(core, dt)};
-    for_ranges(core, n, box_grain, [&](std::uint32_t first, std::uint32_t end) {
+    std::uint32_t moved[BoxCut::room] = {};  // boxes of each part that changed; then the place of the first
+    for_ranges(core, n, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t count = 0;
         for (std::uint32_t i = first; i < end; ++i) {
             const MovingShape& moving_shape = shapes[number_of(sorted[i])];
             const Aabb box = box_along_way(core, moving_shape);
             const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
             const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
             set_box(c.all, i, x.x, x.y, y.x, y.y, moving_shape.shape, i);
-            if (!has_threads && core.moved_shapes.test(moving_shape.shape)) push_box(c.moved, x.x, x.y, y.x, y.y, moving_shape.shape, i);
+            if (!core.moved_shapes.test(moving_shape.shape)) continue;
+            if (cut.count == 1) {
+                push_box(c.moved, x.x, x.y, y.x, y.y, moving_shape.shape, i);
+            } else {
+                ++count;
+            }
         }
+        moved[cut.of(first)] = count;
     });
     c.all.count = n;
-    for (std::uint32_t i = 0; has_threads && i < n; ++i)
-        if (core.moved_shapes.test(c.all.shape[i])) push_box(c.moved, c.all.lower[i], c.all.upper[i], c.all.lower2[i], c.all.upper2[i], c.all.shape[i], i);
+    if (cut.count > 1) {
+        for (std::uint32_t p = 0; p < cut.count; ++p) {
+            const std::uint32_t count = moved[p];
+            moved[p] = c.moved.count;
+            c.moved.count += count;
+        }
+        for_ranges(core, n, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
+            std::uint32_t at = moved[cut.of(first)];
+            for (std::uint32_t i = first; i < end; ++i)
+                if (core.moved_shapes.test(c.all.shape[i]))
+                    set_box(c.moved, at++, c.all.lower[i], c.all.upper[i], c.all.lower2[i], c.all.upper2[i], c.all.shape[i], i);
+        });
+    }
     close_columns(c.all);
     close_columns(c.moved);
     return c;
@@ -362,18 +419,51 @@ inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are w
 inline constexpr float leave_way = 0.5f * speculative_distance + 0.4f * linear_slop;
 inline constexpr float alone_fraction = 0.5f;  // of its smallest half-thickness: if a body moves farther in a step, it pays to know whether it is alone
 
-// Notes whether the body is fast, and whether it is alone, which saves up to three queries of the tree.
-void note_fast(Core& core, std::uint32_t body, float dt) {
+// Notes whether the body is fast, and whether it is alone, which saves up to three queries of the tree. Returns whether it may leave its boxes.
+bool note_fast(Core& core, std::uint32_t body, float dt) {
     Pose& pose = core.poses[body];
     pose.flags &= ~static_cast<std::uint32_t>(pose_fast | pose_leaves | pose_far | pose_deep);
     const float way = way_length(core, body, dt);
-    if (!(way > fast_way)) return;
+    if (!(way > fast_way)) return false;
     pose.flags |= pose_fast;
     if (way > core.motions[body].slack + leave_way) pose.flags |= pose_leaves;
     if (way > surroundings(pose)) pose.flags |= pose_far;
     if (has_shortcuts && way > alone_fraction * core.bodies[body].min_extent &&
         TreeWalk(Tree{&core.state->tree, core.tree}, surroundings_of(pose)).next() == null_index)
         pose.flags |= pose_alone;
+    return (pose.flags & pose_leaves) != 0;
+}
+
+// Notes the fast among all awake bodies, and marks the shapes of those that may leave their boxes as moved. Returns whether one of them may go beyond its
+// surroundings, where the boxes of ways end.
+bool note_all_fast(Core& core, float dt) {
+    const BitSet awake = core.awake_bodies;
+#if ISLET_SHARES_WORDS
+    if (has_workers(core)) {
+        std::uint32_t far_bodies = 0;
+        for_ranges(core, awake.word_count, note_grain, [&](std::uint32_t first, std::uint32_t end) {
+            std::uint32_t marked = 0, far_here = 0;
+            awake.for_each_in(first, end, [&](std::uint32_t body) {
+                if (!note_fast(core, body, dt)) return;
+                if ((core.poses[body].flags & pose_far) != 0) ++far_here;
+                for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+                    core.poses[body].flags |= pose_moved;
+                    if (!set_at_once(core.moved_shapes, s)) ++marked;
+                }
+            });
+            if (marked != 0) __atomic_fetch_add(&core.state->moved_count, marked, __ATOMIC_RELAXED);
+            if (far_here != 0) __atomic_fetch_add(&far_bodies, far_here, __ATOMIC_RELAXED);
+        });
+        return far_bodies != 0;
+    }
+#endif
+    bool any_far = false;
+    awake.for_each([&](std::uint32_t body) {
+        if (!note_fast(core, body, dt)) return;
+        any_far |= (core.poses[body].flags & pose_far) != 0;
+        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s);
+    });
+    return any_far;
 }
 
 // True if it is known that nothing at rest overlaps any box ahead of the body. (A fat box is at most two extents, two margins and the speculative distance
@@ -557,15 +647,7 @@ bool keeps_from_endless(const Core& core, std::uint32_t shape_a, std::uint32_t s
 
 void find_pairs(Core& core, float dt) {
     core.report.dropped_contacts = 0;
-    for_ranges(core, core.awake_bodies.word_count, note_grain, [&](std::uint32_t first, std::uint32_t end) {
-        core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { note_fast(core, body, dt); });
-    });
-    bool any_far = false;  // a body may go beyond its surroundings, where the boxes of ways end
-    core.awake_bodies.for_each([&](std::uint32_t body) {
-        if ((core.poses[body].flags & pose_leaves) == 0) return;
-        any_far |= (core.poses[body].flags & pose_far) != 0;
-        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s);
-    });
+    const bool any_far = note_all_fast(core, dt);
     if (core.state->moved_count != 0) find_moved_pairs(core, dt);
     if (any_far) {
         core.awake_bodies.for_each([&](std::uint32_t body) {

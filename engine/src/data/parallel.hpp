@@ -12,6 +12,13 @@
 #define ISLET_THREADS (ISLET_SMALL == 0)
 #endif
 
+// Whether workers can change one word at once: not in a build for size, nor where a processor cannot compare and exchange a word (a Cortex-M0, for example).
+#if ISLET_THREADS && !defined(__OPTIMIZE_SIZE__) && defined(__GCC_ATOMIC_INT_LOCK_FREE) && __GCC_ATOMIC_INT_LOCK_FREE == 2
+#define ISLET_SHARES_WORDS 1
+#else
+#define ISLET_SHARES_WORDS 0
+#endif
+
 namespace islet::detail {
 
 inline constexpr bool has_threads = ISLET_THREADS != 0;
@@ -26,6 +33,20 @@ inline bool has_workers(const Core& core) {
 }
 
 inline std::uint32_t worker_count(const Core& core) { return has_workers(core) ? core.tasks.workers : 1; }
+
+/// Whether there are so many workers that it pays if they share work that one alone would do in two thirds of the time.
+inline bool has_many_workers(const Core& core) { return worker_count(core) >= 4; }
+
+/// Whether a world's workers change words at once.
+inline bool shares_words(const Core& core) { return ISLET_SHARES_WORDS != 0 && has_many_workers(core); }
+
+#if ISLET_SHARES_WORDS
+/// Sets a bit of a word that other workers may be changing. Returns whether it was set before.
+inline bool set_at_once(BitSet set, std::uint32_t i) {
+    const std::uint64_t bit = std::uint64_t{1} << i % 64;
+    return (__atomic_fetch_or(set.words + i / 64, bit, __ATOMIC_RELAXED) & bit) != 0;
+}
+#endif
 
 /// Ranges that for_ranges cuts `count` items into.
 inline std::uint32_t range_count(std::uint32_t count, std::uint32_t grain) { return (count + grain - 1) / grain; }

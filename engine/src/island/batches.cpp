@@ -17,10 +17,11 @@ namespace {
 struct ConnectedBodies : UnionFind {
     BitSet guided;  // bodies that touch a kinematic one or are joined to one
 
-    std::uint32_t parent_of(std::uint32_t i) const { return i != null_index ? parent[i] : null_index; }
+    std::uint32_t parent_of(std::uint32_t i) const { return i != null_index ? up_from(i) : null_index; }
 
+    static bool guides(const Core& core, std::uint32_t by) { return by != null_index && core.is_awake(by); }
     void guide(const Core& core, std::uint32_t body, std::uint32_t by) const {
-        if (by != null_index && core.is_awake(by)) guided.set(body);
+        if (guides(core, by)) guided.set(body);
     }
 
     void connect(const Core& core, std::uint32_t a, std::uint32_t b) const {
@@ -30,10 +31,27 @@ struct ConnectedBodies : UnionFind {
         if (over_b == null_index) return guide(core, a, b);
         join(root_of(over_a), root_of(over_b));
     }
+
+#if ISLET_SHARES_WORDS
+    void guide_at_once(const Core& core, std::uint32_t body, std::uint32_t by) const {
+        if (guides(core, by)) set_at_once(guided, body);
+    }
+
+    /// The same by one of several threads.
+    void connect_at_once(const Core& core, std::uint32_t a, std::uint32_t b) const {
+        const SharedUnionFind shared{{parent}};
+        const std::uint32_t over_a = parent_of(a), over_b = parent_of(b);
+        if (over_a == over_b) return;
+        if (over_a == null_index) return guide_at_once(core, b, a);
+        if (over_b == null_index) return guide_at_once(core, a, b);
+        shared.join(over_a, over_b);
+    }
+#endif
 };
 
-inline constexpr std::uint32_t word_grain = 16;   // words of 64 bodies that are worth a task
-inline constexpr std::uint32_t listed_grain = 4;  // words of 64 joints
+inline constexpr std::uint32_t word_grain = 16;      // words of 64 bodies that are worth a task
+inline constexpr std::uint32_t listed_grain = 4;     // words of 64 joints
+inline constexpr std::uint32_t part_contacts = 256;  // that are worth a task
 
 // A listed joint's colour has its kernel and two flags above it.
 inline constexpr std::uint32_t listed_kernel_shift = 8;
@@ -52,12 +70,28 @@ ISLET_PART std::uint32_t lay_out(std::uint32_t& place, std::uint32_t start) {
 struct ContactList {
     PlannedConstraint* contacts = nullptr;
     std::uint32_t parts_with_threads = 1;
-    std::uint32_t words = 0;                   // of the set of awake contacts, in a part
-    std::uint32_t first[max_plan_parts] = {};  // contact of each part
+    std::uint32_t end_word[max_plan_parts] = {};  // of each part, in the set of awake contacts
+    std::uint32_t first[max_plan_parts] = {};     // contact of each part
     std::uint32_t end[max_plan_parts] = {};
     std::uint32_t colors[max_plan_parts] = {};  // bits of those that a part's contacts may have
 
     std::uint32_t parts() const { return has_threads ? parts_with_threads : 1; }
+    std::uint32_t first_word(std::uint32_t part) const { return part == 0 ? 0 : end_word[part - 1]; }
+
+    /// Cuts the awake contacts into at most `most` parts, each with about as many as the others.
+    void cut(BitSet awake, std::uint32_t most) {
+        const std::uint32_t total = awake.count();
+        const std::uint32_t wanted = total < 2 * part_contacts ? 1 : total / part_contacts < most ? total / part_contacts : most;
+        std::uint32_t part = 0, listed = 0;
+        for (std::uint32_t w = 0; w < awake.word_count && part + 1 < wanted; ++w) {
+            listed += BitSet::bits_of(awake.words[w]);
+            if (listed < std::uint64_t{total} * (part + 1) / wanted) continue;
+            end_word[part++] = w + 1;
+            first[part] = listed;
+        }
+        end_word[part] = awake.word_count;
+        parts_with_threads = part + 1;
+    }
 
     template <class Visit>
     ISLET_ALWAYS_INLINE void for_each(Visit&& visit) const {
@@ -66,21 +100,16 @@ struct ContactList {
     }
 };
 
-// Lists the touching contacts, in the order in which they are to be solved.
-ContactList list_contacts(const Core& core, Plan& plan, Arena& temporary) {
+// Lists the touching contacts, in the order in which they are to be solved, and connects their bodies.
+ContactList list_contacts(const Core& core, Plan& plan, const ConnectedBodies& sets, Arena& temporary) {
     const BitSet awake = core.awake_contacts;
     ContactList list;
     PlannedConstraint* const contacts = list.contacts = temporary.take<PlannedConstraint>(core.state->contact_pool.count);
-    list.words = awake.word_count;
-    if (has_workers(core) && !is_ordered(core.state->solver) && !has_shock(core.state->solver)) {
-        list.words = range_count(awake.word_count, plan_parts(core.capacity));
-        list.parts_with_threads = range_count(awake.word_count, list.words);
-        for (std::uint32_t p = 1; p < list.parts(); ++p) list.first[p] = list.first[p - 1] + awake.count_in((p - 1) * list.words, p * list.words);
-    }
-    for_ranges(core, awake.word_count, list.words, [&](std::uint32_t first, std::uint32_t end) {
-        const std::uint32_t part = first / list.words;
+    list.end_word[0] = awake.word_count;
+    if (has_workers(core) && !is_ordered(core.state->solver) && !has_shock(core.state->solver)) list.cut(awake, plan_parts(core.capacity));
+    for_ranges(core, list.parts(), 1, [&](std::uint32_t part, std::uint32_t) {
         std::uint32_t at = list.first[part], colors = 0;
-        awake.for_each_in(first, end, [&](std::uint32_t i) {
+        awake.for_each_in(list.first_word(part), list.end_word[part], [&](std::uint32_t i) {
             const ContactManifold& m = core.manifolds[i];
             if ((m.flags & contact_touching) == 0) return;
             const std::uint32_t color = m.color();
@@ -89,7 +118,12 @@ ContactList list_contacts(const Core& core, Plan& plan, Arena& temporary) {
         });
         list.end[part] = at;
         list.colors[part] = colors;
+#if ISLET_SHARES_WORDS
+        if (!shares_words(core)) return;
+        for (std::uint32_t k = list.first[part]; k < at; ++k) sets.connect_at_once(core, contacts[k].body_a, contacts[k].body_b);
+#endif
     });
+    if (!shares_words(core)) list.for_each([&](const PlannedConstraint& c) { sets.connect(core, c.body_a, c.body_b); });
     for (std::uint32_t p = 0; p < list.parts(); ++p) plan.touching_count += list.end[p] - list.first[p];
     if (has_shock(core.state->solver)) lighten_by_height(core, contacts, list.end[0], plan.lightness, temporary);
     if (is_ordered(core.state->solver)) put_in_order(core, contacts, list.end[0]);
@@ -266,35 +300,111 @@ PlannedConstraint* list_joints(const Core& core, Plan& plan, const ConnectedBodi
             take(listed(i, j));
         });
     };
-    const auto connect = [&](PlannedConstraint j) ISLET_INLINED_LAMBDA {
+    const auto take = [&](PlannedConstraint j) ISLET_INLINED_LAMBDA {
         ++plan.awake_joints;
-        sets.connect(core, j.body_a, j.body_b);
         if ((j.color & listed_gear) != 0) connect_gear(core, sets, core.joints[j.index]);
         plan.has_trees = plan.has_trees || (j.color & listed_exact) != 0;
         if ((j.color & listed_exact) == 0) joints[plan.joint_count++] = j;
     };
+    const auto connect_and_take = [&](const PlannedConstraint& j) ISLET_INLINED_LAMBDA {
+        sets.connect(core, j.body_a, j.body_b);
+        take(j);
+    };
     if (!has_workers(core)) {
-        visit(0, awake.word_count, connect);
+        visit(0, awake.word_count, connect_and_take);
         return joints;
     }
-    // Workers list the joints by parts; then they are connected in order.
+    // Workers list the joints by parts, and connect their bodies; then they are taken in order.
     const RangeCut<max_plan_parts> parts(core, awake.word_count, listed_grain);
     std::uint32_t first_of[max_plan_parts] = {}, end_of[max_plan_parts] = {};
     for (std::uint32_t p = 1; p < parts.count; ++p) first_of[p] = first_of[p - 1] + awake.count_in((p - 1) * parts.grain, p * parts.grain);
     for_ranges(core, awake.word_count, parts.grain, [&](std::uint32_t first, std::uint32_t end) {
         std::uint32_t at = first_of[parts.of(first)];
-        visit(first, end, [&](const PlannedConstraint& j) { joints[at++] = j; });
+        visit(first, end, [&](const PlannedConstraint& j) {
+            joints[at++] = j;
+#if ISLET_SHARES_WORDS
+            if (shares_words(core)) sets.connect_at_once(core, j.body_a, j.body_b);
+#endif
+        });
         end_of[parts.of(first)] = at;
     });
     for (std::uint32_t p = 0; p < parts.count; ++p)
-        for (std::uint32_t k = first_of[p]; k < end_of[p]; ++k) connect(joints[k]);
+        for (std::uint32_t k = first_of[p]; k < end_of[p]; ++k) shares_words(core) ? take(joints[k]) : connect_and_take(joints[k]);
     return joints;
 }
+
+#if ISLET_SHARES_WORDS
+// What number_islands does, by parts of the bodies: workers find each body's root and count the roots, number the roots, and give their numbers to the others.
+void number_at_once(const Core& core, Plan& plan, const ConnectedBodies& sets, Islands& found, const RangeCut<max_plan_parts>& parts) {
+    const BitSet awake = core.awake_bodies;
+    const auto words = static_cast<std::uint32_t>(words_for(core.state->body_pool.high_water));
+    std::uint32_t roots[max_plan_parts], kinematic[max_plan_parts];
+    for_ranges(core, words, parts.grain, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t root_count = 0, kinematic_count = 0;
+        awake.for_each_in(first, end, [&](std::uint32_t body) {
+            if (sets.up_from(body) == null_index) {
+                found.island_of[body] = null_index;
+                ++kinematic_count;
+                return;
+            }
+            // Shortens no other body's path: that could undo what its own thread stores.
+            std::uint32_t root = body;
+            for (std::uint32_t up = sets.up_from(root); up != root; up = sets.up_from(root)) root = up;
+            __atomic_store_n(sets.parent + body, root, __ATOMIC_RELAXED);
+            if (root == body) ++root_count;
+        });
+        roots[parts.of(first)] = root_count;
+        kinematic[parts.of(first)] = kinematic_count;
+    });
+    for (std::uint32_t p = 0; p < parts.count; ++p) {
+        const std::uint32_t number = plan.island_count;
+        plan.island_count += roots[p];
+        roots[p] = number;  // the first of the part's
+        found.kinematic_count += kinematic[p];
+    }
+    for_ranges(core, words, parts.grain, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t number = roots[parts.of(first)];
+        awake.for_each_in(first, end, [&](std::uint32_t body) {
+            if (sets.parent[body] != body) return;
+            found.islands[number] = Island{};
+            found.island_of[body] = number++;
+        });
+    });
+    for_ranges(core, words, parts.grain, [&](std::uint32_t first, std::uint32_t end) {
+        // Neighbours are often of one island, which is then counted in one go.
+        std::uint32_t counted = null_index, count = 0;
+        const auto add = [&] {
+            if (count != 0) __atomic_fetch_add(&found.islands[counted].bodies, count, __ATOMIC_RELAXED);
+        };
+        awake.for_each_in(first, end, [&](std::uint32_t body) {
+            const std::uint32_t root = sets.parent[body];
+            if (root == null_index) return;
+            const std::uint32_t number = found.island_of[root];
+            if (root != body) found.island_of[body] = number;
+            if (number != counted) {
+                add();
+                counted = number;
+                count = 0;
+            }
+            ++count;
+            if (sets.guided.test(body)) __atomic_store_n(&found.islands[number].batch, std::uint32_t{kinematic_batch}, __ATOMIC_RELAXED);
+        });
+        add();
+    });
+}
+#endif
 
 // Numbers the islands by their roots and counts their bodies. A root is the smallest body of its island, so one pass in order is enough.
 Islands number_islands(const Core& core, Plan& plan, const ConnectedBodies& sets, Arena& temporary) {
     const std::uint32_t bodies = core.state->body_pool.high_water;
     Islands found{temporary.take<Island>(bodies), temporary.take<std::uint32_t>(bodies), 0};
+#if ISLET_SHARES_WORDS
+    const RangeCut<max_plan_parts> parts(core, static_cast<std::uint32_t>(words_for(bodies)), word_grain);
+    if (parts.count > 1 && shares_words(core)) {
+        number_at_once(core, plan, sets, found, parts);
+        return found;
+    }
+#endif
     core.awake_bodies.for_each([&](std::uint32_t body) {
         if (sets.parent[body] == null_index) {
             found.island_of[body] = null_index;
@@ -336,15 +446,33 @@ void fill_batches(Plan& plan, const Islands& found) {
 
 // Gives the batches' slots to their bodies, in the order of the bodies.
 void give_slots(const Core& core, Plan& plan, const Islands& found, Arena temporary) {
-    std::uint32_t* next = temporary.take<std::uint32_t>(plan.batch_count);  // slot, by batch
-    for (std::uint32_t b = 0; b < plan.batch_count; ++b) next[b] = plan.batches[b].first_slot;
+    const BitSet awake = core.awake_bodies;
+    const auto words = static_cast<std::uint32_t>(words_for(core.state->body_pool.high_water));
+    const RangeCut<max_plan_parts> parts(core, words, word_grain);
+    std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * parts.count);  // slot, by part and batch
+    const auto batch_of = [&](std::uint32_t island) { return island != null_index ? found.islands[island].batch : kinematic_batch; };
+    if (parts.count > 1) {
+        for_ranges(core, words, parts.grain, [&](std::uint32_t first, std::uint32_t end) {
+            std::uint32_t* const count = next + parts.of(first) * plan.batch_count;
+            std::memset(count, 0, plan.batch_count * 4);
+            awake.for_each_in(first, end, [&](std::uint32_t body) { ++count[batch_of(found.island_of[body])]; });
+        });
+        for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
+            std::uint32_t slot = plan.batches[b].first_slot;
+            for (std::uint32_t p = 0; p < parts.count; ++p) slot = lay_out(next[p * plan.batch_count + b], slot);
+        }
+    } else {
+        for (std::uint32_t b = 0; b < plan.batch_count; ++b) next[b] = plan.batches[b].first_slot;
+    }
     plan.body_of[0] = no_plan_index;
-    core.awake_bodies.for_each([&](std::uint32_t body) {
-        const std::uint32_t island = found.island_of[body];
-        const std::uint32_t slot = next[island != null_index ? found.islands[island].batch : kinematic_batch]++;
-        plan.body_of[slot] = static_cast<PlanIndex>(body);
-        if (keeps_islands) plan.island_of[slot] = static_cast<PlanIndex>(island);
-        plan.slot_of[body] = static_cast<PlanIndex>(slot);
+    for_ranges(core, words, parts.grain, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t* const at = next + parts.of(first) * plan.batch_count;
+        awake.for_each_in(first, end, [&](std::uint32_t body) {
+            const std::uint32_t island = found.island_of[body], slot = at[batch_of(island)]++;
+            plan.body_of[slot] = static_cast<PlanIndex>(body);
+            if (keeps_islands) plan.island_of[slot] = static_cast<PlanIndex>(island);
+            plan.slot_of[body] = static_cast<PlanIndex>(slot);
+        });
     });
 }
 
@@ -355,8 +483,7 @@ Plan make_plan(const Core& core, Arena& arena) {
     Arena temporary = arena;  // what is taken from it serves this function alone: the solve takes the same scratch again
 
     const ConnectedBodies sets = separate_bodies(core, plan, temporary);
-    const ContactList contacts = list_contacts(core, plan, temporary);
-    contacts.for_each([&](const PlannedConstraint& c) { sets.connect(core, c.body_a, c.body_b); });
+    const ContactList contacts = list_contacts(core, plan, sets, temporary);
     PlannedConstraint* const joints = list_joints(core, plan, sets, temporary);
 
     const Islands islands = number_islands(core, plan, sets, temporary);
