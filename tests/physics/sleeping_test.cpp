@@ -115,11 +115,23 @@ struct NamedPush {
     void (*push)(World& w, BodyId body, float by, bool wake);
 };
 const NamedPush pushes[] = {
-    {"apply_force", [](World& w, BodyId b, float by, bool wake) { w.apply_force(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake); }},
-    {"apply_force_to_center", [](World& w, BodyId b, float by, bool wake) { w.apply_force_to_center(b, {by, 0}, wake); }},
+    {"apply_force",
+     [](World& w, BodyId b, float by, bool wake) {
+         w.apply_force(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake);
+     }},
+    {"apply_force_to_center",
+     [](World& w, BodyId b, float by, bool wake) {
+         w.apply_force_to_center(b, {by, 0}, wake);
+     }},
     {"apply_torque", [](World& w, BodyId b, float by, bool wake) { w.apply_torque(b, by, wake); }},
-    {"apply_linear_impulse", [](World& w, BodyId b, float by, bool wake) { w.apply_linear_impulse(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake); }},
-    {"apply_linear_impulse_to_center", [](World& w, BodyId b, float by, bool wake) { w.apply_linear_impulse_to_center(b, {by, 0}, wake); }},
+    {"apply_linear_impulse",
+     [](World& w, BodyId b, float by, bool wake) {
+         w.apply_linear_impulse(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake);
+     }},
+    {"apply_linear_impulse_to_center",
+     [](World& w, BodyId b, float by, bool wake) {
+         w.apply_linear_impulse_to_center(b, {by, 0}, wake);
+     }},
     {"apply_angular_impulse", [](World& w, BodyId b, float by, bool wake) { w.apply_angular_impulse(b, by, wake); }},
 };
 
@@ -255,5 +267,106 @@ TEST(Sleep, ABodyMadeAsleepStaysUntilItIsHit) {
     EXPECT_TRUE(world->is_awake(ball));
 }
 
+// Motors and belts slower than what may fall asleep (0.05 m/s), which have minutes to get there.
+JointBase between(BodyId a, BodyId b) { return {.body_a = a, .body_b = b}; }
+
+struct SlowMotor {
+    const char* name;
+    float speed;  // m/s, or rad/s if it turns
+    bool turns;
+    JointId (*join)(TestWorld&, BodyId, BodyId, float);
+};
+
+template <class Def>
+JointId join(TestWorld& world, BodyId frame, BodyId moved, float speed) {
+    Def def;
+    def.base = between(frame, moved);
+    if constexpr (std::is_same_v<Def, MotorJointDef>) {
+        def.linear_velocity = {speed, 0};
+        def.max_force = def.max_torque = 1000;
+    } else {
+        def.motor = {.enable = true, .speed = speed, .max_force = 1000};
+    }
+    if constexpr (std::is_same_v<Def, DistanceJointDef>) def.base.frame_a.position = {-1, 0};
+    return world->create_joint(def);
+}
+
+const SlowMotor slow_motors[] = {
+    {"hinge", 0.02f, true, join<RevoluteJointDef>},     {"hinge that turns back", -0.02f, true, join<RevoluteJointDef>},
+    {"wheel", 0.02f, true, join<WheelJointDef>},        {"angle", -0.02f, true, join<AngleJointDef>},
+    {"slider", -0.01f, false, join<PrismaticJointDef>}, {"distance", 0.01f, false, join<DistanceJointDef>},
+    {"motor joint", 0.01f, false, join<MotorJointDef>},
+};
+
+TEST(Sleep, WhatASlowMotorMovesStaysAwakeAndGetsThere) {
+    for (const SlowMotor& motor : slow_motors) {
+        SCOPED_TRACE(motor.name);
+        WorldDef def;
+        def.gravity = {0, 0};
+        TestWorld world(roomy, def);
+        const BodyId frame = world.add_circle({0, 0}, 0.1f, {}, BodyType::static_body), moved = world.add_box({0, 0});
+        motor.join(world, frame, moved, motor.speed);
+        world.step(60 * 20);
+        EXPECT_TRUE(world->is_awake(moved));
+        const double way = 20 * double(motor.speed);
+        EXPECT_NEAR(double(motor.turns ? world->angle(moved) : world->position(moved).x), way, 0.01 * std::abs(way));
+    }
+}
+
+TEST(Sleep, WhatABlockedMotorPushesSleeps) {
+    for (const SlowMotor& motor : slow_motors) {
+        SCOPED_TRACE(motor.name);
+        WorldDef def;
+        def.gravity = {0, 0};
+        TestWorld world(roomy, def);
+        const BodyId frame = world.add_circle({0, 0}, 0.1f, {}, BodyType::static_body), moved = world.add_box({0, 0});
+        motor.join(world, frame, moved, motor.speed);
+        for (const float side : {-1.0f, 1.0f}) {
+            world.add_box({1.02f * side, 0}, 0.5f, 0.5f, {}, BodyType::static_body);
+            world.add_box({0, 1.02f * side}, 0.5f, 0.5f, {}, BodyType::static_body);
+        }
+        world.step(60 * 20);
+        EXPECT_FALSE(world->is_awake(moved));
+    }
+}
+
+TEST(Sleep, WhatAMotorMovesKeepsItsIslandAwakeAndNoOther) {
+    // A slow slider under a tower: what stands on it goes along.
+    TestWorld world;
+    world.add_ground();
+    const BodyId sled = world.add(make_box(2, 0.25f), Vec2{0, 5});
+    const BodyId frame = world.add_circle({-5, 5}, 0.1f, {}, BodyType::static_body);
+    world->create_joint(PrismaticJointDef{.base = between(frame, sled), .motor = {.enable = true, .speed = 0.01f, .max_force = 1e5f}});
+    const BodyId carried = world.add_box({0, 5.75f}), beside = world.add_box({10, 0.5f});
+    world.step(60 * 20);
+    EXPECT_TRUE(world->is_awake(carried));
+    EXPECT_NEAR(double(world->position(carried).x), 0.2, 0.01);
+    EXPECT_FALSE(world->is_awake(beside));
+}
+
+TEST(Sleep, WhatASlowBeltCarriesStaysAwakeAndGetsThere) {
+    for (const float speed : {0.02f, -0.01f}) {
+        TestWorld world;
+        ShapeDef belt;
+        belt.tangent_speed = speed;
+        world.add_ground(0, 100, belt);
+        const BodyId box = world.add_box({0, 0.5f}), ball = world.add_circle({5, 0.5f});
+        world.step(60 * 20);
+        EXPECT_TRUE(world->is_awake(box));
+        EXPECT_NEAR(double(world->position(box).x), 20 * double(speed), 0.01);
+        EXPECT_TRUE(world->is_awake(ball));
+    }
+}
+
+TEST(Sleep, WhatIsHeldOnABeltSleeps) {
+    TestWorld world;
+    ShapeDef belt;
+    belt.tangent_speed = 0.02f;
+    world.add_ground(0, 100, belt);
+    const BodyId box = world.add_box({0, 0.5f});
+    for (const float side : {-1.01f, 1.01f}) world.add_box({side, 0.5f}, 0.5f, 0.5f, {}, BodyType::static_body);
+    world.step(60 * 20);
+    EXPECT_FALSE(world->is_awake(box));
+}
 }  // namespace
 }  // namespace islet::test

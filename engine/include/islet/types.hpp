@@ -241,7 +241,7 @@ struct BodyDef {
     float linear_damping = 0;       ///< 1/s, >= 0
     float angular_damping = 0;      ///< 1/s, >= 0
     float gravity_scale = 1;        ///< multiple of the gravity that the body feels
-    float sleep_threshold = 0.05f;  ///< m/s, >= 0. Slower bodies may fall asleep.
+    float sleep_threshold = 0.05f;  ///< m/s, >= 0. Slower bodies may fall asleep, unless a motor or a belt keeps them going.
     bool enable_sleep = true;       ///< false: the body keeps itself and its island awake.
     bool awake = true;              ///< false: the body starts asleep.
     bool fixed_rotation = false;    ///< true: the body has infinite rotational inertia, and starts with no angular velocity.

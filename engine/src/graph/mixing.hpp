@@ -24,6 +24,11 @@ struct MixedSurface {
     float tangent_speed = 0;       // m/s
 };
 
+inline float tangent_speed_of(const Core& core, std::uint32_t contact) {
+    const Contact& c = core.contacts[contact];
+    return has_hooks && c.has_own_speed() ? c.own_speed() : core.shapes[c.shape_a].tangent_speed + core.shapes[c.shape_b].tangent_speed;
+}
+
 inline MixedSurface surface_of(const Core& core, std::uint32_t contact) {
     const Contact& c = core.contacts[contact];
     const Shape& a = core.shapes[c.shape_a];
@@ -34,7 +39,7 @@ inline MixedSurface surface_of(const Core& core, std::uint32_t contact) {
         if (resistance == 0) return resistance;  // as most are: their geometries need not come from memory
         return resistance * max(radius(a), radius(b));
     };
-    return {mixed_restitution(core, a, b), rolling_arm(), has_hooks && c.has_own_speed() ? c.own_speed() : a.tangent_speed + b.tangent_speed};
+    return {mixed_restitution(core, a, b), rolling_arm(), tangent_speed_of(core, contact)};
 }
 
 }  // namespace islet::detail

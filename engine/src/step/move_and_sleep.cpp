@@ -10,6 +10,7 @@
 #include "../graph/joint_graph.hpp"
 #include "../math/scalar.hpp"
 #include "../step/continuous.hpp"
+#include "../step/sleep_islands.hpp"
 
 namespace islet::detail {
 
@@ -36,7 +37,7 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     if (looks) fit_boxes(core, i, false, changed);
 
     // The way counts for sleep too, so bodies that are being pushed apart stay awake.
-    const float speed = max(length_inline(motion.v) + abs(motion.w) * pose.max_extent, 0.5f * moved / dt);
+    const float speed = max(speed_of(core, i), 0.5f * moved / dt);
     const bool resting = speed <= body.sleep_threshold && (body.flags & body_may_sleep) != 0;
     motion.sleep_time = resting ? motion.sleep_time + dt : 0;
     return looks;
@@ -86,40 +87,6 @@ void report_moved(Core& core, Arena arena) {
         std::uint32_t at = place[first / finish_grain];
         awake.for_each_in(first, end, [&](std::uint32_t body) { core.moved_events[at++] = core.body_id(body); });
     });
-}
-
-// Says which islands have just come to rest, and puts those to sleep that have been at rest for longer. Returns whether any body fell asleep.
-bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena arena, float dt) {
-    // The body of an island with the shortest rest decides for the island. A touch of an awake kinematic body, or a joint to one, keeps an island awake.
-    float* rest = arena.take<float>(plan.island_count);
-    for (std::uint32_t i = 0; i < plan.island_count; ++i) rest[i] = 3.0e38f;
-    for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
-        const std::uint32_t island = index_of(plan.island_of[slot]);
-        if (island != null_index) {
-            rest[island] = min(rest[island], rested[slot]);
-            continue;
-        }
-        const std::uint32_t body = plan.body_of[slot];
-        for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
-            const std::uint32_t other = plan.slot_of[other_body(core, contact, side)];
-            if (other != 0 && (core.manifolds[contact].flags & contact_touching) != 0) rest[plan.island_of[other]] = 0;
-        });
-        for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t side) {
-            const std::uint32_t joined = other_joined(core, joint, side);
-            const std::uint32_t other = joined != null_index ? plan.slot_of[joined] : 0;
-            if (other != 0 && plan.island_of[other] != no_plan_index) rest[plan.island_of[other]] = 0;
-        });
-    }
-    bool any = false;
-    for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
-        const std::uint32_t island = index_of(plan.island_of[slot]);
-        const float time = island != null_index ? rest[island] : rested[slot];
-        if (time >= time_to_learn && time < time_to_learn + dt) core.poses[plan.body_of[slot]].flags |= pose_learns;
-        if (time < time_to_sleep) continue;
-        put_to_sleep(core, plan.body_of[slot]);
-        any = true;
-    }
-    return any;
 }
 
 }  // namespace

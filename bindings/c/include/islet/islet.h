@@ -721,7 +721,7 @@ typedef struct IsletBodyDef {
     float angular_damping;
     /// multiple of the gravity that the body feels
     float gravity_scale;
-    /// m/s, >= 0. Slower bodies may fall asleep.
+    /// m/s, >= 0. Slower bodies may fall asleep, unless a motor or a belt keeps them going.
     float sleep_threshold;
     /// false: the body keeps itself and its island awake.
     bool enable_sleep;
