@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "measure.hpp"
@@ -298,14 +299,24 @@ const SlowMotor slow_motors[] = {
     {"motor joint", 0.01f, false, join<MotorJointDef>},
 };
 
+WorldDef without_gravity() {
+    WorldDef def = weightless();
+    def.enable_sleep = true;
+    return def;
+}
+
+// A box of 1 m at the origin, on a motor fixed to the world.
+BodyId add_driven_box(TestWorld& world, const SlowMotor& motor) {
+    const BodyId frame = world.add_circle({0, 0}, 0.1f, {}, BodyType::static_body), moved = world.add_box({0, 0});
+    motor.join(world, frame, moved, motor.speed);
+    return moved;
+}
+
 TEST(Sleep, WhatASlowMotorMovesStaysAwakeAndGetsThere) {
     for (const SlowMotor& motor : slow_motors) {
         SCOPED_TRACE(motor.name);
-        WorldDef def;
-        def.gravity = {0, 0};
-        TestWorld world(roomy, def);
-        const BodyId frame = world.add_circle({0, 0}, 0.1f, {}, BodyType::static_body), moved = world.add_box({0, 0});
-        motor.join(world, frame, moved, motor.speed);
+        TestWorld world(roomy, without_gravity());
+        const BodyId moved = add_driven_box(world, motor);
         world.step(60 * 20);
         EXPECT_TRUE(world->is_awake(moved));
         const double way = 20 * double(motor.speed);
@@ -316,11 +327,8 @@ TEST(Sleep, WhatASlowMotorMovesStaysAwakeAndGetsThere) {
 TEST(Sleep, WhatABlockedMotorPushesSleeps) {
     for (const SlowMotor& motor : slow_motors) {
         SCOPED_TRACE(motor.name);
-        WorldDef def;
-        def.gravity = {0, 0};
-        TestWorld world(roomy, def);
-        const BodyId frame = world.add_circle({0, 0}, 0.1f, {}, BodyType::static_body), moved = world.add_box({0, 0});
-        motor.join(world, frame, moved, motor.speed);
+        TestWorld world(roomy, without_gravity());
+        const BodyId moved = add_driven_box(world, motor);
         for (const float side : {-1.0f, 1.0f}) {
             world.add_box({1.02f * side, 0}, 0.5f, 0.5f, {}, BodyType::static_body);
             world.add_box({0, 1.02f * side}, 0.5f, 0.5f, {}, BodyType::static_body);
