@@ -39,32 +39,31 @@ bool is_driven(const Core& core, std::uint32_t body) {
     return driven;
 }
 
-/// How long each island has been at rest, s: as long as the body with the shortest rest.
-struct Rests {
-    float* rest;  // by island
-
-    /// Workers may call it at once.
-    void shorten(std::uint32_t island, float to) const {
+// How long an island has been at rest is at most `to`. Workers may call it at once.
+void shorten(const Core& core, float& rest, float to) {
 #if ISLET_SHARES_WORDS
+    if (has_workers(core)) {
         float now;
-        __atomic_load(rest + island, &now, __ATOMIC_RELAXED);
-        while (to < now && !__atomic_compare_exchange(rest + island, &now, &to, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
-#else
-        rest[island] = min(rest[island], to);
-#endif
+        __atomic_load(&rest, &now, __ATOMIC_RELAXED);
+        while (to < now && !__atomic_compare_exchange(&rest, &now, &to, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
+        return;
     }
-};
+#else
+    static_cast<void>(core);
+#endif
+    rest = min(rest, to);
+}
 
 // A touch of an awake kinematic body, or a joint to one, keeps an island awake.
-void keep_awake(const Core& core, const Plan& plan, std::uint32_t kinematic, const Rests& rests) {
+void keep_awake(const Core& core, const Plan& plan, std::uint32_t kinematic, float* rest) {
     for_each_contact(core, kinematic, [&](std::uint32_t contact, std::uint32_t side) {
         const std::uint32_t other = plan.slot_of[other_body(core, contact, side)];
-        if (other != 0 && (core.manifolds[contact].flags & contact_touching) != 0) rests.shorten(plan.island_of[other], 0);
+        if (other != 0 && (core.manifolds[contact].flags & contact_touching) != 0) shorten(core, rest[plan.island_of[other]], 0);
     });
     for_each_joint(core, kinematic, [&](std::uint32_t joint, std::uint32_t side) {
         const std::uint32_t joined = other_joined(core, joint, side);
         const std::uint32_t other = joined != null_index ? plan.slot_of[joined] : 0;
-        if (other != 0 && plan.island_of[other] != no_plan_index) rests.shorten(plan.island_of[other], 0);
+        if (other != 0 && plan.island_of[other] != no_plan_index) shorten(core, rest[plan.island_of[other]], 0);
     });
 }
 
@@ -79,22 +78,22 @@ void over_slots(const Core& core, const Plan& plan, Work&& work) {
 }  // namespace
 
 bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena arena, float dt) {
-    const Rests rests{arena.take<float>(plan.island_count)};
-    for (std::uint32_t i = 0; i < plan.island_count; ++i) rests.rest[i] = 3.0e38f;
+    float* const rest = arena.take<float>(plan.island_count);  // by island, s: as long as the body with the shortest rest
+    for (std::uint32_t i = 0; i < plan.island_count; ++i) rest[i] = 3.0e38f;
     over_slots(core, plan, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t slot = first; slot < end; ++slot) {
             const std::uint32_t island = index_of(plan.island_of[slot]);
             if (island != null_index) {
-                rests.shorten(island, rested[slot]);
+                shorten(core, rest[island], rested[slot]);
             } else {
-                keep_awake(core, plan, plan.body_of[slot], rests);
+                keep_awake(core, plan, plan.body_of[slot], rest);
             }
         }
     });
 
     const auto time_of = [&](std::uint32_t slot) {
         const std::uint32_t island = index_of(plan.island_of[slot]);
-        return island != null_index ? rests.rest[island] : rested[slot];
+        return island != null_index ? rest[island] : rested[slot];
     };
     std::uint32_t tired = 0;  // not 0: a body has been at rest for long enough
     over_slots(core, plan, [&](std::uint32_t first, std::uint32_t end) {
@@ -114,9 +113,9 @@ bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena aren
     if (tired == 0) return false;
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
         const std::uint32_t island = index_of(plan.island_of[slot]), body = plan.body_of[slot];
-        if (island == null_index || rests.rest[island] < time_to_sleep || !is_driven(core, body)) continue;
+        if (island == null_index || rest[island] < time_to_sleep || !is_driven(core, body)) continue;
         core.motions[body].sleep_time = 0;
-        rests.rest[island] = 0;
+        rest[island] = 0;
     }
     bool any = false;
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
