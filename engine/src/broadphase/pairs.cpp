@@ -414,7 +414,7 @@ void scan_others(Out& out, const Scan& how, const Moving& m, std::uint32_t begin
     }
 }
 
-inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are worth a task
+[[maybe_unused]] inline constexpr std::uint32_t note_grain = 8;  // words of 64 bodies that are worth a task
 // m: a body whose way exceeds its boxes' slack by this may leave them; the slack ends half the speculative distance ahead of the shapes.
 inline constexpr float leave_way = 0.5f * speculative_distance + 0.4f * linear_slop;
 inline constexpr float alone_fraction = 0.5f;  // of its smallest half-thickness: if a body moves farther in a step, it pays to know whether it is alone

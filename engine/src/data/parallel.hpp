@@ -12,8 +12,9 @@
 #define ISLET_THREADS (ISLET_SMALL == 0)
 #endif
 
-// Whether workers can change one word at once: not in a build for size, nor where a processor cannot compare and exchange a word (a Cortex-M0, for example).
-#if ISLET_THREADS && !defined(__OPTIMIZE_SIZE__) && defined(__GCC_ATOMIC_INT_LOCK_FREE) && __GCC_ATOMIC_INT_LOCK_FREE == 2
+// Whether workers can change one word at once: not in a build for size, nor where a processor has no instruction for that with 64 bits (a Cortex-M, for
+// example), which would call a library.
+#if ISLET_THREADS && !defined(__OPTIMIZE_SIZE__) && defined(__GCC_ATOMIC_LLONG_LOCK_FREE) && __GCC_ATOMIC_LLONG_LOCK_FREE == 2
 #define ISLET_SHARES_WORDS 1
 #else
 #define ISLET_SHARES_WORDS 0
