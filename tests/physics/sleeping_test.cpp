@@ -116,23 +116,11 @@ struct NamedPush {
     void (*push)(World& w, BodyId body, float by, bool wake);
 };
 const NamedPush pushes[] = {
-    {"apply_force",
-     [](World& w, BodyId b, float by, bool wake) {
-         w.apply_force(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake);
-     }},
-    {"apply_force_to_center",
-     [](World& w, BodyId b, float by, bool wake) {
-         w.apply_force_to_center(b, {by, 0}, wake);
-     }},
+    {"apply_force", [](World& w, BodyId b, float by, bool wake) { w.apply_force(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake); }},
+    {"apply_force_to_center", [](World& w, BodyId b, float by, bool wake) { w.apply_force_to_center(b, {by, 0}, wake); }},
     {"apply_torque", [](World& w, BodyId b, float by, bool wake) { w.apply_torque(b, by, wake); }},
-    {"apply_linear_impulse",
-     [](World& w, BodyId b, float by, bool wake) {
-         w.apply_linear_impulse(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake);
-     }},
-    {"apply_linear_impulse_to_center",
-     [](World& w, BodyId b, float by, bool wake) {
-         w.apply_linear_impulse_to_center(b, {by, 0}, wake);
-     }},
+    {"apply_linear_impulse", [](World& w, BodyId b, float by, bool wake) { w.apply_linear_impulse(b, {by, 0}, w.position(b) + Vec2{0, 0.1f}, wake); }},
+    {"apply_linear_impulse_to_center", [](World& w, BodyId b, float by, bool wake) { w.apply_linear_impulse_to_center(b, {by, 0}, wake); }},
     {"apply_angular_impulse", [](World& w, BodyId b, float by, bool wake) { w.apply_angular_impulse(b, by, wake); }},
 };
 
@@ -339,7 +327,7 @@ TEST(Sleep, WhatABlockedMotorPushesSleeps) {
 }
 
 TEST(Sleep, WhatAMotorMovesKeepsItsIslandAwakeAndNoOther) {
-    // A slow slider under a tower: what stands on it goes along.
+    // A slow slider under a box: what stands on it goes along.
     TestWorld world;
     world.add_ground();
     const BodyId sled = world.add(make_box(2, 0.25f), Vec2{0, 5});
@@ -376,5 +364,6 @@ TEST(Sleep, WhatIsHeldOnABeltSleeps) {
     world.step(60 * 20);
     EXPECT_FALSE(world->is_awake(box));
 }
+
 }  // namespace
 }  // namespace islet::test

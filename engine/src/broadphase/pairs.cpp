@@ -7,6 +7,7 @@
 
 #include "../broadphase/columns.hpp"
 #include "../broadphase/culling.hpp"
+#include "../broadphase/sort_by_parts.hpp"
 #include "../broadphase/tree.hpp"
 #include "../collide/manifold.hpp"
 #include "../data/parallel.hpp"
@@ -207,42 +208,6 @@ bool is_near_rest(const Core& core, const MovingShape& shape) {
 }
 
 inline constexpr std::uint32_t box_grain = 512;  // boxes that are worth a task
-using BoxCut = RangeCut<8>;
-
-// sort_by_key, by workers: a radix sort by digits of eight bits, in which each part of the items counts its digits, and knows from the counts of all where its
-// items go.
-[[maybe_unused]] KeyedItem* sort_by_parts(const Core& core, const BoxCut& cut, KeyedItem* items, KeyedItem* spare, std::uint32_t n, std::uint32_t* counts) {
-    constexpr std::uint32_t digits = 256;
-    static_assert(!sorts_by_digits || BoxCut::room * digits <= sort_digits);
-    for (std::uint32_t shift = 32; shift < 64; shift += 8) {
-        const auto digit_of = [&](KeyedItem item) { return static_cast<std::uint32_t>(item >> shift) & (digits - 1); };
-        for_ranges(core, n, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
-            std::uint32_t* const count = counts + cut.of(first) * digits;
-            std::memset(count, 0, digits * sizeof *count);
-            for (std::uint32_t i = first; i < end; ++i) ++count[digit_of(items[i])];
-        });
-        std::uint32_t place = 0, most = 0;
-        for (std::uint32_t d = 0; d < digits; ++d) {
-            const std::uint32_t first = place;
-            for (std::uint32_t p = 0; p < cut.count; ++p) {
-                std::uint32_t& count = counts[p * digits + d];
-                const std::uint32_t items_of_part = count;
-                count = place;
-                place += items_of_part;
-            }
-            most = most < place - first ? place - first : most;
-        }
-        if (most == n) continue;  // all alike, as the highest digit often is
-        for_ranges(core, n, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
-            std::uint32_t* const to = counts + cut.of(first) * digits;
-            for (std::uint32_t i = first; i < end; ++i) spare[to[digit_of(items[i])]++] = items[i];
-        });
-        KeyedItem* const sorted = spare;
-        spare = items;
-        items = sorted;
-    }
-    return items;
-}
 
 /// A part of the awake bodies, whose shapes a worker lists.
 struct ListPart {
