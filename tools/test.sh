@@ -119,13 +119,14 @@ build_tests() {
     local preset=$1 options=(-DISLET_WERROR=ON)
     say "$preset: building"
     case $preset in
-    # The optimised build compiles file by file, and runs each test by itself.
+    # The optimised build compiles file by file what users build, for a release the rest too, and runs each test by itself.
     asan-ubsan) options+=(-DISLET_PRECOMPILE=ON -DCMAKE_UNITY_BUILD=ON -DISLET_TEST_SHARDS=8 -DISLET_BUILD_PYTHON=ON) ;;
-    tsan) options=(-DCMAKE_UNITY_BUILD=ON -DISLET_WERROR=OFF) ;;           # the optimised build by the same compiler gives the warnings, file by file
+    tsan) options=(-DCMAKE_UNITY_BUILD=ON -DISLET_WERROR=OFF) ;;           # the optimised build by the same compiler gives the warnings
     release)
-        local extras
+        local extras unite=OFF
         extras=$($all && echo ON || echo OFF)
-        options+=(-DISLET_PRECOMPILE="$extras" -DISLET_BROWSER_TESTS="$extras" -DISLET_BUILD_PYTHON="$extras")
+        if $all && ! $release; then unite=ON; fi
+        options+=(-DISLET_PRECOMPILE="$extras" -DISLET_UNITE="$unite" -DISLET_BROWSER_TESTS="$extras" -DISLET_BUILD_PYTHON="$extras")
         ;;
     esac
     configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON "${options[@]}"

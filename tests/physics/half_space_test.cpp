@@ -17,7 +17,7 @@ namespace islet::test {
 namespace {
 
 constexpr float step_time = 1.0f / 60;
-constexpr float g = 10;  // m/s^2
+constexpr float gravity = 10;  // m/s^2
 
 enum class Ground { segment, half_space };
 
@@ -32,7 +32,7 @@ struct Lie {
 class Scene {
 public:
     Scene(Ground ground, const Lie& lie, const ShapeDef& surface = {}, float pull_angle = 0)
-        : world({.bodies = 64, .shapes = 64, .contacts = 512, .joints = 4}, {.gravity = rotate(make_rot(lie.angle + pull_angle), {0, -g})}),
+        : world({.bodies = 64, .shapes = 64, .contacts = 512, .joints = 4}, {.gravity = rotate(make_rot(lie.angle + pull_angle), {0, -gravity})}),
           frame(lie.frame()) {
         floor = world->create_body({.position = lie.origin, .angle = lie.angle});
         if (ground == Ground::segment) {
@@ -143,7 +143,7 @@ const std::vector<Dropped>& drops() {
 }
 
 // What rests may be sunk in by a slop of 5 mm, either way; a body placed far from the origin is as exact as its floats.
-float tolerance(const Lie& lie) { return 0.004f + 4e-7f * (std::fabs(lie.origin.x) + std::fabs(lie.origin.y)); }
+float tolerance_of(const Lie& lie) { return 0.004f + 4e-7f * (std::fabs(lie.origin.x) + std::fabs(lie.origin.y)); }
 
 TEST(HalfSpace, TenThingsRestAsOnASegmentHoweverItLies) {
     for (const Dropped& thing : drops()) {
@@ -153,7 +153,7 @@ TEST(HalfSpace, TenThingsRestAsOnASegmentHoweverItLies) {
             a.run(240), b.run(240);
             const std::string where = std::string(thing.name) + " at " + std::to_string(lie.angle) + ", " + std::to_string(lie.origin.x);
             EXPECT_EQ(b.world->validate(), nullptr) << where;
-            EXPECT_NEAR(a.place(on_segment).y, b.place(on_plane).y, tolerance(lie)) << where;
+            EXPECT_NEAR(a.place(on_segment).y, b.place(on_plane).y, tolerance_of(lie)) << where;
             EXPECT_NEAR(a.angle(on_segment), b.angle(on_plane), 0.02f) << where;
             EXPECT_NEAR(length(b.velocity(on_plane)), 0, 0.02f) << where;
             // The floor carries what lies on it: a step's impulse is m g dt of all that was dropped. Substeps report the last one's. Far from the origin it
@@ -170,7 +170,7 @@ TEST(HalfSpace, FrictionStopsABoxWhereTheFormulaSays) {
             Scene s(Ground::half_space, lie, {.friction = 0.5f});
             const BodyId box = s.drop(make_box(0.5f, 0.25f), {0, 0.25f}, 0, {speed, 0}, {.friction = 0.5f, .density = 1});
             s.run(180);
-            const float way = speed * speed / (2 * 0.5f * g);  // v^2 / (2 mu g)
+            const float way = speed * speed / (2 * 0.5f * gravity);  // v^2 / (2 mu g)
             EXPECT_NEAR(s.place(box).x, way, 0.01f + 0.03f * way) << speed << ' ' << lie.angle;
         }
     }
@@ -185,7 +185,7 @@ TEST(HalfSpace, ASlopeHoldsABoxBelowTheCriticalAngleAndNotAboveIt) {
         if (lean < 1) {
             EXPECT_NEAR(s.place(box).x, 0, 0.01f);
         } else {
-            const float a = g * (std::sin(lean * critical) - 0.6f * std::cos(lean * critical));
+            const float a = gravity * (std::sin(lean * critical) - 0.6f * std::cos(lean * critical));
             EXPECT_NEAR(s.place(box).x, 0.5f * a * 4, 0.05f * 0.5f * a * 4);
         }
     }
@@ -199,7 +199,7 @@ TEST(HalfSpace, ABallRollsAsOnTheSegmentAndAsTheFormulaSays) {
         const BodyId ball_b = b.drop(Circle{{}, 0.5f}, {0, 0.5f}, 0, {}, {.friction = 0.9f, .density = 1});
         a.run(120), b.run(120);
         EXPECT_NEAR(a.place(ball_a).x, b.place(ball_b).x, 1e-3f);
-        const float a_roll = g * std::sin(lean) / 1.5f;  // a disc: 2/3 g sin
+        const float a_roll = gravity * std::sin(lean) / 1.5f;  // a disc: 2/3 g sin
         EXPECT_NEAR(b.place(ball_b).x, 0.5f * a_roll * 4, 0.03f * 0.5f * a_roll * 4 + 0.01f) << lean;
     }
 }
@@ -395,7 +395,7 @@ TEST(HalfSpace, SensorsSeeItAndAreItsOwn) {
         }
     }
     EXPECT_EQ(begins, 1);
-    const float fall = 3 * std::cos(0.2f) - 0.5f, seconds = std::sqrt(2 * fall / std::cos(0.2f) / g);
+    const float fall = 3 * std::cos(0.2f) - 0.5f, seconds = std::sqrt(2 * fall / std::cos(0.2f) / gravity);
     EXPECT_NEAR(static_cast<float>(seen_at) / 60, seconds, 0.05f);
     EXPECT_LT(world->position(ball).y, -5);
 }
@@ -403,7 +403,7 @@ TEST(HalfSpace, SensorsSeeItAndAreItsOwn) {
 TEST(HalfSpace, AOneWayFloorLetsWhatComesFromBelowPassAndHoldsIt) {
     for (const float angle : {0.0f, 0.4f}) {
         const Rot q = make_rot(angle);
-        TestWorld world(roomy, {.gravity = rotate(q, {0, -g})});
+        TestWorld world(roomy, {.gravity = rotate(q, {0, -gravity})});
         world->create_shape(world->create_body({.angle = angle}), HalfSpace{}, {.one_way = {0, 1}});
         const BodyId up = world.add(make_box(0.3f, 0.3f),
                                     BodyDef{.type = BodyType::dynamic, .position = rotate(q, {0, -2}), .angle = angle, .linear_velocity = rotate(q, {0, 9})});

@@ -47,13 +47,13 @@ struct ChainBall {
     double scale() const { return double(world->mass(ball)) * g * (double(joints.size()) - 1 + double(radius)); }
 };
 
-struct Swing {
+struct SwungChain {
     double gap = 0, gained = 0, lost = 0;  // m; of the energy there is: at most in 20 s, and in the first swing
 };
 
-Swing swing(float ratio, const WorldDef& def) {
+SwungChain swing(float ratio, const WorldDef& def) {
     ChainBall chain(30, ratio, def);
-    Swing seen;
+    SwungChain seen;
     bool passed = false, back = false;
     for (int i = 0; i < 1200; ++i) {
         chain.world.step();
@@ -71,7 +71,7 @@ Swing swing(float ratio, const WorldDef& def) {
 }
 
 TEST(JointTrees, ABallOfAThousandLinksSwingsForTwentySecondsOnItsChain) {
-    const Swing seen = swing(1000, sleepless());
+    const SwungChain seen = swing(1000, sleepless());
     EXPECT_LT(seen.gap, 0.0025);
     EXPECT_LT(seen.lost, 0.05);
     // Positions and velocities of symplectic Euler are half a substep apart, so that the energy seems off by as much as gravity does in that time: here
@@ -80,7 +80,7 @@ TEST(JointTrees, ABallOfAThousandLinksSwingsForTwentySecondsOnItsChain) {
 }
 
 TEST(JointTrees, ABallOfAHundredLinksToo) {
-    const Swing seen = swing(100, sleepless());
+    const SwungChain seen = swing(100, sleepless());
     EXPECT_LT(seen.gap, 0.001);
     EXPECT_LT(seen.lost, 0.05);
     EXPECT_LT(seen.gained, 0.002);
@@ -95,7 +95,7 @@ TEST(JointTrees, SweptItComesApart) {
 TEST(JointTrees, HeldByOneSubstepAStepTheChainStillHolds) {
     WorldDef def = sleepless();
     def.solver.substeps = 1;
-    const Swing seen = swing(1000, def);
+    const SwungChain seen = swing(1000, def);
     EXPECT_LT(seen.gap, 0.0025);
     EXPECT_LT(seen.gained, 0.002);
 }

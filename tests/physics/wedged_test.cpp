@@ -14,7 +14,7 @@ namespace islet::test {
 namespace {
 
 constexpr std::uint64_t starts = slow_build ? 1 : 10;
-constexpr float seconds = slow_build ? 2 : 20;  // after which all is to rest; a slow build runs too short to ask for it
+constexpr float settling_seconds = slow_build ? 2 : 20;  // after which all is to rest; a slow build runs too short to ask for it
 
 std::vector<Vec2> centers_of(const TestWorld& world, const std::vector<BodyId>& bodies) {
     std::vector<Vec2> all;
@@ -51,7 +51,7 @@ TEST(Wedged, ArchesOfUpToFiftyOneStonesStandAndComeToRest) {
                 arch.push_back(world.add(make_polygon(compute_hull(corners)), middle + off, rough(0.9f)));
             }
             const std::vector<Vec2> before = centers_of(world, arch);
-            world.step(static_cast<int>(60 * seconds));
+            world.step(static_cast<int>(60 * settling_seconds));
             const std::string what = std::to_string(stones) + " stones, start " + std::to_string(seed);
             EXPECT_LT(farthest_from(before, world, arch), 0.5f * thickness) << what;
             if (!slow_build) { EXPECT_EQ(world->report().awake_bodies, 0u) << what; }
@@ -76,7 +76,7 @@ TEST(Wedged, RowsOfBlocksHangBetweenAWallAndAPressAndDoNotShake) {
                             world.add_box({0.5f * static_cast<float>(i) + 0.25f, random.between(-0.002f, 0.002f)}, 0.25f, 0.5f * height, rough(0.9f)));
                     const BodyId press = world.add_box({width + 0.5f, 0}, 0.5f, 2, rough(0.9f));
                     const float weight = 10 * world->mass(row[0]) * static_cast<float>(blocks);
-                    for (int i = 0; i < 30 * static_cast<int>(seconds); ++i) {
+                    for (int i = 0; i < 30 * static_cast<int>(settling_seconds); ++i) {
                         world->apply_force_to_center(press, {-force * weight, 0});
                         world.step();
                     }
@@ -128,7 +128,7 @@ TEST(Wedged, PilesComeToRestUnderAPistonOfThriceTheirWeight) {
             ShapeDef iron = rough(0.1f);
             iron.density = 3 * mass / 5.8f;
             pile.push_back(world.add_box({0, top + 1.2f}, 2.9f, 0.5f, iron));
-            world.step(static_cast<int>(60 * seconds));
+            world.step(static_cast<int>(60 * settling_seconds));
             for (const BodyId body : pile) EXPECT_LT(std::fabs(world->position(body).x), 3) << kind << ", start " << seed;
             ++runs;
             restless += world->report().awake_bodies > 0;

@@ -16,7 +16,7 @@ using samples::create_ragdoll;
 using samples::Ragdoll;
 using samples::RagdollDef;
 
-constexpr Capacity room = {.bodies = 64, .shapes = 64, .contacts = 512, .joints = 64};
+constexpr Capacity crowd_room = {.bodies = 64, .shapes = 64, .contacts = 512, .joints = 64};
 
 /// What encloses all of it, tightly: capsules have no corners.
 Aabb extent_of(const World& world, const Ragdoll& doll) {
@@ -40,7 +40,7 @@ void create_floor(World& world) { world.create_shape(world.create_body({}), make
 TEST(RagdollToTake, HasTheHeightAndMassAskedFor) {
     for (const RagdollDef& def : {RagdollDef{}, RagdollDef{.position = {3, 2}, .height = 1.9f, .mass = 95},
                                   RagdollDef{.position = {-7, 0.5f}, .height = 0.8f, .mass = 11}}) {
-        TestWorld world(room);
+        TestWorld world(crowd_room);
         const Ragdoll doll = create_ragdoll(*world, def);
         ASSERT_TRUE(doll);
         float mass = 0;
@@ -58,7 +58,7 @@ TEST(RagdollToTake, HasTheHeightAndMassAskedFor) {
 
 // A leg is 53 % of a person, and the centre of mass lies at 55 to 58 % of the height (Winter's tables: 56 %).
 TEST(RagdollToTake, HasAPersonsProportions) {
-    TestWorld world(room);
+    TestWorld world(crowd_room);
     const Ragdoll doll = create_ragdoll(*world, {});
     float moment = 0;
     for (const BodyId body : doll.bodies) moment += world->mass(body) * world->center_of_mass(body).y;
@@ -127,7 +127,7 @@ TEST(RagdollToTake, LimpItFallsAndLiesStill) {
     for (const float push : {-120.0f, -60.0f, -20.0f, 20.0f, 60.0f, 120.0f}) {
         for (const float drop : {0.0f, 0.5f, 1.0f, 2.0f}) {
             SCOPED_TRACE(std::to_string(push) + " N s from " + std::to_string(drop) + " m");
-            TestWorld world(room);
+            TestWorld world(crowd_room);
             create_floor(*world);
             const Ragdoll doll = create_ragdoll(*world, {.position = {0, drop}});
             world->apply_linear_impulse_to_center(doll[BodyPart::torso], {push, 0});
@@ -138,7 +138,7 @@ TEST(RagdollToTake, LimpItFallsAndLiesStill) {
 }
 
 TEST(RagdollToTake, BracedItStands) {
-    TestWorld world(room);
+    TestWorld world(crowd_room);
     create_floor(*world);
     const Ragdoll doll = create_ragdoll(*world, {.hertz = 20});
     const float head = world->position(doll[BodyPart::head]).y;

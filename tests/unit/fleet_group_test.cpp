@@ -18,7 +18,7 @@ namespace {
 using namespace islet;
 using namespace islet::test;
 
-constexpr float dt = 1.0f / 60;
+constexpr float frame = 1.0f / 60;
 constexpr Capacity capacity{.bodies = 64, .shapes = 64, .contacts = 384, .joints = 16, .geometries = 16};
 
 BodyId add(World& world, Vec2 at, float radius, const ShapeDef& shape, BodyType type = BodyType::dynamic) {
@@ -145,9 +145,9 @@ struct Twins {
         }
     }
     void step(std::span<const std::uint8_t> mask, std::uint32_t repeat) const {
-        ASSERT_EQ(fleet->step({.dt = dt, .repeat = repeat, .mask = mask}), Error::none);
+        ASSERT_EQ(fleet->step({.dt = frame, .repeat = repeat, .mask = mask}), Error::none);
         for (std::uint32_t k = 0; k < fleet->size(); ++k)
-            for (std::uint32_t i = 0; (mask.empty() || mask[k] != 0) && i < repeat; ++i) by_itself(k).step(dt);
+            for (std::uint32_t i = 0; (mask.empty() || mask[k] != 0) && i < repeat; ++i) by_itself(k).step(frame);
     }
     void copy(std::uint32_t from, std::uint32_t to) {
         ASSERT_EQ(fleet->copy(from, to), Error::none);

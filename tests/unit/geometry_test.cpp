@@ -22,17 +22,17 @@ constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr long double exact_pi = std::numbers::pi_v<long double>;
 
-struct Point {
+struct LongPoint {
     long double x = 0, y = 0;
 };
 
-Point exact(Vec2 v) { return {v.x, v.y}; }
-long double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
-long double dot(Point o, Point a, Point b) { return (a.x - o.x) * (b.x - o.x) + (a.y - o.y) * (b.y - o.y); }
+LongPoint exact(Vec2 v) { return {v.x, v.y}; }
+long double cross(LongPoint o, LongPoint a, LongPoint b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
+long double dot(LongPoint o, LongPoint a, LongPoint b) { return (a.x - o.x) * (b.x - o.x) + (a.y - o.y) * (b.y - o.y); }
 
-bool on_segment(Point p, Point a, Point b) { return cross(a, b, p) == 0 && dot(p, a, b) <= 0; }
+bool on_segment(LongPoint p, LongPoint a, LongPoint b) { return cross(a, b, p) == 0 && dot(p, a, b) <= 0; }
 
-bool in_triangle(Point p, Point a, Point b, Point c) {
+bool in_triangle(LongPoint p, LongPoint a, LongPoint b, LongPoint c) {
     if (cross(a, b, c) == 0) return on_segment(p, a, b) || on_segment(p, b, c) || on_segment(p, c, a);
     const long double u = cross(a, b, p), v = cross(b, c, p), w = cross(c, a, p);
     return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
@@ -58,12 +58,12 @@ std::vector<Vec2> brute_force_corners(std::vector<Vec2> points) {
 std::vector<Vec2> corners_of(const Hull& hull) { return {hull.points, hull.points + hull.count}; }
 
 // Signed distance of p to the left of the line from a to b.
-long double left_of(Point a, Point b, Point p) { return cross(a, b, p) / std::hypot(b.x - a.x, b.y - a.y); }
+long double left_of(LongPoint a, LongPoint b, LongPoint p) { return cross(a, b, p) / std::hypot(b.x - a.x, b.y - a.y); }
 
 void expect_convex_counter_clockwise(const Hull& hull) {
     for (std::uint32_t i = 0; i < hull.count; ++i) {
         const std::uint32_t j = (i + 1) % hull.count, k = (i + 2) % hull.count;
-        const Point a = exact(hull.points[i]), b = exact(hull.points[j]), c = exact(hull.points[k]);
+        const LongPoint a = exact(hull.points[i]), b = exact(hull.points[j]), c = exact(hull.points[k]);
         ASSERT_GE(std::hypot(b.x - a.x, b.y - a.y), 0.00499L);
         ASSERT_GE(-left_of(a, c, b), 0.00049L) << "corner " << j << " does not stand out";
         for (std::uint32_t m = 0; m < hull.count; ++m) {
@@ -228,10 +228,10 @@ Polygon random_polygon(std::mt19937& random, float radius, Vec2 place = {}) {
 }
 
 // The outline of a polygon rounded by its radius: every corner becomes an arc of many small chords.
-std::vector<Point> outline(const Polygon& p, int chords) {
-    std::vector<Point> points;
+std::vector<LongPoint> outline(const Polygon& p, int chords) {
+    std::vector<LongPoint> points;
     for (std::uint32_t i = 0; i < p.count; ++i) {
-        const Point a = exact(p.vertices[(i + p.count - 1) % p.count]), b = exact(p.vertices[i]), c = exact(p.vertices[(i + 1) % p.count]);
+        const LongPoint a = exact(p.vertices[(i + p.count - 1) % p.count]), b = exact(p.vertices[i]), c = exact(p.vertices[(i + 1) % p.count]);
         const long double from = std::atan2(a.x - b.x, b.y - a.y), to = std::atan2(b.x - c.x, c.y - b.y);
         const long double turn = to < from ? to + 2 * exact_pi - from : to - from;
         for (int k = 0; k <= chords; ++k) {
@@ -247,12 +247,12 @@ struct ExactMass {
 };
 
 // Green's theorem: area integrals as sums over the edges of the outline. Relative error of n chords per arc: below 10 / n^2.
-ExactMass green(const std::vector<Point>& points) {
-    const Point o = points[0];
+ExactMass green(const std::vector<LongPoint>& points) {
+    const LongPoint o = points[0];
     ExactMass m;
     long double second = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const Point a{points[i].x - o.x, points[i].y - o.y}, next = points[(i + 1) % points.size()], b{next.x - o.x, next.y - o.y};
+        const LongPoint a{points[i].x - o.x, points[i].y - o.y}, next = points[(i + 1) % points.size()], b{next.x - o.x, next.y - o.y};
         const long double w = a.x * b.y - a.y * b.x;
         m.area += w / 2;
         m.x += w * (a.x + b.x) / 6;
@@ -367,9 +367,9 @@ TEST(Mass, OfAnInvalidShapeOrDensityIsZero) {
 }
 
 // The box must hold the whole outline, and touch it on all four sides.
-void expect_tight(const Aabb& box, const std::vector<Point>& points, double slack) {
+void expect_tight(const Aabb& box, const std::vector<LongPoint>& points, double slack) {
     long double left = 1e9L, bottom = 1e9L, right = -1e9L, top = -1e9L;
-    for (const Point p : points) {
+    for (const LongPoint p : points) {
         left = std::min(left, p.x);
         right = std::max(right, p.x);
         bottom = std::min(bottom, p.y);
@@ -386,9 +386,9 @@ TEST(Bounds, AreTightAroundTheMovedOutlineOfEveryShape) {
     std::uniform_real_distribution<float> number(-4, 4);
     for (int trial = 0; trial < 200; ++trial) {
         const Transform t{{number(random), number(random)}, make_rot(number(random))};
-        const auto moved = [&](std::vector<Point> points) {
-            for (Point& p : points) {
-                const Point q = p;
+        const auto moved = [&](std::vector<LongPoint> points) {
+            for (LongPoint& p : points) {
+                const LongPoint q = p;
                 p = {t.q.c * q.x - t.q.s * q.y + t.p.x, t.q.s * q.x + t.q.c * q.y + t.p.y};
             }
             return points;

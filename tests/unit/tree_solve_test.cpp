@@ -16,14 +16,14 @@ using namespace islet::test;
 
 using Real = double;
 
-struct Tree {
+struct HingeTree {
     std::vector<SolverBody> bodies;  // slot 0 is static
     std::vector<TreeLink> links;     // leaves first; link k is of body k + 1
 };
 
 // A random tree: each body hangs on one that comes later, or on the static body, or is a root. Masses span `spread` decades.
-Tree random_tree(Random& random, std::uint32_t size, float spread) {
-    Tree tree;
+HingeTree random_tree(Random& random, std::uint32_t size, float spread) {
+    HingeTree tree;
     tree.bodies.resize(size + 1);
     tree.links.resize(size);
     const auto vec = [&](float most) { return Vec2{random.between(-most, most), random.between(-most, most)}; };
@@ -49,7 +49,7 @@ Tree random_tree(Random& random, std::uint32_t size, float spread) {
 }
 
 // Velocities after impulses at the hinges alone have made every hinge's two points equally fast, by Gaussian elimination of J M^-1 J^T.
-std::vector<Real> dense_solution(const Tree& tree) {
+std::vector<Real> dense_solution(const HingeTree& tree) {
     std::vector<const TreeLink*> hinges;
     for (const TreeLink& l : tree.links)
         if (l.joint != null_index) hinges.push_back(&l);
@@ -99,7 +99,7 @@ void expect_dense_solution(float spread, Real tolerance) {
     Random random(7);
     for (int trial = 0; trial < 300; ++trial) {
         SCOPED_TRACE(trial);
-        Tree tree = random_tree(random, 1 + random.below(12), spread);
+        HingeTree tree = random_tree(random, 1 + random.below(12), spread);
         const std::vector<Real> expected = dense_solution(tree);
         JointSweep relax;
         relax.h = 1.0f / 240;
@@ -127,7 +127,7 @@ TEST(TreeSolve, FindsForAChainHeldAtBothEndsWhatADenseSolveFinds) {
     for (int trial = 0; trial < 300; ++trial) {
         SCOPED_TRACE(trial);
         const std::uint32_t size = 4 + random.below(8);
-        Tree tree = random_tree(random, size, 1);
+        HingeTree tree = random_tree(random, size, 1);
         for (std::uint32_t k = 0; k < size; ++k) {
             SolverBody& b = tree.bodies[k + 1];
             TreeLink& l = tree.links[k];
@@ -168,7 +168,7 @@ TEST(TreeSolve, FindsImpulsesOfFrictionMotorsAndLimitsThatTheirLawsAllow) {
     for (int trial = 0; trial < 500; ++trial) {
         SCOPED_TRACE(trial);
         const std::uint32_t size = 1 + random.below(12);
-        Tree tree = random_tree(random, size, 1);
+        HingeTree tree = random_tree(random, size, 1);
         std::vector<Joint> joints(size);
         for (std::uint32_t k = 0; k < size; ++k) {
             tree.bodies[k + 1].inv_inertia = random.between(3, 10) * tree.bodies[k + 1].inv_mass;
@@ -224,7 +224,7 @@ TEST(TreeSolve, FindsImpulsesOfFrictionMotorsAndLimitsThatTheirLawsAllow) {
 
 TEST(TreeSolve, SolvedAgainChangesNothing) {
     Random random(3);
-    Tree tree = random_tree(random, 12, 1);
+    HingeTree tree = random_tree(random, 12, 1);
     JointSweep relax;
     relax.h = 1.0f / 240;
     relax.inv_h = 240;
@@ -242,7 +242,7 @@ TEST(TreeSolve, SolvedAgainChangesNothing) {
 TEST(TreeSolve, LeavesThingsFiniteWhoseMassesAreAbsurd) {
     Random random(5);
     for (int trial = 0; trial < 200; ++trial) {
-        Tree tree = random_tree(random, 6, 60);
+        HingeTree tree = random_tree(random, 6, 60);
         JointSweep relax;
         relax.h = 1.0f / 240;
         relax.inv_h = 240;
