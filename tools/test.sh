@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same once more with clang and sanitizers, but for tests of physics, control, scenes and tools, and 110 seconds of fuzzing
-#                              under them; hashes on other processors, and of the firmware and the sketches in microcontrollers, all emulated; the engine
-#                              compiled by hand and in a fresh tree; pages played in a browser, the package for Python, and the scripts checked: what CI runs
-#   tools/test.sh --release    all of that on more processors, systems and boards, with more compilers' flags, and all tests of the engine under sanitizers:
-#                              what a release must pass
+#   tools/test.sh --all        the same, but for tests that take long and have others of their kind, and with tests and tools compiled many files as one; once
+#                              more with clang and sanitizers, but for tests of features left out, physics, control, scenes and tools, and 110 seconds of
+#                              fuzzing under them; hashes on other processors, and of the firmware and the sketches in microcontrollers, all emulated; the
+#                              engine compiled by hand and in a fresh tree; pages played in a browser, the package for Python, and the scripts checked: what
+#                              CI runs
+#   tools/test.sh --release    all of that with the optimised build file by file and all its tests, on more processors, systems and boards, with more
+#                              compilers' flags, and all tests of the engine under sanitizers: what a release must pass
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
 # Installs a compiler, CMake, Box2D, Chipmunk, SDL, Xvfb, GoogleTest, gnuplot and pkg-config with apt if they are missing (and for the options: clang, gcovr,
 # ShellCheck, ccache, Node.js, npm, Chromium, pybind11, numpy, Dask, cross compilers, Emscripten, QEMU and Wine; npm fetches what drives the browser).
@@ -27,7 +29,7 @@ for argument in "$@"; do
     --release) all=true release=true ;;
     --coverage) coverage=true ;;
     -h | --help)
-        sed -n '2,11s/^# \{0,1\}//p' "$0"
+        sed -n '2,13s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
     *) die "$0: unknown option $argument; there are --all, --release and --coverage" ;;
@@ -87,6 +89,7 @@ tools=ON    # whether run_tests builds the adapters of other engines and the com
 targets=()  # what it builds; everything if empty
 check=(--check-few)
 few=(--few)
+leave=()    # what the optimised build's tests leave to --release
 if $release; then check=(--check) few=(); fi
 
 # tell PART STATUS GOOD BAD: one of the two, by the part's status, as its line in the end.
@@ -307,12 +310,20 @@ if $all || ! $coverage; then
     finish_installing
     if $all; then
         # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
-        targets=(--target islet_{unit,queries,robustness,determinism,embedded,features,c}_tests)
-        if $release; then targets+=(islet_{physics,control,samples,tools_islet,tools_lab}_tests islet_runner islet-lab); fi
+        targets=(--target islet_{unit,queries,robustness,determinism,embedded,c}_tests)
+        if $release; then targets+=(islet_{features,physics,control,samples,tools_islet,tools_lab}_tests islet_runner islet-lab); fi
         targets+=(islet_hashes islet_fuzz_{api,c,small} islet_lockstep islet_lcp_search islet_scene_mutants islet_c_{calls,lcp,refusals} islet_fleet_workers islet_python_made)
         start_building asan-ubsan
     fi
-    run_tests release --parallel "$(($(jobs) + 1))" # tests of pages wait most of the time
+    # Of tests that take long, --all has one of each kind. What loses by that: the sketches on this machine (boards.sh runs them on a board), Islet compiled
+    # by a project of somebody else's (by_hand.sh has such flags too), the sandbox's tools and views and the manual's site in a browser (the sandbox itself is
+    # played, the site built), random worlds in lockstep (which sanitizers watch), two pages' programs in Python, and two scenes of many that end alike.
+    if $all && ! $release; then
+        left_out='^package\.(boards|embedding)|^sandbox\.(tools|views)|^manual\.read|^robustness\.lockstep|^python\.(dask|planning)'
+        left_out+='|AgreesWithBox2d/tumbler$|OverABadLink/pyramid$'
+        leave=(--exclude-regex "$left_out")
+    fi
+    run_tests release "${leave[@]}" --parallel "$(($(jobs) + 1))" # tests of pages wait most of the time
 fi
 if $all; then
     check_scripts
@@ -332,7 +343,7 @@ if $all; then
     # Planning and random rooms call nothing that the lockstep tester does not; the thread sanitizer sees workers; the manual's tests read files alone. The package for Python is only read
     # (check_by_hand).
     left_out='^(islet_)?(reference|tools[._]engines)|^docs\.|fast_math|^samples\.planning|random_rooms|any_number_of_workers|^python\.'
-    if ! $release; then left_out+='|^(islet_)?(physics|control|samples|tools)'; fi
+    if ! $release; then left_out+='|^(islet_)?(features|small|physics|control|samples|tools)'; fi
     run_tests asan-ubsan --exclude-regex "$left_out"
     tools=OFF
     # What two workers share by mistake.

@@ -3,7 +3,8 @@
 and warnings. It writes no code.
 
 So a compiler whose build makes a part of the tests only has still seen all files. (Whether a file needs what another includes, which a unity build hides, is
-what the optimised build finds: it compiles file by file. tests/determinism/by_hand.sh does so with the engine, by both compilers.)
+what the optimised build finds: it compiles file by file what users build, and for tools/test.sh --release all. tests/determinism/by_hand.sh does so with the
+engine, by both compilers.)
 """
 import concurrent.futures
 import json
