@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
-#   tools/test.sh --all        the same, but for tests that take long and have others of their kind, and with tests and tools compiled many files as one; once
-#                              more with clang and sanitizers, but for tests of features left out, physics, control, scenes and tools, and 110 seconds of
-#                              fuzzing under them; hashes on other processors, and of the firmware and the sketches in microcontrollers, all emulated; the
-#                              engine compiled by hand and in a fresh tree; pages played in a browser, the package for Python, and the scripts checked: what
-#                              CI runs
+#   tools/test.sh --all        the same, but for tests that take long and have others of their kind, and with tests and tools compiled many files as one and
+#                              run many in a process; once more with clang and sanitizers, but for tests of features left out, physics, control, scenes and
+#                              tools, and 110 seconds of fuzzing under them; hashes on other processors, and of the firmware and the sketches in
+#                              microcontrollers, all emulated; the engine compiled by hand and in a fresh tree; pages played in a browser, the package for
+#                              Python, and the scripts checked: what CI runs
 #   tools/test.sh --release    all of that with the optimised build file by file and all its tests, on more processors, systems and boards, with more
 #                              compilers' flags, and all tests of the engine under sanitizers: what a release must pass
 #   tools/test.sh --coverage   line coverage of engine/, which must be 90 % or more
@@ -313,6 +313,7 @@ if $all || ! $coverage; then
     finish_installing
     if $all; then
         # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
+        # (What lacks a feature has no code that the whole engine lacks, and the small profile is fuzzed.)
         targets=(--target islet_{unit,queries,robustness,determinism,embedded,c}_tests)
         if $release; then targets+=(islet_{features,physics,control,samples,tools_islet,tools_lab}_tests islet_runner islet-lab islet_python_made); fi
         targets+=(islet_hashes islet_fuzz_{api,c,small} islet_lockstep islet_lcp_search islet_scene_mutants islet_c_{calls,lcp,refusals} islet_fleet_workers)
