@@ -59,7 +59,7 @@ inline AngleRange range_at(const Joint& j, float x) {
 template <std::uint32_t W>
 WarmStart prepare(AngleRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     r.angle[lane] = unwrap(angle_of(p), j.coordinate);
-    float turning = set_coordinate(r.free, lane, j, in.numbers);
+    float turning = set_coordinate(r.free, lane, j, in);
     if (j.length != 0) {
         const AngleRange range = range_at(j, r.angle[lane]);
         hold_between(r.free, lane, j, in.numbers, range.lower, range.upper);

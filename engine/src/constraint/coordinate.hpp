@@ -1,7 +1,7 @@
 // What acts on the one coordinate a joint leaves free: a spring, a motor, dry friction, and two limits, each a row of its own.
 //
 // All share one Jacobian J and K = J M^-1 J^T; with x the coordinate and Cdot = dx/dt:
-//     spring    soft row to `target`, in sweeps with bias
+//     spring    a SplitSpring (softness.hpp) to `target`, with K for k
 //     motor     Cdot = speed,  |lambda| <= h max_force
 //     friction  Cdot = 0,      |lambda| <= h friction
 //     lower     C = x - lower >= 0,  lambda >= 0
@@ -17,6 +17,7 @@
 
 #include "../constraint/joint_parts.hpp"
 #include "../constraint/joint_rows.hpp"
+#include "../constraint/spring_rows.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {
@@ -37,8 +38,9 @@ enum CoordinateParts : std::uint32_t { part_spring = 1u, part_motor = 2u, part_f
 
 template <std::uint32_t W>
 struct CoordinateRows {
-    float spring_rate[W], spring_mass_scale[W], spring_impulse_scale[W], target[W];  // rate < 0: no spring
-    float speed[W], max_motor[W];                                                    // max_motor, max_friction: N s, N m s over a substep
+    SpringRows<W> soft;
+    float target[W], held[W];      // held: N s, N m s, what the spring's relaxing sweep does not soften: (1 - late) `held`
+    float speed[W], max_motor[W];  // max_motor, max_friction: N s, N m s over a substep
     float max_friction[W];
     float lower[W], upper[W];
     float load[W];                                            // on the limits, N s or N m s over a substep: positive on the lower, negative on the upper one
@@ -94,18 +96,17 @@ ISLET_PART void keep_load(float impulse, Joint& j, const JointOutput& out) {
 
 /// Fills rows that hold zeros. Returns the sum of the impulses, which warm starting applies.
 template <std::uint32_t W>
-float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n) {
+float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const JointInput& in) {
+    const StepNumbers& n = in.numbers;
     const std::uint32_t parts = coordinate_parts(j);
     r.parts |= parts;
     // A lane without a part that its neighbours have must come out as if there were none.
-    r.spring_rate[lane] = -1;
+    r.soft.kick[lane] = -1;
     r.lower[lane] = -__builtin_huge_valf();
     r.upper[lane] = __builtin_huge_valf();
     if ((parts & part_spring) != 0) {
-        const Softness soft = make_spring(j.spring_hertz, j.spring_damping_ratio, n.h);
-        r.spring_rate[lane] = soft.rate;
-        r.spring_mass_scale[lane] = soft.mass_scale;
-        r.spring_impulse_scale[lane] = soft.impulse_scale;
+        const float crowd = crowd_of(j, in.poses, in.bodies_in);
+        set_spring(r.soft, lane, split_spring(j.spring_hertz, j.spring_damping_ratio, crowd, n.h, n.relaxes));
         r.target[lane] = within_bound(j.target);
         r.spring[lane] = n.warm * j.spring_impulse;
     }
@@ -148,11 +149,13 @@ ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, ty
     const F zero = L::splat(0.0f);
     const F m = L::splat(n.omega) * inverse_or_zero<L>(k);
     F sum = zero;
-    if ((r.parts & part_spring) != 0 && n.biased) {
-        const F old = L::load(r.spring), rate = L::load(r.spring_rate);
-        const F wanted = -(m * L::load(r.spring_mass_scale) * (speed + rate * (x - L::load(r.target)))) - L::load(r.spring_impulse_scale) * old;
-        const F delta = select(rate < zero, zero, wanted);
+    if ((r.parts & part_spring) != 0) {
+        const F one = L::splat(1.0f), old = L::load(r.spring), kick = L::load(r.soft.kick), scale = L::load(r.soft.scale), late = L::load(r.soft.late);
+        const F soft_part = n.biased ? old : old - L::load(r.held);
+        const F wanted = -(m * (scale * speed + (n.biased ? kick : late * kick) * (x - L::load(r.target)))) - (one - scale) * soft_part;
+        const F delta = select(kick < zero, zero, wanted);
         L::store(r.spring, old + delta);
+        if (n.biased) L::store(r.held, (one - late) * (old + delta));
         sum = sum + delta;
         speed = speed + k * delta;
     }

@@ -35,7 +35,7 @@ WarmStart prepare(DistanceRows<W>& r, std::uint32_t lane, const Joint& j, const 
     const bool rigid = is_rod(j);
     r.length[lane] = j.length;
     r.rigid[lane] = rigid ? 1.0f : 0.0f;
-    const float along = set_coordinate(r.free, lane, j, in.numbers);
+    const float along = set_coordinate(r.free, lane, j, in);
     r.free.target[lane] = j.length;
     r.rod[lane] = rigid ? in.numbers.warm * j.impulse.x : 0;
     return {(along + r.rod[lane]) * u, 0};

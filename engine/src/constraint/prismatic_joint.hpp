@@ -31,7 +31,7 @@ WarmStart prepare(SliderRows<W>& r, std::uint32_t lane, const Joint& j, const Jo
     r.ux[lane] = u.x;
     r.uy[lane] = u.y;
     r.angle[lane] = angle_of(p);
-    const float along = set_coordinate(r.free, lane, j, in.numbers);
+    const float along = set_coordinate(r.free, lane, j, in);
     r.across[lane] = in.numbers.warm * j.impulse.x;
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
     return {along * u + r.across[lane] * n, r.turning[lane]};

@@ -49,7 +49,7 @@ WarmStart prepare(PointRows<W>& r, std::uint32_t lane, const Joint& j, const Joi
 template <std::uint32_t W>
 WarmStart prepare(HingeRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     r.angle[lane] = unwrap(angle_of(p), j.coordinate);
-    const float turning = set_coordinate(r.free, lane, j, in.numbers);
+    const float turning = set_coordinate(r.free, lane, j, in);
     return {in.numbers.warm * j.impulse, turning};
 }
 

@@ -24,31 +24,16 @@ inline constexpr float stiffest = 1.0e9f;  // Hz
 inline constexpr float most_damped = 1.0e9f;
 inline constexpr float least_soft = 1.0e-30f;  // a2
 
-inline Softness softness_of(float omega, float a1, float a2) {
+inline Softness make_soft(float hertz, float damping_ratio, float h) {
+    const float omega = 2.0f * pi * min(hertz, stiffest);
+    const float a1 = 2.0f * min(damping_ratio, most_damped) + h * omega;
+    const float a2 = h * omega * a1;
     if (!(a2 > least_soft)) return no_spring;
     const float a3 = 1.0f / (1.0f + a2);
     return {omega / a1, a2 * a3, a3};
 }
 
-inline Softness make_soft(float hertz, float damping_ratio, float h) {
-    const float omega = 2.0f * pi * min(hertz, stiffest);
-    const float a1 = 2.0f * min(damping_ratio, most_damped) + h * omega;
-    return softness_of(omega, a1, h * omega * a1);
-}
-
-/// A spring that swings at its frequency and decays by its damping ratio. Fully implicit stiffness would add hw / 2 to the damping ratio: 1.3 % of
-/// critical at 1 Hz and 240 substeps a second, 6.5 % at 5 Hz. Stiffness is therefore explicit as long as the substep follows the swing, and turns
-/// implicit from hw = 0.5 on (19 Hz at 240 substeps); the damper is always implicit. a1 = 2 z + k instead of 2 z + hw, with k = hw min(1, (2 hw)^2);
-/// a2 rate = h omega^2 as before, so a spring at rest gives way by exactly force / stiffness. For sweeps with bias only, where the force is taken at
-/// the start of the substep: symplectic Euler. It adds k / 2 to the damping ratio: 0.4 % of critical at 5 Hz.
-inline Softness make_spring(float hertz, float damping_ratio, float h) {
-    const float omega = 2.0f * pi * min(hertz, stiffest);
-    const float turn = h * omega;
-    const float a1 = 2.0f * min(damping_ratio, most_damped) + turn * min(1.0f, 4.0f * turn * turn);
-    return softness_of(omega, a1, turn * a1);
-}
-
-/// A spring of a weld. With K = J M^-1 J^T, k a number that stands for it, C the error and v = dC/dt, a sweep ends where
+/// A spring of a joint. With K = J M^-1 J^T, k a number that stands for it, C the error and v = dC/dt, a sweep ends where
 ///     with bias    scale (K delta + v) +      kick C + (1 - scale) k (lambda + delta) = 0                         `held` = lambda + delta
 ///     relaxing     scale (K delta + v) + late kick C + (1 - scale) k (lambda + delta - (1 - late) held) = 0
 struct SplitSpring {

@@ -10,14 +10,9 @@
 
 #include "../constraint/joint_parts.hpp"
 #include "../constraint/joint_rows.hpp"
+#include "../constraint/spring_rows.hpp"
 
 namespace islet::detail {
-
-/// SplitSpring in lanes; a rigid row has a kick below 0.
-template <std::uint32_t W>
-struct WeldSprings {
-    float kick[W], scale[W], late[W];
-};
 
 template <std::uint32_t W>
 struct alignas(W * 4) WeldRows {
@@ -25,7 +20,7 @@ struct alignas(W * 4) WeldRows {
     Applied<W> applied;
     float angle[W];    // rad, when the step began
     float turning[W];  // N m s; the linear impulse is what is applied
-    WeldSprings<W> linear, angular;
+    SpringRows<W> linear, angular;
     float held_x[W], held_y[W], held_turning[W];  // N s, N m s: (1 - late) `held`
 };
 
@@ -36,7 +31,7 @@ template <class L>
 struct WeldRow {
     using F = typename L::F;
     F scale, kick, give, early;  // early: 1 - late
-    ISLET_LANE WeldRow(const WeldSprings<L::width>& r, const JointSweep& n) {
+    ISLET_LANE WeldRow(const SpringRows<L::width>& r, const JointSweep& n) {
         const F zero = L::splat(0.0f), one = L::splat(1.0f), stored = L::load(r.kick), late = L::load(r.late);
         const auto rigid = stored < zero;
         scale = L::load(r.scale);
@@ -46,33 +41,20 @@ struct WeldRow {
     }
 };
 
-/// Joints of the body of j that has most of them, and can be pushed. As many springs, each of the same frequency alone, swing a light body at most so many
-/// times faster, squared.
-ISLET_SHARED float crowd_of(const Joint& j, const Pose* poses, const Body* bodies) {
-    std::uint32_t most = 1;
-    for (const std::uint32_t body : {j.body_a, j.body_b}) {
-        if (body == null_index || !is_positive(poses[body].inv_mass)) continue;
-        const std::uint32_t count = bodies[body].joint_count;
-        if (count > most) most = count;
-    }
-    return static_cast<float>(most);
-}
 constexpr float point_reach = 2, angle_reach = 1;  // A's largest entry is up to twice the mean
 
+/// Fills a lane, rigid where there is no frequency.
 template <std::uint32_t W>
-ISLET_SHARED void set_spring(WeldSprings<W>& r, std::uint32_t lane, float hertz, float damping_ratio, float reach, const StepNumbers& numbers) {
-    const SplitSpring spring = is_positive(hertz) ? split_spring(hertz, damping_ratio, reach, numbers.h, numbers.relaxes) : SplitSpring{-1, 1, 1};
-    r.kick[lane] = spring.kick;
-    r.scale[lane] = spring.scale;
-    r.late[lane] = spring.late;
+ISLET_SHARED void soften(SpringRows<W>& r, std::uint32_t lane, float hertz, float damping_ratio, float reach, const StepNumbers& n) {
+    set_spring(r, lane, is_positive(hertz) ? split_spring(hertz, damping_ratio, reach, n.h, n.relaxes) : SplitSpring{-1, 1, 1});
 }
 
 template <std::uint32_t W>
 WarmStart prepare(WeldRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     r.angle[lane] = angle_of(p);
     const float crowd = crowd_of(j, in.poses, in.bodies_in);
-    set_spring(r.linear, lane, j.linear_hertz, j.linear_damping_ratio, crowd * point_reach, in.numbers);
-    set_spring(r.angular, lane, j.angular_hertz, j.angular_damping_ratio, crowd * angle_reach, in.numbers);
+    soften(r.linear, lane, j.linear_hertz, j.linear_damping_ratio, crowd * point_reach, in.numbers);
+    soften(r.angular, lane, j.angular_hertz, j.angular_damping_ratio, crowd * angle_reach, in.numbers);
     r.turning[lane] = in.numbers.warm * j.angular_impulse;
     return {in.numbers.warm * j.impulse, r.turning[lane]};
 }

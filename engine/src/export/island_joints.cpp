@@ -78,7 +78,9 @@ void JointRows::limit(IslandRow row, float way_left, float impulse) {
 void JointRows::spring_and_limits(const IslandRow& free, float x, float target) {
     if ((j.flags & joint_spring) != 0) {
         IslandRow row = free;
-        soften(row, make_spring(j.spring_hertz, j.spring_damping_ratio, to.h), x - within_bound(target), to.coupling(row, row));
+        const float crowd = crowd_of(j, to.core.poses, to.core.bodies);
+        const SplitSpring spring = split_spring(j.spring_hertz, j.spring_damping_ratio, crowd, to.h, false);
+        soften(row, softness_of(spring), x - within_bound(target), to.coupling(row, row));
         add_unbounded(row, RowKind::spring, j.spring_impulse);
     }
     if ((j.flags & joint_limit) == 0) return;
