@@ -1,6 +1,7 @@
 // Springs of joints against the exact solution of the damped oscillator.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -160,7 +161,7 @@ void expect_swing(const Case& asked, Step&& step) {
     for (int i = 0; i < static_cast<int>(60 / asked.hertz) + 6; ++i) places.push_back(step());  // one period, and some steps more
     const Swing swing = swing_of(places, double(step_time));
     EXPECT_NEAR(swing.hertz, double(asked.hertz), 0.005 * double(asked.hertz));
-    EXPECT_NEAR(swing.damping_ratio, double(asked.damping_ratio), 0.012);
+    EXPECT_NEAR(swing.damping_ratio, double(asked.damping_ratio), 0.013);
 }
 
 /// Calls visit(asked, partner) for frequencies, damping ratios and masses of the other body, beside that of the swinging one; 0 is a wall.
@@ -381,6 +382,34 @@ TEST(JointSpring, OfManyWeldsMakesNoEnergyHoweverStiff) {
     }
 }
 
+// A door closer: where the damping ratio z is large, what is left of the error falls by the rate w (z - sqrt(z^2 - 1)), and does not stand still.
+TEST(JointSpring, OfALargeDampingRatioClosesSlowlyAtTheRateAskedFor) {
+    for (const std::uint32_t substeps : {2u, 4u, 8u}) {
+        for (const Case& c : {Case{1, 5}, Case{1, 100}, Case{5, 10}, Case{5, 100}, Case{5, 1000}, Case{10, 30}, Case{30, 100}, Case{30, 1000}}) {
+            for (const bool weld : {true, false}) {
+                SCOPED_TRACE(testing::Message() << (weld ? "weld, " : "slider, ") << c.hertz << " Hz, " << c.damping_ratio << ", " << substeps << " substeps");
+                WorldDef def = weightless();
+                def.solver.substeps = substeps;
+                TestWorld world(room_for_joints, def);
+                const BodyId wall = world->create_body({}), ball = world.add_circle({1, 0});
+                if (weld) {
+                    tie(*world, {.body_a = wall, .body_b = ball}, c.hertz, c.damping_ratio);
+                } else {
+                    world->create_joint(PrismaticJointDef{.base = {.body_a = wall, .body_b = ball},
+                                                          .spring = {.enable = true, .hertz = c.hertz, .damping_ratio = c.damping_ratio}});
+                }
+                const double w = 2 * std::numbers::pi * double(c.hertz), z = double(c.damping_ratio), rate = w / (z + std::sqrt(z * z - 1));
+                const int steps = std::max(30, static_cast<int>(60 * 0.5 / rate));  // half a second at least, in which most springs lose a third
+                world.step(6);
+                const double before = double(world->position(ball).x);
+                world.step(std::min(steps, 1200));
+                const double found = std::log(before / double(world->position(ball).x)) / (std::min(steps, 1200) * double(step_time));
+                EXPECT_NEAR(found / rate, 1, 0.03);
+            }
+        }
+    }
+}
+
 // A square net of 6 x 6 balls, each tied to its neighbours and across by undamped springs, that is thrown about: soft and stiff, in long and short substeps.
 TEST(JointSpring, OfANetMakesNoEnergyHoweverStiff) {
     constexpr int side = 6;
@@ -418,10 +447,11 @@ TEST(JointSpring, OfANetMakesNoEnergyHoweverStiff) {
 
 // What hangs on a slider's or a distance joint's spring rests by force over stiffness below its target, however the step is divided.
 TEST(JointSpring, OfSliderAndDistanceGivesWayByForceOverStiffness) {
-    SolverDef solvers[4];
+    SolverDef solvers[5];
     solvers[1].substeps = 1;
     solvers[2].relax_iterations = 0;
     solvers[3].relax_iterations = 3;
+    solvers[4].omega = 1.3f;
     for (const SolverDef& solver : solvers) {
         for (const bool line : {true, false}) {
             for (const Case& c : {Case{2, 0.3f}, Case{5, 1}, Case{10, 0.5f}, Case{30, 0.5f}}) {

@@ -90,16 +90,33 @@ struct ContactBlock : BodyPair<L> {
     }
 };
 
-/// Calls row(point, index) for a block's points, the one with the index `first` first. In a build for size there is one copy of the row.
+/// Calls row(point, index) for a block's points, the one with the index `first` first. On a page there is one copy of the row.
 template <class Rows, class Row>
-ISLET_PART void for_points(Rows& r, std::uint32_t first, Row&& row) {
-#if defined(__OPTIMIZE_SIZE__) || defined(__wasm__)
+ISLET_PART void for_points(Rows& r, bool two, std::uint32_t first, Row&& row) {
+#if defined(__wasm__)
     std::uint32_t i = first;
-    for (std::uint32_t left = r.two_points ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i);
+    for (std::uint32_t left = two ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i);
 #else
     row(r.points[first], first);
-    if (r.two_points) row(r.points[1 - first], 1 - first);
+    if (two) row(r.points[1 - first], 1 - first);
 #endif
+}
+
+/// By how much a normal impulse, of which `held` counts as such, is too large in a sweep with bias, N s. Shapes that are apart may close the gap within the
+/// substep, but no faster. Shapes that overlap are pushed apart softly.
+template <class L, class F = typename L::F>
+ISLET_PART F softly(const SweepLanes<L>& sweep, F normal_mass, F speed, F separation, F held) {
+    const F zero = L::splat(0.0f);
+    if constexpr (L::width == 1) {
+        if (separation > 0) return normal_mass * (speed + separation * sweep.inv_h);
+        const F bias = max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push);
+        return normal_mass * (sweep.mass_scale * speed + bias) + sweep.impulse_scale * held;
+    } else {
+        const auto apart = separation > zero;
+        const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
+        const F mass_scale = select(apart, L::splat(1.0f), sweep.mass_scale);
+        return normal_mass * (mass_scale * speed + bias) + select(apart, zero, sweep.impulse_scale * held);
+    }
 }
 
 /// The normal rows.
@@ -112,37 +129,31 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
     // How far the two surfaces moved apart along n is the row's Jacobian times the bodies' motion. `moved` is the part that is the same for both points.
     const F turned = s.dqb - s.dqa;
     const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
-    const std::uint32_t first = r.two_points >> 1;
+    const std::uint32_t points = r.two_points, first = points >> 1;
     F lean = zero;  // N s, of what the points' impulses differ by; none in lanes of one point
-    if (biased && r.two_points) {
+    if (biased && points != 0) {
         const F one = L::load(normal_impulse_of(r, first)), other = L::load(normal_impulse_of(r, 1 - first));
         lean = select(L::load(r.points[1].normal_mass) > zero, L::splat(lean_share) * (other - one), zero);
     }
-    for_points(r, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
+    for_points(r, points != 0, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
         const F separation = L::load(p.separation) + moved + rna * turned;
         const F normal_mass = L::load(p.normal_mass);
         const F old = L::load(normal_impulse_of(r, i));
         const F speed = vn + (s.wb * rnb - s.wa * rna);
-        F less;  // N s, of impulse
-        if (biased) {
-            // Shapes that are apart may close the gap within the substep, but no faster. Shapes that overlap are pushed apart softly.
-            const auto apart = separation > zero;
-            const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
-            const F mass_scale = select(apart, L::splat(1.0f), sweep.mass_scale);
-            less = normal_mass * (mass_scale * speed + bias) + select(apart, zero, sweep.impulse_scale) * (old + lean);
-        } else {
-            less = normal_mass * (speed + max(separation, zero) * sweep.inv_h);
-        }
+        const F less = biased ? softly<L>(sweep, normal_mass, speed, separation, old + lean)  // N s, of impulse
+                              : normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         const F lambda = lanes.pick(max(old - less, zero), old);
         const F delta = lanes.pick(lambda - old, zero);
         L::store(normal_impulse_of(r, i), lambda);
-        if (r.is_bouncy()) note_impulse<L>(r, i, lambda);
         s.sum_n = s.sum_n + delta;
         vn = vn + mass * delta;
         s.spin_by_normal(rna, rnb, delta);
         lean = zero - lean;
     });
+    if (r.is_bouncy())
+        for (std::uint32_t i = 0; i < 2; ++i)
+            if (i == 0 || points != 0) note_impulse<L>(r, i, L::load(normal_impulse_of(r, i)));
 }
 
 /// The sum of a block's normal impulses so far.
@@ -160,7 +171,7 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
     const F mu = L::load(friction_of(r));
     F vt = cross(s.vb - s.va, s.n);
     if (r.is_special()) vt = vt - L::load(r.tangent_speed);
-    for_points(r, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
+    for_points(r, r.two_points != 0, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
         const F rta = L::load(p.rta), rtb = rta + s.rt_ab;
         const F old = L::load(tangent_impulse_of(r, i));
         const F bound = mu * L::load(normal_impulse_of(r, i));
@@ -237,7 +248,7 @@ ISLET_PART void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint
 /// ContactKernel::solve, to be compiled with the caller's instructions.
 template <std::uint32_t W>
 ISLET_PART void solve_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint32_t count, const SweepNumbers& numbers) {
-    const bool biased = numbers.bias_rate > 0;
+    const bool biased = is_positive(numbers.bias_rate);
 #if defined(__OPTIMIZE_SIZE__) || defined(__wasm__)
     sweep_blocks<W>(bodies, rows, count, numbers, biased);
 #else

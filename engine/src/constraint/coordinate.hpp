@@ -17,7 +17,7 @@
 
 #include "../constraint/joint_parts.hpp"
 #include "../constraint/joint_rows.hpp"
-#include "../constraint/spring_rows.hpp"
+#include "../constraint/softness.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {
@@ -152,7 +152,7 @@ ISLET_LANE typename L::F solve_spring_and_limits(CoordinateRows<L::width>& r, ty
     if ((r.parts & part_spring) != 0) {
         const F one = L::splat(1.0f), old = L::load(r.spring), kick = L::load(r.soft.kick), scale = L::load(r.soft.scale), late = L::load(r.soft.late);
         const F soft_part = n.biased ? old : old - L::load(r.held);
-        const F wanted = -(m * (scale * speed + (n.biased ? kick : late * kick) * (x - L::load(r.target)))) - (one - scale) * soft_part;
+        const F wanted = -(m * (scale * speed + (n.biased ? kick : late * kick) * (x - L::load(r.target)))) - L::splat(n.omega) * (one - scale) * soft_part;
         const F delta = select(kick < zero, zero, wanted);
         L::store(r.spring, old + delta);
         if (n.biased) L::store(r.held, (one - late) * (old + delta));

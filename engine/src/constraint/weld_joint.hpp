@@ -10,7 +10,7 @@
 
 #include "../constraint/joint_parts.hpp"
 #include "../constraint/joint_rows.hpp"
-#include "../constraint/spring_rows.hpp"
+#include "../constraint/softness.hpp"
 
 namespace islet::detail {
 
