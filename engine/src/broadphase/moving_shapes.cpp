@@ -40,6 +40,7 @@ void close_columns(Columns& c) {
     for (std::uint32_t i = 0; i < max_block_lanes; ++i) push_box(c, 3.4e38f, -3.4e38f, 3.4e38f, -3.4e38f, null_index, null_index);
     c.count = count;
 }
+
 // The box in which a shape may meet others: its fat box, and the way of a body that may leave that.
 ISLET_SHARED Aabb box_to_meet_in(const Core& core, std::uint32_t shape, float dt) {
     const std::uint32_t body = core.shapes[shape].body;

@@ -90,18 +90,6 @@ struct ContactBlock : BodyPair<L> {
     }
 };
 
-/// Calls row(point, index) for a block's points, the one with the index `first` first. On a page there is one copy of the row.
-template <class Rows, class Row>
-ISLET_PART void for_points(Rows& r, bool two, std::uint32_t first, Row&& row) {
-#if defined(__wasm__)
-    std::uint32_t i = first;
-    for (std::uint32_t left = two ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i);
-#else
-    row(r.points[first], first);
-    if (two) row(r.points[1 - first], 1 - first);
-#endif
-}
-
 /// By how much a normal impulse, of which `held` counts as such, is too large in a sweep with bias, N s. Shapes that are apart may close the gap within the
 /// substep, but no faster. Shapes that overlap are pushed apart softly.
 template <class L, class F = typename L::F>

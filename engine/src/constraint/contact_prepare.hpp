@@ -211,8 +211,7 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     L::store(r.rn_ab, rn_ab);
 
     WarmStartSum<F> sum{zero, zero, zero, zero};
-    const auto prepare_one = [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
-        typename ContactRows<L::width>::Point& p = r.points[i];
+    for_points(r, r.two_points != 0, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
         const F has_point = L::load(lanes.has_point[i]);
         const F rta = dot(n, m.anchor(i)), rna = cross(m.anchor(i), n);
         const F rtb = rta + rt_ab, rnb = rna + rn_ab;
@@ -227,9 +226,7 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
         sum.along_t = sum.along_t + tangent_impulse;
         sum.turning_a = sum.turning_a + (rna * normal_impulse - rta * tangent_impulse);
         sum.turning_b = sum.turning_b + (rnb * normal_impulse - rtb * tangent_impulse);
-    };
-    prepare_one(0);
-    if (r.two_points) prepare_one(1);
+    });
     return sum;
 }
 

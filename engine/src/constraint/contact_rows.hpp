@@ -103,6 +103,18 @@ ISLET_IN_ROW(tangent_impulse_of, points[i].tangent_impulse, tangent_impulse[i])
 ISLET_IN_ROW(rolling_impulse_of, rolling_impulse, rolling_impulse)
 #undef ISLET_IN_ROW
 
+/// Calls row(point, index) for a block's points, the one with the index `first` first. On a page there is one copy of the row.
+template <class Rows, class Row>
+ISLET_PART void for_points(Rows& r, bool two, std::uint32_t first, Row&& row) {
+#if defined(__wasm__)
+    std::uint32_t i = first;
+    for (std::uint32_t left = two ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i);
+#else
+    row(r.points[first], first);
+    if (two) row(r.points[1 - first], 1 - first);
+#endif
+}
+
 /// The contact of a lane, or null_index in the padding.
 template <std::uint32_t W>
 ISLET_INLINE std::uint32_t contact_of(const ContactRows<W>& r, std::uint32_t i, [[maybe_unused]] const ContactManifold* manifolds) {
