@@ -49,7 +49,7 @@ ISLET_SHARED Aabb box_to_meet_in(const Core& core, std::uint32_t shape, float dt
 }
 
 // If few boxes changed: the awake bodies with a shape near one, in `bodies`. No other body is part of a new pair.
-[[maybe_unused]] bool find_near_changed(const Core& core, float dt, BitSet bodies) {
+[[maybe_unused]] ISLET_APART bool find_near_changed(const Core& core, float dt, BitSet bodies) {
     const std::uint32_t shape_count = core.state->shape_pool.count;
     if (shape_count < ChangedCells::least_shapes || core.state->moved_count > shape_count / ChangedCells::share) return false;
     Aabb area{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
@@ -85,7 +85,7 @@ using ListCut = RangeCut<64>;
 
 // Lists the shapes of awake bodies that may be part of a new pair, in the order of the bodies. Returns how many; `changed` becomes the box around those of
 // their boxes that changed.
-std::uint32_t list_moving(const Core& core, const BitSet& bodies, MovingShape* shapes, Aabb& changed, float dt) {
+ISLET_APART std::uint32_t list_moving(const Core& core, const BitSet& bodies, MovingShape* shapes, Aabb& changed, float dt) {
     const std::uint32_t words = bodies.word_count;
     const ListCut cut(core, words, list_grain);
     ListPart parts[ListCut::room];

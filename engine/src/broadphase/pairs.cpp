@@ -297,9 +297,7 @@ bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena ar
 }
 
 // Finds every pair in which a fat box changed.
-void find_moved_pairs(Core& core, float dt) {
-    Arena arena = core.arena();
-    const Moving moving = sorted_columns(core, arena, dt);
+ISLET_APART void find_pairs_of(Core& core, const Moving& moving, Arena& arena, float dt) {
     const Tree tree{&core.state->tree, core.tree};
     PairBuffer<ContactMaker> out({core, dt});
     if (!has_workers(core) || moving.all.count < least_searched || !search_by_workers(core, moving, out.sink, arena)) {
@@ -320,6 +318,12 @@ void find_moved_pairs(Core& core, float dt) {
         });
     });
     out.flush();
+}
+
+void find_moved_pairs(Core& core, float dt) {
+    Arena arena = core.arena();
+    const Moving moving = sorted_columns(core, arena, dt);
+    find_pairs_of(core, moving, arena, dt);
 }
 
 // Makes contacts of a fast body with the static shapes that it may reach in this step, so that it does not pass through them.

@@ -151,6 +151,14 @@ ISLET_PART typename L::F normal_impulses_of(const ContactRows<L::width>& r) {
     return r.two_points ? first + L::load(normal_impulse_of(r, 1)) : first;
 }
 
+/// max(min(a, bound), -bound). Most contacts of a pile stick.
+template <class L, class F = typename L::F>
+ISLET_PART F bounded(F a, F bound) {
+    if constexpr (L::width == 1 && !short_loops)
+        if (L::abs(a) < bound) return a;
+    return max(min(a, bound), L::splat(0.0f) - bound);
+}
+
 /// The friction rows, with the normal impulses just found.
 template <class L, class Lanes>
 ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, const Lanes& lanes) {
@@ -164,7 +172,7 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
         const F old = L::load(tangent_impulse_of(r, i));
         const F bound = mu * L::load(normal_impulse_of(r, i));
         const F speed = vt - (s.wb * rtb - s.wa * rta);
-        const F lambda = lanes.pick(max(min(old - L::load(p.tangent_mass) * speed, bound), L::splat(0.0f) - bound), old);
+        const F lambda = lanes.pick(bounded<L>(old - L::load(p.tangent_mass) * speed, bound), old);
         const F delta = lanes.pick(lambda - old, L::splat(0.0f));
         L::store(tangent_impulse_of(r, i), lambda);
         s.sum_t = s.sum_t + delta;

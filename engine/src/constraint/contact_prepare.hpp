@@ -73,8 +73,20 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
     r.two_points = (any & two_point_flag) != 0 ? 1 : 0;
     r.special = (any & contact_special) != 0;
     r.bouncy = (any & (contact_bouncy | contact_hits)) != 0;
-    std::memset(r.extra_passes, 0, W);
+    if constexpr (W == 1)
+        r.extra_passes[0] = 0;
+    else
+        std::memset(r.extra_passes, 0, W);
     if ((any & contact_ahead) != 0) name_landings(in, r);
+}
+
+/// 1 in the lanes that have point i, which some lane of the block has, and 0 in the others.
+template <class L>
+ISLET_PART typename L::F has_point(const ContactLanes<L::width>& lanes, std::uint32_t i) {
+    if constexpr (L::width == 1)
+        return 1;
+    else
+        return L::load(lanes.has_point[i]);
 }
 
 /// The manifolds of a block.
@@ -112,7 +124,7 @@ struct MotionSince {
     F ca, sa;  // cosine - 1 and sine of what A has turned
     F cb, sb;  // and B
 
-    ISLET_LANE MotionSince(const LaneManifolds<L>& m, const Pose* poses, const std::uint32_t* body_a, const std::uint32_t* body_b) {
+    ISLET_PART MotionSince(const LaneManifolds<L>& m, const Pose* poses, const std::uint32_t* body_a, const std::uint32_t* body_b) {
         typename L::template Columns<4> a, b;  // centre, cosine, sine
         L::template gather4<pose_words>(reinterpret_cast<const float*>(poses), body_a, a);
         L::template gather4<pose_words>(reinterpret_cast<const float*>(poses), body_b, b);
@@ -212,14 +224,14 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
 
     WarmStartSum<F> sum{zero, zero, zero, zero};
     for_points(r, r.two_points != 0, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
-        const F has_point = L::load(lanes.has_point[i]);
+        const F used = has_point<L>(lanes, i);
         const F rta = dot(n, m.anchor(i)), rna = cross(m.anchor(i), n);
         const F rtb = rta + rt_ab, rnb = rna + rn_ab;
-        prepare_point<L>(p, s, {rta, rna, rtb, rnb}, has_point * omega);
+        prepare_point<L>(p, s, {rta, rna, rtb, rnb}, used * omega);
 
         const F separation = m.separation(i) + since.along + since.by_turning(rna, rta, rnb, rtb);
         L::store(p.separation, separation);
-        const F normal_impulse = has_point * warm * m.normal_impulse(i), tangent_impulse = has_point * warm * m.tangent_impulse(i);
+        const F normal_impulse = used * warm * m.normal_impulse(i), tangent_impulse = used * warm * m.tangent_impulse(i);
         L::store(normal_impulse_of(r, i), normal_impulse);
         L::store(tangent_impulse_of(r, i), tangent_impulse);
         sum.along_n = sum.along_n + normal_impulse;
@@ -238,7 +250,8 @@ ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r,
     const LaneVec<F> n = m.normal();
     const F rn_ab = L::load(r.rn_ab);
     const F vn = dot(n, s.vb - s.va), gain = normal_gain<L>(in, r, n);
-    const F first = select(L::load(lanes.has_point[1]) > L::splat(0.0f), min(m.separation(0), m.separation(1)), m.separation(0));
+    F first = m.separation(0);
+    if (r.two_points) first = select(has_point<L>(lanes, 1) > L::splat(0.0f), min(first, m.separation(1)), first);
     const std::uint32_t points = r.two_points ? 2 : 1;
     for (std::uint32_t i = 0; i < points; ++i) {
         const F rna = L::load(r.points[i].rna), rnb = rna + rn_ab;
@@ -266,7 +279,7 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
     F from = L::splat(deep_from), share = L::splat(n.deep), ahead = L::splat(n.dt);
     if (r.is_special()) give = select(L::load(r.rolling_resistance) > zero, zero, give);
     if (r.two_points) {
-        const auto two = L::load(lanes.has_point[1]) > zero;
+        const auto two = has_point<L>(lanes, 1) > zero;
         const F tilt = L::load(normal_x(r)) * L::splat(n.up.y) - L::load(normal_y(r)) * L::splat(n.up.x);
         const auto level = two & (L::abs(tilt) < L::splat(level_tilt));
         depth = select(two, half * (depth - L::load(r.points[1].separation)), depth);
@@ -276,14 +289,14 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
         share = select(level, L::splat(n.deep_level), share);
         ahead = select(level, zero, ahead);
     }
-    F soon = depth + max(depth, zero);
-    if (L::positive(soon - from) != 0) {  // else nothing is deep, however fast it comes
+    F more = min(give, min(L::splat(8.0f) * max(depth, zero), L::splat(most_give)));  // a load that is gone pushes no shapes apart
+    const F most = depth + max(depth, zero);
+    if (L::positive(most - from) != 0) {  // else nothing is deep, however fast it comes
         const F parting = dot(LaneVec<F>{L::load(normal_x(r)), L::load(normal_y(r))}, s.vb - s.va) + (s.wb * (rna + L::load(r.rn_ab)) - s.wa * rna);
-        soon = min(depth - ahead * parting, soon);
+        const F soon = min(depth - ahead * parting, most);
+        more = more + share * max(min(soon - from, L::splat(1.0f)), zero);
     }
-    const F most = min(L::splat(8.0f) * max(depth, zero), L::splat(most_give));  // a load that is gone pushes no shapes apart
-    const F deep = max(min(soon - from, L::splat(1.0f)), zero);
-    const F more = select(min(s.ma, s.mb) > zero, min(give, most) + share * deep, zero);
+    more = select(min(s.ma, s.mb) > zero, more, zero);
     L::store(r.points[0].separation, L::load(r.points[0].separation) - more);
     if (r.two_points) L::store(r.points[1].separation, L::load(r.points[1].separation) - more);
 }
@@ -305,6 +318,7 @@ ISLET_PART void prepare_block(const PrepareInput& in, const ContactManifold* man
         start.turning_a = start.turning_a + rolling;
         start.turning_b = start.turning_b + rolling;
     }
+    if constexpr (W == 1) s.gather(in.bodies, r.body_a, r.body_b);  // anew, rather than kept all the while
     s.add_warm_start(in.bodies, r.body_a, r.body_b, in_world(m.normal(), start.along_n, start.along_t), start.turning_a, start.turning_b);
 }
 

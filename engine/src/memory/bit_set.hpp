@@ -81,11 +81,12 @@ private:
 #if defined(__OPTIMIZE_SIZE__)
     static constexpr std::uint32_t none = 0xffffffffu;
 
-    // The walk, which a build for size has once.
+    // The walk, which a build for size has once. Where registers have 32 bits, it looks at one half of a word after the other.
     struct Walk {
         const std::uint64_t* words;
         std::uint32_t word, end;  // the next to look into
-        std::uint64_t bits = 0;   // left of the one before
+#if UINTPTR_MAX > 0xffffffffu || defined(__wasm__)
+        std::uint64_t bits = 0;  // left of the one before
 
         ISLET_COPIED std::uint32_t next() {
             while (bits == 0) {
@@ -96,6 +97,28 @@ private:
             bits &= bits - 1;
             return (word - 1) * 64 + lowest(all);
         }
+#else
+        std::uint32_t half = 0, high_half = 0;  // what is left of the one before
+        std::uint32_t index = 0;                // of the half's lowest bit
+
+        ISLET_COPIED std::uint32_t next() {
+            while (half == 0) {
+                if (high_half != 0) {
+                    half = high_half;
+                    high_half = 0;
+                    index += 32;
+                    break;
+                }
+                if (word >= end) return none;
+                half = static_cast<std::uint32_t>(words[word]);
+                high_half = static_cast<std::uint32_t>(words[word] >> 32);
+                index = 64 * word++;
+            }
+            const std::uint32_t i = index + trailing_zeros(half);
+            half &= half - 1;
+            return i;
+        }
+#endif
     };
 #endif
 };

@@ -158,15 +158,13 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     ContactManifold& m = core.manifolds[index];
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
-#if !defined(__OPTIMIZE_SIZE__)
-    if (looks_settled && is_settled(m, a, b)) {
+    if (!short_loops && looks_settled && is_settled(m, a, b)) {
         loads.follow(m);
         ++kept.manifolds;
         const bool sunk = is_continuous(core) && has_sunk(core, m);
         if (max_lanes > 1 && !sunk && (m.flags & contact_special) == 0) ++kept.settled;
         return sunk && is_deep(core, m) ? Change::changes : Change::none;
     }
-#endif
     if (((a.flags | b.flags) & pose_moved) != 0) {
         const Contact& c = core.contacts[index];
         const Aabb &box_a = core.boxes[c.shape_a], &box_b = core.boxes[c.shape_b];
