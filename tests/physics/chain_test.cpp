@@ -100,7 +100,7 @@ TEST(Chain, IsSolidOnOneSideOnly) {
 
 TEST(Chain, ALoopHoldsWhatIsInside) {
     // A ring of 64 links of radius 5, clockwise, so that the right-hand side of each link is the inside. Sixty balls thrown about in it
-    // for 20 s never come farther out than the ring: 5 m less their radius, plus what a contact gives under an impact at 10 m/s (0.05 m).
+    // for 20 s never come farther out than the ring: 5 m less their radius, plus what a contact gives under an impact, the way of 5 ms.
     WorldDef def = sleepless();
     TestWorld world(room_for_chain, def);
     std::vector<Vec2> ring;
@@ -118,12 +118,16 @@ TEST(Chain, ALoopHoldsWhatIsInside) {
         ball.linear_velocity = {10 * q.c, 10 * q.s};
         balls.push_back(world.add(Circle{{}, 0.2f}, ball, bouncy));
     }
-    double farthest = 0;
+    double farthest = 0, fastest = 0;
     for (int i = 0; i < 1200; ++i) {
         world.step();
-        for (const BodyId ball : balls) farthest = std::fmax(farthest, double(length(world->position(ball))));
+        for (const BodyId ball : balls) {
+            farthest = std::fmax(farthest, double(length(world->position(ball))));
+            fastest = std::fmax(fastest, double(length(world->linear_velocity(ball))));
+        }
     }
-    EXPECT_LT(farthest, 5 - 0.2 + 0.05);
+    EXPECT_LT(fastest, 20);  // sixty balls of 10 m/s; one that several others hit at once is faster for a moment
+    EXPECT_LT(farthest, 5 - 0.2 + 0.005 * fastest);
     EXPECT_TRUE(world.errors.empty());
 }
 

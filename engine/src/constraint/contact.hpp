@@ -18,13 +18,15 @@
 
 namespace islet::detail {
 
-inline constexpr std::uint32_t restitution_passes = 6;
-inline constexpr float settled_share = 0.003f;  // of a contact's impulses: a pass over what lands that changes less is the last
+inline constexpr std::uint32_t restitution_passes = 6;  // over a contact's two points
+inline constexpr float settled_share = 0.003f;          // of a contact's impulses: a pass over what lands that changes less is the last
 
-/// Softness lets the impulses of a contact decay a little in each biased sweep. Of its two points the mean decays at the full rate, and the difference at
-/// 1 - 2 lean_share of it: a contact is stiffer against leaning than against weight. Equally soft contacts let columns buckle as Euler's do: 300 kg brings
-/// down five boxes of 1 kg. The weight needs its softness: with 0.6 of it pyramids of 30 rows never rest, since one sweep a substep is too few to damp the slow
-/// motions of a large pile. Leaning bears less: columns of 60 stand down to a fifth of it, and at a seventh they swing.
+/// Softness lets the impulses of a contact decay a little in each biased sweep, so that a point sinks by its impulse over its effective mass. The sum of two
+/// points' impulses decays at the full rate, and what they sink apart by at 1 - 2 lean_share of it: a contact is stiffer against leaning than against weight.
+/// Equally soft contacts let columns buckle as Euler's do: 300 kg brings down five boxes of 1 kg. The weight needs its softness: with 0.6 of it pyramids of 30
+/// rows never rest, since one sweep a substep is too few to damp the slow motions of a large pile. So a point that bears all keeps 1 - lean_share of it, whatever
+/// the masses. (Without that bound piles of 500 boxes never rest either.) Leaning bears less: columns of 60 stand down to a fifth of it, and at a seventh they
+/// swing. (If impulses are mixed instead of sinks, columns whose faces are not centred under the load fall: the point that bears less is pressed in too far.)
 inline constexpr float lean_share = 0.35f;
 
 /// How one sweep treats contacts, in all lanes.
@@ -118,10 +120,14 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
     const F turned = s.dqb - s.dqa;
     const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
     const std::uint32_t points = r.two_points, first = points >> 1;
-    F lean = zero;  // N s, of what the points' impulses differ by; none in lanes of one point
+    F lean = zero;  // N s, of what the points sink apart by; none in lanes of one point
     if (biased && points != 0) {
         const F one = L::load(normal_impulse_of(r, first)), other = L::load(normal_impulse_of(r, 1 - first));
-        lean = select(L::load(r.points[1].normal_mass) > zero, L::splat(lean_share) * (other - one), zero);
+        const F mass_1 = L::load(r.points[first].normal_mass), mass_2 = L::load(r.points[1 - first].normal_mass);
+        const F alike = mass_1 * ((one + other) / (mass_1 + mass_2));  // the first point's share if both sink by the same
+        const F share = L::splat(lean_share), least = zero - share * one, most = share * other;
+        lean = min(max(L::splat(2.0f * lean_share) * (alike - one), least), most);
+        lean = select(L::load(r.points[1].normal_mass) > zero, lean, zero);
     }
     for_points(r, points != 0, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
@@ -233,9 +239,7 @@ ISLET_PART void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint
             ContactBlock<L> s(bodies, r);
             solve_rows<L>(s, r, sweep, biased, AllLanes{});
             s.scatter(bodies, r.body_a, r.body_b);
-            std::uint64_t landing[2] = {};  // not 0 if any lane lands
-            std::memcpy(landing, r.extra_passes, W);
-            if ((landing[0] | landing[1]) != 0) ContactKernel<W>::land(bodies, r, L::bits(has_changed<L>(s, r)), numbers);
+            if (any_lands(r)) ContactKernel<W>::land(bodies, r, L::bits(has_changed<L>(s, r)), numbers);
         }
         if (!biased && r.two_points) r.two_points ^= 3;  // the next substep begins with the other point
     }
@@ -285,16 +289,33 @@ void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, 
     }
 }
 
-/// Solves the normal rows once more, for the rebound speed -e approach. Only points bounce where the surfaces met (an impulse was needed) faster than the
+template <std::uint32_t W>
+void ContactKernel<W>::land_again(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
+    for (std::uint32_t block = 0; block < count; ++block) {
+        Rows& r = rows[block];
+        if (!any_lands(r)) continue;
+        if constexpr (W == 1) {
+            --r.extra_passes[0];
+            solve(bodies, &r, 1, numbers);
+            ++r.extra_passes[0];
+        } else {
+            land(bodies, r, (1u << W) - 1, numbers);
+            if (!is_positive(numbers.bias_rate) && r.two_points) r.two_points ^= 3;
+        }
+    }
+}
+
+/// Solves the normal rows once more, for the rebound speed -e approach, and returns whether any lane bounces. Only points bounce where the surfaces met (an impulse was needed) faster than the
 /// threshold, and whose material bounces. The two points of a manifold share the blow: a few passes over both solve their 2 x 2 problem, so a box that lands
 /// flat bounces flat.
 template <class L>
-ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F threshold) {
+ISLET_PART bool solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F threshold) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     F vn = dot(s.n, s.vb - s.va);
     const F second = r.two_points ? L::load(r.points[1].normal_mass) : zero;  // 0 in lanes with one point, which is solved once
     const std::uint32_t rows_to_solve = r.two_points ? 2 * restitution_passes : 1;
+    bool any = false;
     for (std::uint32_t k = 0; k < rows_to_solve; ++k) {
         const std::uint32_t i = k & 1u;
         typename ContactRows<L::width>::Point& p = r.points[i];
@@ -302,6 +323,7 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
         const F old = L::load(normal_impulse_of(r, i));
         const F speed = vn + (s.wb * rnb - s.wa * rna);
         auto bounces = will_bounce<L>(r, i, threshold);
+        any = any || L::bits(bounces) != 0;
         if (k >= 2) bounces = bounces & (second > zero);
         if constexpr (L::width == 1)
             if (!bounces) continue;
@@ -312,19 +334,22 @@ ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
         vn = vn + (s.ma + s.mb) * delta;
         s.spin_by_normal(rna, rnb, delta);
     }
+    return any;
 }
 
 template <std::uint32_t W>
-void ContactKernel<W>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold) {
+bool ContactKernel<W>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t count, float threshold) {
     using L = LaneOf<W>;
+    bool any = false;
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
         if (!r.is_bouncy()) continue;
         ContactBlock<L> s(bodies, r);
-        solve_restitution<L>(s, r, L::splat(-threshold));
+        any = solve_restitution<L>(s, r, L::splat(-threshold)) || any;
         s.push_centres(s.sum_n * s.n);
         s.scatter(bodies, r.body_a, r.body_b);
     }
+    return any;
 }
 
 /// The absolute value of the sum of a contact's impulses. It is not finite if any of them is not.

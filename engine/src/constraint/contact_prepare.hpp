@@ -275,7 +275,9 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
     using F = typename L::F;
     const F zero = L::splat(0.0f), half = L::splat(0.5f);
     F depth = zero - L::load(r.points[0].separation), rna = L::load(r.points[0].rna);
-    F give = L::splat(n.give_back) * load / L::load(r.points[0].normal_mass);
+    F mass = L::load(r.points[0].normal_mass);
+    if (r.two_points) mass = mass + select(has_point<L>(lanes, 1) > zero, L::load(r.points[1].normal_mass), zero);
+    F give = L::splat(n.give_back) * load / mass;  // by which both points would sink under the load
     F from = L::splat(deep_from), share = L::splat(n.deep), ahead = L::splat(n.dt);
     if (r.is_special()) give = select(L::load(r.rolling_resistance) > zero, zero, give);
     if (r.two_points) {
@@ -284,7 +286,6 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
         const auto level = two & (L::abs(tilt) < L::splat(level_tilt));
         depth = select(two, half * (depth - L::load(r.points[1].separation)), depth);
         rna = select(two, half * (rna + L::load(r.points[1].rna)), rna);
-        give = select(two, half * give, give);
         from = select(level, L::splat(deep_level_from), from);
         share = select(level, L::splat(n.deep_level), share);
         ahead = select(level, zero, ahead);
@@ -324,19 +325,22 @@ ISLET_PART void prepare_block(const PrepareInput& in, const ContactManifold* man
 
 /// ContactKernel::prepare, to be compiled with the caller's instructions.
 template <std::uint32_t W>
-ISLET_PART void prepare_blocks(const PrepareInput& in, ContactRows<W>* rows, std::uint32_t count) {
+ISLET_PART bool prepare_blocks(const PrepareInput& in, ContactRows<W>* rows, std::uint32_t count) {
+    bool lands = false;
     for (std::uint32_t block = 0; block < count; ++block) {
         ContactRows<W>& r = rows[block];
         ContactLanes<W> lanes;
         if (W > 1 && block + 1 < count) prefetch_manifolds(in, rows[block + 1]);
         name_bodies(in, r, lanes);
         prepare_block<W>(in, &manifold_of(r, 0, in.manifolds) - lanes.contact[0], lanes, r);
+        lands = any_lands(r) || lands;
     }
+    return lands;
 }
 
 template <std::uint32_t W>
-void ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
-    prepare_blocks<W>(in, rows, count);
+bool ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
+    return prepare_blocks<W>(in, rows, count);
 }
 
 template <std::uint32_t W>

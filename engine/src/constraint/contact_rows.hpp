@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 #include "../constraint/solver_body.hpp"
@@ -137,6 +138,18 @@ ISLET_INLINE auto& manifold_of(const ContactRows<W>& r, std::uint32_t i, [[maybe
         return static_cast<const ContactManifold&>(*r.manifold);
     else
         return manifolds[r.contact[i]];
+}
+
+/// Whether any contact of a block lands.
+template <std::uint32_t W>
+ISLET_PART bool any_lands(const ContactRows<W>& r) {
+    if constexpr (W == 1) {
+        return r.extra_passes[0] != 0;
+    } else {
+        std::uint64_t landing[2] = {};
+        std::memcpy(landing, r.extra_passes, W);
+        return (landing[0] | landing[1]) != 0;
+    }
 }
 
 /// How one sweep treats penetration: the velocity bias is max(bias_rate (s + slop), -push_speed), where s < 0 is the separation. For soft contacts,

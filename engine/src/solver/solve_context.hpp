@@ -22,8 +22,9 @@ struct Solve {
     TreeLink* links = nullptr;
     std::byte* blocks = nullptr;  // ContactRows<block_lanes>
     ContactRows<1>* overflow = nullptr;
-    float* residuals = nullptr;  // m/s, by island; null if not wanted
-    Hit* hits = nullptr;         // by contact; null if not wanted
+    PlanIndex* landing = nullptr;  // room for the numbers of blocks with contacts that land; null where contacts are solved one by one
+    float* residuals = nullptr;    // m/s, by island; null if not wanted
+    Hit* hits = nullptr;           // by contact; null if not wanted
 
     PrepareInput input() const { return {core.manifolds, core.poses, plan.slot_of, bodies, motions, numbers.step}; }
 };

@@ -46,13 +46,28 @@ struct BatchSolve {
     /// Of a narrow batch without joints, bits of the colours at which a piece begins: blocks that lie side by side and are solved alike, and so in one go,
     /// whatever their colours. 0: all blocks are solved colour by colour.
     std::uint32_t piece_colors = 0;
+    bool lands = false, bounces = false;                      // any contact of the batch
+    std::uint32_t landing_end[W > 1 ? color_count : 1] = {};  // of the colours' blocks with contacts that land, in landing()
+
+    PlanIndex* landing() const { return s.landing + batch.first_block[0]; }
+    /// Says that something is so of the batch, which other workers may be saying, too.
+    void note(bool& something, bool is_so) const {
+        if (!is_so) return;
+#if ISLET_THREADS
+        __atomic_store_n(&something, true, __ATOMIC_RELAXED);
+#else
+        something = true;
+#endif
+    }
 
     Rows* row(std::uint32_t block) const { return first_row + (block - batch.first_block[0]); }
     // In place of the block.
     ContactRows<1>* lone_row(std::uint32_t block) const { return reinterpret_cast<ContactRows<1>*>(row(block)); }
     bool is_lone(std::uint32_t color) const { return W > 1 && (lone_colors >> color & 1) != 0; }
+    bool is_lightened() const;
     void find_lone_colors();
     void find_pieces();
+    void find_landing();
 
     /// Calls work(kernel, its rows, how many, first block) for some of a colour's blocks. Sixteen lanes solve them two by two, and one that is left over by
     /// itself; so the parts of a colour must begin at even blocks of it, as they do where workers share it.
@@ -69,6 +84,14 @@ struct BatchSolve {
         }
         work(K{}, row(first), end - first, first);
     }
+
+    /// Blocks that one call of with_rows solves at once, and where those of a colour end that begin with `block`.
+    static constexpr std::uint32_t step_of_blocks = lanes > W ? 2 : 1;
+    std::uint32_t end_of_step(std::uint32_t color, std::uint32_t block) const {
+        const std::uint32_t end = batch.first_block[color + 1];
+        return end - block < step_of_blocks ? end : block + step_of_blocks;
+    }
+    bool both_move(const ContactRows<1>& r) const { return is_positive(s.bodies[r.body_a[0]].inv_mass) && is_positive(s.bodies[r.body_b[0]].inv_mass); }
 
     /// Calls work(first, end) for ranges of `count` items: of blocks, which stay together two by two (with_rows says why), or of what `unit` says.
     template <class Work>
@@ -151,6 +174,7 @@ struct BatchSolve {
     void run();
     void prepare();
     void sweep(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
+    void land(const SweepNumbers& dynamic, const SweepNumbers& ground);
     void sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
     float measure(const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
     void try_joints(const JointRun& r, const JointSweep& joints);
@@ -185,6 +209,57 @@ void BatchSolve<lanes>::find_pieces() {
     }
 }
 
+// Whether shock propagation takes any of the batch's bodies for lighter than it is. What lands among these has no sweeps of its own: it would gain energy.
+template <std::uint32_t lanes>
+bool BatchSolve<lanes>::is_lightened() const {
+    if (!has_shock(s.core.state->solver)) return false;
+    for (std::uint32_t slot = batch.first_slot; slot < batch.end_slot(); ++slot)
+        if (s.plan.body_of[slot] != no_plan_index && s.plan.lightness[s.plan.body_of[slot]] != 1) return true;
+    return false;
+}
+
+// Lists the blocks with contacts that land, colour by colour. (Contacts that are solved one by one are looked through instead, which takes no memory.)
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::find_landing() {
+    if constexpr (W > 1) {
+        std::uint32_t count = 0;
+        for (std::uint32_t c = 0; c < color_count; ++c) {
+            for (std::uint32_t block = batch.first_block[c]; block < batch.first_block[c + 1]; block += step_of_blocks) {
+                with_rows(c, block, end_of_step(c, block), [&](auto, auto* rows, std::uint32_t, std::uint32_t) {
+                    if (any_lands(*rows)) landing()[count++] = static_cast<PlanIndex>(block);
+                });
+            }
+            landing_end[c] = count;
+        }
+    }
+}
+
+// Sweeps over the contacts that land, alone.
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::land(const SweepNumbers& dynamic, const SweepNumbers& ground) {
+    for (std::uint32_t sweep = 0; sweep < landing_sweeps; ++sweep) {
+        for (std::uint32_t i = 0; i < overflow_count; ++i)
+            One::land_again(s.bodies, overflow + i, 1, s.numbers.is_ordered && !both_move(overflow[i]) ? ground : dynamic);
+        for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
+            const auto c = trailing_zeros(left);
+            const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
+            if constexpr (W == 1) {
+                const std::uint32_t begin = batch.first_block[c];
+                over(batch.first_block[c + 1] - begin, contact_grain,
+                     [&](std::uint32_t first, std::uint32_t end) { K::land_again(s.bodies, row(begin + first), end - first, numbers); });
+            } else {
+                const std::uint32_t begin = c == 0 ? 0 : landing_end[c - 1];
+                over(landing_end[c] - begin, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) {
+                    for (std::uint32_t k = begin + first; k < begin + end; ++k)
+                        with_rows(c, landing()[k], end_of_step(c, landing()[k]), [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t) {
+                            decltype(kernel)::land_again(s.bodies, rows, count, numbers);
+                        });
+                });
+            }
+        }
+    }
+}
+
 template <std::uint32_t lanes>
 void BatchSolve<lanes>::prepare() {
     over_bodies([&](std::uint32_t first, std::uint32_t end) { gather_bodies(s, first, end); });
@@ -193,10 +268,12 @@ void BatchSolve<lanes>::prepare() {
     find_pieces();
     over_rows([&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t block) {
         name_contacts(s.core, rows, count, s.plan.contacts + std::size_t{block} * W);
-        decltype(kernel)::prepare(in, rows, count);
+        note(lands, decltype(kernel)::prepare(in, rows, count));
     });
     name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
-    One::prepare(in, overflow, overflow_count);
+    note(lands, One::prepare(in, overflow, overflow_count));
+    lands = lands && !is_lightened();
+    if (lands) find_landing();
 
     const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers.step};
     if (link_count() != 0) prepare_trees(s.plan, batch, s.links, joints, s.motions);
@@ -238,6 +315,7 @@ void BatchSolve<lanes>::sweep(const SweepNumbers& dynamic, const SweepNumbers& g
         });
     }
     if (has_tuning && s.numbers.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
+    if (lands) land(dynamic, ground);
     if (link_count() != 0) solve_trees(s.bodies, s.links + batch.first_link, link_count(), s.core.joints, joints);
     hold();
 }
@@ -264,8 +342,7 @@ float BatchSolve<lanes>::measure(const SweepNumbers& dynamic, const SweepNumbers
     };
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
         ContactRows<1>& r = overflow[i];
-        const bool both_move = is_positive(s.bodies[r.body_a[0]].inv_mass) && is_positive(s.bodies[r.body_b[0]].inv_mass);
-        try_contacts(One{}, r, s.numbers.is_ordered && !both_move ? ground : dynamic);
+        try_contacts(One{}, r, s.numbers.is_ordered && !both_move(r) ? ground : dynamic);
     }
     for (std::uint32_t c = 0; c < color_count; ++c)
         for (std::uint32_t block = batch.first_block[c]; block < batch.first_block[c + 1]; ++block)
@@ -353,8 +430,11 @@ void BatchSolve<lanes>::run() {
         if (measures) measure(s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
     }
     const float threshold = s.numbers.step.restitution_threshold;
-    One::restitute(s.bodies, overflow, overflow_count, threshold);
-    over_rows([&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t) { decltype(kernel)::restitute(s.bodies, rows, count, threshold); });
+    for (std::uint32_t sweep = 0; sweep < restitution_sweeps && (sweep == 0 || bounces); ++sweep) {
+        note(bounces, One::restitute(s.bodies, overflow, overflow_count, threshold));
+        over_rows(
+            [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t) { note(bounces, decltype(kernel)::restitute(s.bodies, rows, count, threshold)); });
+    }
     hold();
     store();
 }
@@ -474,6 +554,7 @@ SolverBody* solve(Core& core, const Plan& plan, Arena& arena, float dt) {
     s.overflow = rows.take<ContactRows<1>>(plan.overflow_count);
     s.joint_rows = place_joint_rows(plan, core.block_lanes(), rows);
     s.links = rows.take<TreeLink>(plan.link_count);
+    if (core.block_lanes() > 1) s.landing = rows.take<PlanIndex>(plan.block_count);
     // A measure tries block by block.
     with_lanes<min_lanes, max_lanes>(s.residuals != nullptr ? core.block_lanes() : core.lanes, [&](auto lanes) { solve_batches<lanes>(s); });
     core.state->last_substep = s.numbers.step.h;

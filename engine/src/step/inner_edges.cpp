@@ -370,7 +370,8 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         if (manifold.count == 0 || core.bodies[other].contact_count < 2) continue;
         if (moves) {
             const Body& own = core.bodies[body];
-            const bool bears = core.poses[other].inv_mass == 0 || core.poses[other].inv_mass >= floor_mass * core.poses[body].inv_mass;
+            // What is static or kinematic stands on nothing: a part of a body that falls into a valley is no floor for the valley's walls.
+            const bool bears = is_positive(core.poses[other].inv_mass) && core.poses[other].inv_mass >= floor_mass * core.poses[body].inv_mass;
             if (!bears || own.shape_count < 2 || own.contact_count < 2 || least_separation(manifold) < -nested_depth) continue;
         }
         const Geometry &g = geometry_at(core, shape), &other_g = geometry_at(core, other_shape);
