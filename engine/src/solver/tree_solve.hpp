@@ -27,7 +27,8 @@
 // apart. And what a hinge pulls with the arms of the substep's beginning, the relaxing sweep takes back with other arms, the less exactly the harder it pulls.
 // Both made energy: a load of 200 rods' mass, let go above their hinge, came to 350 times its own. So each sweep is judged by the bodies' kinetic energy. To
 // solve hinges to first order is to project the velocities that bodies have without them, which never adds energy: a sweep that has added more than a little
-// is made anew so, with a share of the bias. (But for relaxing sweeps of trees that are held in several places: one pass does not bear their load.)
+// is made anew so, with a share of the bias. A relaxing sweep must be judged even where a tree is held in several places: what mends such a tree's gaps turns
+// taut links fast, which no hinge takes back.
 //
 // A hinge on whose angle a limit, a motor or friction acts has a third row while its angle is held (constraint/angle_law.hpp): wc - wp = a speed that is
 // known. Which angles are held is found by an active-set method. From impulses that the laws allow, each pass solves all rows, but goes only so far as the
