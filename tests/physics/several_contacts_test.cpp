@@ -101,19 +101,19 @@ TEST(SeveralContacts, TowersOnTwoLegsLeanToNoSide) {
 
 // -- landings on several contacts at once --
 
-enum class Pieces { slab, vertex, chain, pillars };
-constexpr const char* names_of_pieces[] = {"slab", "chain with a vertex below", "chain of 5 cm pieces", "two pillars"};
+enum class Footing { slab, vertex, chain, pillars };
+constexpr const char* footing_names[] = {"slab", "chain with a vertex below", "chain of 5 cm pieces", "two pillars"};
 
-void add_pieces(TestWorld& world, Pieces pieces, const ShapeDef& def) {
+void add_footing(TestWorld& world, Footing footing, const ShapeDef& def) {
     const BodyId ground = world->create_body({});
     std::vector<Vec2> line;
-    switch (pieces) {
-        case Pieces::slab: world->create_shape(ground, box_at({0, -1}, 10, 1), def); break;
-        case Pieces::vertex: line = {{5, 0}, {0.175f, 0}, {-5, 0}}; break;
-        case Pieces::chain:
+    switch (footing) {
+        case Footing::slab: world->create_shape(ground, box_at({0, -1}, 10, 1), def); break;
+        case Footing::vertex: line = {{5, 0}, {0.175f, 0}, {-5, 0}}; break;
+        case Footing::chain:
             for (int i = 100; i >= -100; --i) line.push_back({0.05f * static_cast<float>(i) + 0.013f, 0});
             break;
-        case Pieces::pillars:
+        case Footing::pillars:
             world->create_shape(ground, box_at({-0.175f, -1}, 0.05f, 1), def);
             world->create_shape(ground, box_at({0.15f, -1}, 0.05f, 1), def);
             break;
@@ -140,9 +140,9 @@ struct Fall {
     float end = 0;      // rad, after 3 s
     float rebound = 0;  // m, the highest that it comes after it has met the floor
 };
-Fall fall_flat(Pieces pieces, const Faller& faller, float drop, const ShapeDef& def, int steps) {
+Fall fall_flat(Footing footing, const Faller& faller, float drop, const ShapeDef& def, int steps) {
     TestWorld world;
-    add_pieces(world, pieces, def);
+    add_footing(world, footing, def);
     const BodyId id = world->create_body({.type = BodyType::dynamic, .position = {0, faller.lowest + drop}});
     add_parts(*world, id, faller.parts, def);
     for (const Circle& circle : faller.circles) world->create_shape(id, circle, def);
@@ -160,13 +160,13 @@ Fall fall_flat(Pieces pieces, const Faller& faller, float drop, const ShapeDef& 
 
 // Without restitution what falls flat stays flat: the blows of all pieces together stop it. (Each alone would turn it: a box is over at 0.8 rad.)
 TEST(SeveralContacts, WhatFallsFlatOnPiecesStaysFlat) {
-    for (const Pieces pieces : {Pieces::slab, Pieces::vertex, Pieces::chain, Pieces::pillars}) {
+    for (const Footing footing : {Footing::slab, Footing::vertex, Footing::chain, Footing::pillars}) {
         for (const Faller& faller : fallers()) {
             for (int height = 0; height < 12; ++height) {
                 const float drop = 0.5f + 0.37f * static_cast<float>(height);
-                SCOPED_TRACE(std::string(names_of_pieces[static_cast<int>(pieces)]) + ", " + faller.name + ", falls " + std::to_string(drop) + " m");
-                if (pieces == Pieces::pillars && !faller.circles.empty()) continue;  // its wheels come down beside them
-                const Fall fall = fall_flat(pieces, faller, drop, {}, 180);
+                SCOPED_TRACE(std::string(footing_names[static_cast<int>(footing)]) + ", " + faller.name + ", falls " + std::to_string(drop) + " m");
+                if (footing == Footing::pillars && !faller.circles.empty()) continue;  // its wheels come down beside them
+                const Fall fall = fall_flat(footing, faller, drop, {}, 180);
                 EXPECT_LT(fall.tilt, 0.2f);
                 EXPECT_LT(fall.end, 0.02f);
                 EXPECT_LT(fall.rebound, 0.02f);
@@ -177,18 +177,18 @@ TEST(SeveralContacts, WhatFallsFlatOnPiecesStaysFlat) {
 
 // A body that falls by d with the restitution e comes back to e^2 d. (A step that ends between meeting and parting adds at most the way of one step.)
 TEST(SeveralContacts, WhatBouncesOnPiecesComesBackAsHighAsTheRestitutionSays) {
-    for (const Pieces pieces : {Pieces::slab, Pieces::vertex, Pieces::chain, Pieces::pillars}) {
+    for (const Footing footing : {Footing::slab, Footing::vertex, Footing::chain, Footing::pillars}) {
         for (const Faller& faller : fallers()) {
             for (const float e : {0.3f, 0.6f, 1.0f}) {
                 for (int height = 0; height < 5; ++height) {
                     const float drop = 1 + 0.73f * static_cast<float>(height), speed = std::sqrt(2 * static_cast<float>(g) * drop);
-                    SCOPED_TRACE(std::string(names_of_pieces[static_cast<int>(pieces)]) + ", " + faller.name + ", restitution " + std::to_string(e) + ", falls " +
-                                 std::to_string(drop) + " m");
-                    if (pieces == Pieces::pillars && !faller.circles.empty()) continue;
+                    const std::string what = std::string(footing_names[static_cast<int>(footing)]) + ", " + faller.name;
+                    SCOPED_TRACE(what + ", restitution " + std::to_string(e) + ", falls " + std::to_string(drop) + " m");
+                    if (footing == Footing::pillars && !faller.circles.empty()) continue;
                     ShapeDef def;
                     def.restitution = e;
                     const int until = static_cast<int>((1 + e) * speed / static_cast<float>(g) / step_time);  // the first top
-                    const Fall fall = fall_flat(pieces, faller, drop, def, until);
+                    const Fall fall = fall_flat(footing, faller, drop, def, until);
                     EXPECT_NEAR(fall.rebound, e * e * drop, e * e * speed * step_time + 0.01f);
                     EXPECT_LT(fall.tilt, 0.1f);
                 }
