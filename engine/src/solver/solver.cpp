@@ -220,7 +220,7 @@ bool BatchSolve<lanes>::is_lightened() const {
 
 // Lists the blocks with contacts that land, colour by colour. (Contacts that are solved one by one are looked through instead, which takes no memory.)
 template <std::uint32_t lanes>
-void BatchSolve<lanes>::find_landing() {
+ISLET_NEVER_INLINE void BatchSolve<lanes>::find_landing() {
     if constexpr (W > 1) {
         std::uint32_t count = 0;
         for (std::uint32_t c = 0; c < color_count; ++c) {
@@ -236,7 +236,7 @@ void BatchSolve<lanes>::find_landing() {
 
 // Sweeps over the contacts that land, alone.
 template <std::uint32_t lanes>
-void BatchSolve<lanes>::land(const SweepNumbers& dynamic, const SweepNumbers& ground) {
+ISLET_NEVER_INLINE void BatchSolve<lanes>::land(const SweepNumbers& dynamic, const SweepNumbers& ground) {
     for (std::uint32_t sweep = 0; sweep < landing_sweeps; ++sweep) {
         for (std::uint32_t i = 0; i < overflow_count; ++i)
             One::land_again(s.bodies, overflow + i, 1, s.numbers.is_ordered && !both_move(overflow[i]) ? ground : dynamic);
@@ -270,8 +270,10 @@ void BatchSolve<lanes>::prepare() {
         name_contacts(s.core, rows, count, s.plan.contacts + std::size_t{block} * W);
         note(lands, decltype(kernel)::prepare(in, rows, count));
     });
-    name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
-    note(lands, One::prepare(in, overflow, overflow_count));
+    if (overflow_count != 0) {
+        name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
+        note(lands, One::prepare(in, overflow, overflow_count));
+    }
     lands = lands && !is_lightened();
     if (lands) find_landing();
 
@@ -402,7 +404,7 @@ void BatchSolve<lanes>::store() {
     } else {
         over_rows(store_rows);
     }
-    One::store(s.core.manifolds, overflow, overflow_count);
+    if (overflow_count != 0) One::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
     const JointOutput out{s.core.joints, s.core.poses, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
@@ -431,7 +433,7 @@ void BatchSolve<lanes>::run() {
     }
     const float threshold = s.numbers.step.restitution_threshold;
     for (std::uint32_t sweep = 0; sweep < restitution_sweeps && (sweep == 0 || bounces); ++sweep) {
-        note(bounces, One::restitute(s.bodies, overflow, overflow_count, threshold));
+        if (overflow_count != 0) note(bounces, One::restitute(s.bodies, overflow, overflow_count, threshold));
         over_rows(
             [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t) { note(bounces, decltype(kernel)::restitute(s.bodies, rows, count, threshold)); });
     }
