@@ -1,6 +1,7 @@
 // Random contact problems for the solver's kernel, and a plain projected Gauss-Seidel solver in double precision to compare it with.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -278,10 +279,15 @@ private:
             s[i] = separation(c, i);
             on_edge = on_edge || (n.mass_scale < 1 && std::abs(s[i]) < 1e-6);
         }
-        // A contact's two points take turns in being first, from one unbiased sweep to the next. What decays of their impulses is the mean, and of each one's
-        // distance from it three tenths.
-        const double mean = m.count() == 2 ? 0.5 * (lambda.n[0] + lambda.n[1]) : lambda.n[0];
-        const double decaying[2] = {mean + 0.3 * (lambda.n[0] - mean), mean + 0.3 * (lambda.n[1] - mean)};
+        // A contact's two points take turns in being first, from one unbiased sweep to the next. The sum of their impulses decays, and of what they sink apart,
+        // impulse over mass, three tenths; but a point that bears all keeps 0.35 of it at most.
+        double decaying[2] = {lambda.n[0], lambda.n[1]};
+        if (m.count() == 2) {
+            const double m0 = mass(c, 0, normal(c)), m1 = mass(c, 1, normal(c)), alike = m0 * (lambda.n[0] + lambda.n[1]) / (m0 + m1);
+            const double lean = std::clamp(0.7 * (alike - lambda.n[0]), -0.35 * lambda.n[0], 0.35 * lambda.n[1]);
+            decaying[0] += lean;
+            decaying[1] -= lean;
+        }
         for (std::uint32_t k = 0; k < m.count(); ++k) {
             const std::uint32_t i = m.count() == 2 ? (k + relaxed_) % 2 : k;
             double bias = s[i] * wide(n.inv_h), mass_scale = 1, impulse_scale = 0;

@@ -24,9 +24,10 @@ inline constexpr float settled_share = 0.003f;          // of a contact's impuls
 /// Softness lets the impulses of a contact decay a little in each biased sweep, so that a point sinks by its impulse over its effective mass. The sum of two
 /// points' impulses decays at the full rate, and what they sink apart by at 1 - 2 lean_share of it: a contact is stiffer against leaning than against weight.
 /// Equally soft contacts let columns buckle as Euler's do: 300 kg brings down five boxes of 1 kg. The weight needs its softness: with 0.6 of it pyramids of 30
-/// rows never rest, since one sweep a substep is too few to damp the slow motions of a large pile. So a point that bears all keeps 1 - lean_share of it, whatever
-/// the masses. (Without that bound piles of 500 boxes never rest either.) Leaning bears less: columns of 60 stand down to a fifth of it, and at a seventh they
-/// swing. (If impulses are mixed instead of sinks, columns whose faces are not centred under the load fall: the point that bears less is pressed in too far.)
+/// rows never rest, since one sweep a substep is too few to damp the slow motions of a large pile. So a point that bears all keeps 1 - lean_share of it,
+/// whatever the masses. (Without that bound piles of 500 boxes never rest either.) Leaning bears less: columns of 60 stand down to a fifth of it, and at a
+/// seventh they swing. (If impulses are mixed instead of sinks, columns whose faces are not centred under the load fall: the point that bears less is pressed
+/// in too far.)
 inline constexpr float lean_share = 0.35f;
 
 /// How one sweep treats contacts, in all lanes.
@@ -305,9 +306,9 @@ void ContactKernel<W>::land_again(SolverBody* bodies, Rows* rows, std::uint32_t 
     }
 }
 
-/// Solves the normal rows once more, for the rebound speed -e approach, and returns whether any lane bounces. Only points bounce where the surfaces met (an impulse was needed) faster than the
-/// threshold, and whose material bounces. The two points of a manifold share the blow: a few passes over both solve their 2 x 2 problem, so a box that lands
-/// flat bounces flat.
+/// Solves the normal rows once more, for the rebound speed -e approach, and returns whether any lane bounces. Only points bounce where the surfaces met (an
+/// impulse was needed) faster than the threshold, and whose material bounces. The two points of a manifold share the blow: a few passes over both solve their
+/// 2 x 2 problem, so a box that lands flat bounces flat.
 template <class L>
 ISLET_PART bool solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F threshold) {
     using F = typename L::F;

@@ -29,9 +29,9 @@ struct PrepareInput {
 /// steps in which to correct what they do to each other.
 inline constexpr std::uint8_t landing_passes = 5;
 
-/// A body that lands on several contacts at once needs them to agree: each sweep is followed by so many over the contacts that land alone. (Without them, what
-/// fell flat on two pillars or on a chain of short segments overturned from one height in three. An even number, so that each contact begins the next sweep with
-/// the point with which it would have begun.)
+/// A body that lands on several contacts at once needs them to agree: each sweep is followed by so many over the contacts that land, alone. (Without them,
+/// what fell flat on two pillars or on a chain of short segments overturned from one height in three. An even number, so that each contact begins the next
+/// sweep with the point with which it would have begun.)
 inline constexpr std::uint32_t landing_sweeps = 2;
 static_assert(landing_sweeps % 2 == 0);
 
