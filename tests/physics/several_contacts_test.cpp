@@ -83,7 +83,7 @@ TEST(SeveralContacts, ColumnsStandOnFacesThatAreNotCentred) {
     }
 }
 
-// A tower of tables is its own mirror image, so nothing prefers a side: from starts that lean either way it stays within a hundredth of its width.
+// A tower of tables is its own mirror image, so nothing prefers a side: from no start does it lean by more than 2 cm.
 TEST(SeveralContacts, TowersOnTwoLegsLeanToNoSide) {
     for (std::uint64_t start = 0; start < 4; ++start) {
         SCOPED_TRACE(start);

@@ -296,7 +296,7 @@ bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena ar
     return true;
 }
 
-// Finds every pair in which a fat box changed.
+// Finds the pairs of the shapes in motion, and of those at rest whose boxes changed.
 ISLET_APART void find_pairs_of(Core& core, const Moving& moving, Arena& arena, float dt) {
     const Tree tree{&core.state->tree, core.tree};
     PairBuffer<ContactMaker> out({core, dt});
@@ -320,6 +320,7 @@ ISLET_APART void find_pairs_of(Core& core, const Moving& moving, Arena& arena, f
     out.flush();
 }
 
+// Finds every pair in which a fat box changed.
 void find_moved_pairs(Core& core, float dt) {
     Arena arena = core.arena();
     const Moving moving = sorted_columns(core, arena, dt);

@@ -296,7 +296,7 @@ void ContactKernel<W>::land_again(SolverBody* bodies, Rows* rows, std::uint32_t 
         Rows& r = rows[block];
         if (!any_lands(r)) continue;
         if constexpr (W == 1) {
-            --r.extra_passes[0];
+            --r.extra_passes[0];  // solve makes one pass more than `land`
             solve(bodies, &r, 1, numbers);
             ++r.extra_passes[0];
         } else {
