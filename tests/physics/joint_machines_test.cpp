@@ -261,6 +261,37 @@ TEST(Breaking, HappensAtTheStatedForceAndIsReportedOnce) {
     }
 }
 
+// A body of 1 kg at rest gets a blow J where a joint holds it. The joint must give J back before the body moves on, within a substep h, so it bears J / h
+// and the weight then. A step later nothing of that is left.
+TEST(Breaking, HappensInABlow) {
+    const double blow = 5, h = 1.0 / 240, weight = g, most = blow / h + weight;
+    for (const int kind : {0, 1, 2, 3})
+        for (const bool exact : {false, true})
+            for (const double share : {0.1, 0.5, 0.9, 1.1}) {
+                WorldDef def = sleepless();
+                def.solver.joint_trees = exact ? JointTrees::all : JointTrees::off;
+                TestWorld world(room_for_joints, def);
+                const BodyId wall = world->create_body({}), ball = world.add_circle({0, 0}, 0.2f, dense(1 / (0.04f * pi)));
+                JointBase base = between(wall, ball);
+                base.break_force = static_cast<float>(share * most);
+                if (kind == 0) world->create_joint(RevoluteJointDef{.base = base});
+                if (kind == 1) world->create_joint(WeldJointDef{.base = base});
+                if (kind == 2) world->create_joint(PrismaticJointDef{.base = base});  // along x
+                if (kind == 3) {
+                    base.frame_a.position = {0, 2};
+                    world->create_joint(DistanceJointDef{.base = base, .length = 2});
+                }
+                world.step(30);
+                world->apply_linear_impulse_to_center(ball, {0, static_cast<float>(-blow)});
+                world.step();
+                const std::string what = "kind " + std::to_string(kind) + (exact ? ", exact" : ", swept") + ", share " + std::to_string(share);
+                const auto broken = world->broken_joints();
+                ASSERT_EQ(broken.size(), share < 1 ? 1u : 0u) << what;
+                if (share < 1) { EXPECT_NEAR(double(length(broken[0].force)) / most, 1, 0.01) << what; }
+                EXPECT_EQ(world->validate(), nullptr);
+            }
+}
+
 // F / (m (2 pi f)^2), in each direction that the joint locks: what a spring of that frequency would give. SolverDef::joint_hertz says so.
 TEST(RigidJoints, GiveWayUnderASteadyForceAsTheFormulaSays) {
     for (const float hertz : {10.0f, 30.0f, 60.0f}) {

@@ -99,6 +99,58 @@ TEST(SeveralContacts, TowersOnTwoLegsLeanToNoSide) {
     }
 }
 
+// -- columns of bodies that are made of pieces --
+
+/// A square, 2 wide and 2 high.
+struct Square {
+    const char* name;
+    float least_height;  // m, of a body of whose kind twenty are to stand
+    Parts (*parts)(float scale);
+};
+const Square squares[] = {
+    {"one piece", 0.2f, [](float s) { return Parts{box_at({0, 0}, s, s)}; }},
+    {"two halves", 0.2f, [](float s) { return Parts{box_at({-0.5f * s, 0}, 0.5f * s, s), box_at({0.5f * s, 0}, 0.5f * s, s)}; }},
+    {"two halves that overlap", 0.2f, [](float s) { return Parts{box_at({-0.48f * s, 0}, 0.52f * s, s), box_at({0.48f * s, 0}, 0.52f * s, s)}; }},
+    {"two halves apart", 0.2f, [](float s) { return Parts{box_at({-0.51f * s, 0}, 0.49f * s, s), box_at({0.51f * s, 0}, 0.49f * s, s)}; }},
+    {"three thirds", 0.5f,
+     [](float s) {
+         return Parts{box_at({-2 * s / 3, 0}, s / 3, s), box_at({0, 0}, s / 3, s), box_at({2 * s / 3, 0}, s / 3, s)};
+     }},
+    {"four quarters", 0.2f,
+     [](float s) {
+         Parts parts;
+         for (const Vec2 at : {Vec2{-0.5f, -0.5f}, Vec2{0.5f, -0.5f}, Vec2{-0.5f, 0.5f}, Vec2{0.5f, 0.5f}}) parts.push_back(box_at(s * at, 0.5f * s, 0.5f * s));
+         return parts;
+     }},
+    {"the same square twice", 1, [](float s) { return Parts{box_at({0, 0}, s, s), box_at({0, 0}, s, s)}; }},
+    {"two triangles", 1,
+     [](float s) {
+         const Vec2 lower[] = {{-1, -1}, {1, -1}, {1, 1}}, upper[] = {{-1, -1}, {1, 1}, {-1, 1}};
+         return Parts{hull(lower, s), hull(upper, s)};
+     }},
+};
+
+// Into which pieces a body is cut is of no account to statics: twenty squares stand, as twenty of one piece do. Each of two such bodies touches the other in
+// several contacts, up to seven.
+TEST(SeveralContacts, ColumnsStandHoweverTheirBodiesAreCut) {
+    for (const Square& square : squares)
+        for (const float height : {0.2f, 0.5f, 1.0f})
+            for (std::uint64_t start = 0; start < 3 && height >= square.least_height; ++start) {
+                WorldDef def;
+                def.enable_sleep = false;
+                TestWorld world(roomy, def);
+                world.add_ground();
+                Random random(start);
+                const std::vector<BodyId> column = add_column(world, square.parts(0.5f * height), height, 20, random);
+                std::vector<float> began;
+                for (const BodyId id : column) began.push_back(world->center_of_mass(id).x);
+                world.step(20 * 60);
+                float drift = 0;
+                for (std::size_t i = 0; i < column.size(); ++i) drift = std::max(drift, std::abs(world->center_of_mass(column[i]).x - began[i]));
+                EXPECT_LT(drift, 0.5f * height) << square.name << ", height " << height << ", start " << start;  // beyond, the top is over the edge
+            }
+}
+
 // -- landings on several contacts at once --
 
 enum class Footing { slab, vertex, chain, pillars };

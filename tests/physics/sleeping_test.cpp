@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "measure.hpp"
+#include "support/random.hpp"
 
 namespace islet::test {
 namespace {
@@ -363,6 +364,24 @@ TEST(Sleep, WhatIsHeldOnABeltSleeps) {
     for (const float side : {-1.01f, 1.01f}) world.add_box({side, 0.5f}, 0.5f, 0.5f, {}, BodyType::static_body);
     world.step(60 * 20);
     EXPECT_FALSE(world->is_awake(box));
+}
+
+// A box of 100 kg comes down on a board of 0.2 kg that lies on the ground, or leans on the box. However deep it presses, both come to rest.
+TEST(Sleep, HeavyBoxesOnLightBoardsDo) {
+    int awake = 0;
+    constexpr int starts = slow_build ? 4 : 40;
+    for (int start = 0; start < starts; ++start) {
+        Random random(static_cast<std::uint64_t>(start));
+        TestWorld world;
+        world.add_ground();
+        const BodyId board = world.add_box({0, random.between(0.6f, 4)}, 0.5f, 0.1f);
+        world->set_transform(board, world->position(board), random.between(-3, 3));
+        const BodyId box = world.add_box({random.between(-0.5f, 0.5f), random.between(5, 6)}, 0.5f, 0.5f, dense(100));
+        world->set_transform(box, world->position(box), random.between(-3, 3));
+        world.step(600);
+        awake += world->report().awake_bodies != 0 ? 1 : 0;
+    }
+    EXPECT_LE(awake, starts / 20);  // two in five were, and shook at 2 to 8 cm/s
 }
 
 }  // namespace

@@ -50,6 +50,27 @@ TEST_P(TimeStep, LetsThePyramidStand) {
 
 INSTANTIATE_TEST_SUITE_P(Stacking, TimeStep, testing::Values(240, 120, 90, 60, 45, 30, 20));
 
+// Long steps and short ones in turns: impulses of a short substep are a poor start for one that is eight times as long.
+TEST(Stacking, ColumnsStayOnTheGroundWhileLongAndShortStepsTakeTurns) {
+    for (const auto& [one, other] : {std::pair{30, 240}, std::pair{240, 30}, std::pair{30, 120}, std::pair{60, 240}, std::pair{20, 60}})
+        for (const int count : {2, 4, 6}) {
+            TestWorld world;
+            world.add_ground();
+            Random random(1);
+            std::vector<BodyId> column;
+            for (int i = 0; i < count; ++i) column.push_back(world.add_box({random.between(-0.004f, 0.004f), 0.5f + static_cast<float>(i)}));
+            float highest = 0;
+            for (int i = 0; i < 300; ++i) {
+                world->step(1.0f / static_cast<float>(one));
+                world->step(1.0f / static_cast<float>(other));
+                highest = max(highest, world->position(column.back()).y);
+            }
+            const std::string what = "1/" + std::to_string(one) + " s, 1/" + std::to_string(other) + " s, " + std::to_string(count) + " boxes";
+            EXPECT_LT(highest, static_cast<float>(count) - 0.5f + 0.005f) << what;
+            EXPECT_NEAR(world->position(column.back()).x, 0, 0.2) << what;
+        }
+}
+
 TEST(Stacking, APyramidStandsWhileTheTimeStepJittersByHalf) {
     Pyramid pyramid;
     std::mt19937 random(42);

@@ -136,5 +136,25 @@ TEST(Wedged, PilesComeToRestUnderAPistonOfThriceTheirWeight) {
     if (!slow_build) { EXPECT_LE(10 * restless, runs); }
 }
 
+// A thin wedge laid into the floor by half. Where there is but one substep its contact cannot lift it out, and continuous collision does not let it through:
+// what cannot move has no speed.
+TEST(Wedged, WhatIsStuckInAFloorGathersNoSpeed) {
+    for (std::uint64_t seed = 0; seed < 10 * starts; ++seed) {
+        Random random(seed);
+        WorldDef def;
+        def.solver.substeps = 1;
+        TestWorld world(roomy, def);
+        world.add_ground();
+        const Vec2 corners[] = {{-0.5f, -0.0625f}, {0.5f, -0.0625f}, {-0.5f, 0.0625f}};
+        const float angle = random.between(-0.1f, 0.1f) + (seed % 2 == 0 ? 0 : pi);
+        const BodyId wedge = world.add(make_polygon(compute_hull(corners)), Vec2{0, 0}, {}, BodyType::dynamic);
+        world->set_transform(wedge, {0, 0}, angle);
+        world->set_transform(wedge, Vec2{0, random.between(-0.002f, 0.002f)} - world->center_of_mass(wedge), angle);
+        world.step(600);
+        EXPECT_LT(length(world->linear_velocity(wedge)), 0.1f) << seed;  // it fell to 32 m/s
+        EXPECT_LT(std::abs(world->angular_velocity(wedge)), 1.0f) << seed;
+    }
+}
+
 }  // namespace
 }  // namespace islet::test

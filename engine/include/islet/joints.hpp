@@ -101,7 +101,7 @@ struct JointBase {
     JointFrame frame_a = {};
     JointFrame frame_b = {};
     bool collide_connected = false;  ///< true: the two bodies' shapes collide with each other
-    float break_force = 0;           ///< N, >= 0. The joint breaks when its force exceeds this at the end of a step; 0: never.
+    float break_force = 0;           ///< N, >= 0. The joint breaks, at the end of the step, when its force exceeds this in a substep; 0: never.
     float break_torque = 0;          ///< N m, >= 0; as above
     std::uint64_t user_data = 0;
 };

@@ -4,6 +4,7 @@
 #include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
+#include "../constraint/joint_rows.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
 #include "../graph/contacts.hpp"
@@ -122,9 +123,8 @@ namespace {
 inline constexpr std::uint32_t checked_grain = 4;  // words of 64 joints that are worth a task
 
 bool breaks(const Joint& j, float inv_h) {
-    if ((j.generation & 1u) == 0 || !(is_positive(j.break_force) || is_positive(j.break_torque))) return false;
-    return (is_positive(j.break_force) && length(inv_h * j.force_impulse) > j.break_force) ||
-           (is_positive(j.break_torque) && abs(inv_h * j.torque_impulse) > j.break_torque);
+    if ((j.generation & 1u) == 0 || !j.can_break()) return false;
+    return (j.flags & joint_torn) != 0 || bears_too_much(j, inv_h);
 }
 
 // Notes what a joint bore, and breaks it if that was too much.

@@ -93,20 +93,32 @@ struct ContactBlock : BodyPair<L> {
     }
 };
 
+/// Two moving bodies of several shapes may touch in several contacts. All these springs together are too stiff for the few sweeps of a step: columns of such
+/// bodies swing, and fall. So each of n contacts is n times as soft, and together they are as stiff as one: where one has mass_scale = 1 / (1 + x) and
+/// impulse_scale = x / (1 + x), each of n has n x for x.
+template <class F>
+struct Sharing {
+    bool is_there = false;  // in any lane
+    F sharers, less;        // n, and (1 + x) / (1 + n x)
+};
+
 /// By how much a normal impulse, of which `held` counts as such, is too large in a sweep with bias, N s. Shapes that are apart may close the gap within the
 /// substep, but no faster. Shapes that overlap are pushed apart softly.
 template <class L, class F = typename L::F>
-ISLET_PART F softly(const SweepLanes<L>& sweep, F normal_mass, F speed, F separation, F held) {
+ISLET_PART F softly(const SweepLanes<L>& sweep, const Sharing<F>& sharing, F normal_mass, F speed, F separation, F held) {
     const F zero = L::splat(0.0f);
     if constexpr (L::width == 1) {
         if (separation > 0) return normal_mass * (speed + separation * sweep.inv_h);
-        const F bias = max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push);
-        return normal_mass * (sweep.mass_scale * speed + bias) + sweep.impulse_scale * held;
+        const F bias = max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push), pushed = normal_mass * (sweep.mass_scale * speed + bias);
+        if (sharing.is_there) return sharing.less * (pushed + sweep.impulse_scale * (sharing.sharers * held));
+        return pushed + sweep.impulse_scale * held;
     } else {
         const auto apart = separation > zero;
         const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
         const F mass_scale = select(apart, L::splat(1.0f), sweep.mass_scale);
-        return normal_mass * (mass_scale * speed + bias) + select(apart, zero, sweep.impulse_scale * held);
+        if (sharing.is_there) held = sharing.sharers * held;
+        const F less = normal_mass * (mass_scale * speed + bias) + select(apart, zero, sweep.impulse_scale * held);
+        return sharing.is_there ? select(apart, less, sharing.less * less) : less;
     }
 }
 
@@ -121,6 +133,11 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
     const F turned = s.dqb - s.dqa;
     const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
     const std::uint32_t points = r.two_points, first = points >> 1;
+    Sharing<F> sharing;
+    if (biased && r.is_shared()) {
+        const F one = L::splat(1.0f), sharers = sharers_of<L>(r);
+        sharing = {true, sharers, one / (one + (sharers - one) * sweep.impulse_scale)};
+    }
     F lean = zero;  // N s, of what the points sink apart by; none in lanes of one point
     if (biased && points != 0) {
         const F one = L::load(normal_impulse_of(r, first)), other = L::load(normal_impulse_of(r, 1 - first));
@@ -136,7 +153,7 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
         const F normal_mass = L::load(p.normal_mass);
         const F old = L::load(normal_impulse_of(r, i));
         const F speed = vn + (s.wb * rnb - s.wa * rna);
-        const F less = biased ? softly<L>(sweep, normal_mass, speed, separation, old + lean)  // N s, of impulse
+        const F less = biased ? softly<L>(sweep, sharing, normal_mass, speed, separation, old + lean)  // N s, of impulse
                               : normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         const F lambda = lanes.pick(max(old - less, zero), old);
         const F delta = lanes.pick(lambda - old, zero);

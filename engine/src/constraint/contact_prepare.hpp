@@ -28,6 +28,7 @@ inline constexpr float level_tilt = 0.02f;       // sine of the angle between th
 inline constexpr float deep_level_from = 0.02f;  // m; what overlaps by more, in the mean of its two points, is deep
 inline constexpr float deep_from = 0.004f;       // m, of all other contacts
 
+inline constexpr float deep_masses = 4;    // ratio of masses above which deep overlaps are undone more slowly
 inline constexpr float most_give = 0.05f;  // m; boxes under hundreds of their own mass stand only because they give way
 
 /// The next block's manifolds may be anywhere in memory.
@@ -69,7 +70,9 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
         lanes.has_point[1][i] = (flags & two_point_flag) != 0 ? 1.0f : 0.0f;
         any |= flags;
+        if constexpr (W > 1) r.sharers[i] = static_cast<std::uint8_t>(m.sharers());
     }
+    if constexpr (W > 1) r.shared = (any >> contact_sharers_shift & 3u) != 0;
     r.two_points = (any & two_point_flag) != 0 ? 1 : 0;
     r.special = (any & contact_special) != 0;
     r.bouncy = (any & (contact_bouncy | contact_hits)) != 0;
@@ -182,7 +185,7 @@ ISLET_PART typename L::F prepare_rolling(ContactRows<L::width>& r, const BodyPai
     const F zero = L::splat(0.0f);
     const F k_rolling = s.ia + s.ib;
     const auto rolls = L::load(r.rolling_resistance) > zero;
-    const F impulse = select(rolls, L::splat(n.warm) * old, zero);
+    const F impulse = select(rolls, L::splat(n.contact_warm) * old, zero);
     L::store(r.rolling_mass, select(k_rolling > zero, L::splat(n.omega) / k_rolling, zero));
     L::store(rolling_impulse_of(r), impulse);
     return impulse;
@@ -211,7 +214,7 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F omega = L::splat(in.numbers.omega);
-    const F warm = L::splat(in.numbers.warm);
+    const F warm = L::splat(in.numbers.contact_warm);
     const LaneVec<F> n = m.normal();
     const F rt_ab = zero - dot(n, m.offset()), rn_ab = zero - cross(m.offset(), n);
     if constexpr (L::width > 1) {
@@ -269,7 +272,7 @@ ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r,
 /// What deep overlaps get is the same in all substeps of a step, so it comes late: by itself it feeds the slow motions of arches, of clamped rows and of piles
 /// under a piston, which the few sweeps of a step do not damp enough. It therefore answers to the depth that the shapes will have after the step if they go on
 /// as they do. What comes together counts for at most twice its depth, so shapes that do not overlap yet are not pushed. Level faces get little enough to do
-/// without.
+/// without. A light body under a heavy one would shake, so the share falls with the ratio of their masses.
 template <class L>
 ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, typename L::F load, const BodyPair<L>& s) {
     using F = typename L::F;
@@ -279,6 +282,7 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
     if (r.two_points) mass = mass + select(has_point<L>(lanes, 1) > zero, L::load(r.points[1].normal_mass), zero);
     F give = L::splat(n.give_back) * load / mass;  // by which both points would sink under the load
     F from = L::splat(deep_from), share = L::splat(n.deep), ahead = L::splat(n.dt);
+    if (r.is_shared()) give = sharers_of<L>(r) * give;
     if (r.is_special()) give = select(L::load(r.rolling_resistance) > zero, zero, give);
     if (r.two_points) {
         const auto two = has_point<L>(lanes, 1) > zero;
@@ -295,6 +299,8 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
     if (L::positive(most - from) != 0) {  // else nothing is deep, however fast it comes
         const F parting = dot(LaneVec<F>{L::load(normal_x(r)), L::load(normal_y(r))}, s.vb - s.va) + (s.wb * (rna + L::load(r.rn_ab)) - s.wa * rna);
         const F soon = min(depth - ahead * parting, most);
+        const F light = min(s.ma, s.mb), heavy = max(s.ma, s.mb);  // inverse masses
+        share = share * min(L::splat(deep_masses) * light / max(heavy, L::splat(1.0e-37f)), L::splat(1.0f));
         more = more + share * max(min(soon - from, L::splat(1.0f)), zero);
     }
     more = select(min(s.ma, s.mb) > zero, more, zero);

@@ -33,11 +33,13 @@ struct alignas(W * 4) ContactRows {
     float rolling_mass[W], rolling_impulse[W], rolling_resistance[W], tangent_speed[W];  // if special
     float restitution[W], approach[2][W], peak[2][W];  // if bouncy or reporting hits: m/s, normal velocity as the surfaces meet; N s, largest impulse
     std::uint8_t two_points;                           // 0: no contact of the block has two; 1: some have; 2: the same, and the second is solved first
-    bool special, bouncy;                              // of any lane; is_special() and is_bouncy() read them
-    std::uint8_t extra_passes[W * 4 - 3];              // of W lanes: landing_passes if the shapes come together fast, else 0
+    bool special, bouncy, shared;                      // of any lane; is_special(), is_bouncy() and is_shared() read them
+    std::uint8_t extra_passes[W];                      // landing_passes if the shapes come together fast, else 0
+    std::uint8_t sharers[W * 3 - 4];                   // of W lanes, if shared: contacts that the two bodies have, 1 to 4
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }
     ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy; }
+    ISLET_INLINE bool is_shared() const { return shared; }
 };
 
 /// What only special contacts need. A build without them has no memory for it.
@@ -78,6 +80,7 @@ struct ContactRows<1> : SurfaceOfRow<>, BounceOfRow<> {
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }
     ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy != 0; }
+    ISLET_INLINE bool is_shared() const { return manifold->sharers() != 1; }
 };
 
 static_assert(sizeof(ContactRows<4>) == 4 * row_bytes || max_lanes == 1);
@@ -103,6 +106,18 @@ ISLET_IN_ROW(normal_impulse_of, points[i].normal_impulse, normal_impulse[i])
 ISLET_IN_ROW(tangent_impulse_of, points[i].tangent_impulse, tangent_impulse[i])
 ISLET_IN_ROW(rolling_impulse_of, rolling_impulse, rolling_impulse)
 #undef ISLET_IN_ROW
+
+/// How many contacts the two bodies of each lane touch in, as far as that counts: 1 to 4.
+template <class L>
+ISLET_PART typename L::F sharers_of(const ContactRows<L::width>& r) {
+    if constexpr (L::width == 1) {
+        return static_cast<float>(r.manifold->sharers());
+    } else {
+        float sharers[L::width];
+        for (std::uint32_t i = 0; i < L::width; ++i) sharers[i] = r.sharers[i];
+        return L::load(sharers);
+    }
+}
 
 /// Calls row(point, index) for a block's points, the one with the index `first` first. On a page there is one copy of the row.
 template <class Rows, class Row>

@@ -209,6 +209,7 @@ struct JointOutput {
     const SolverBody* solved;
     float dt, h;  // s, step and substep
     float warm;   // StepNumbers::warm
+    bool ends;    // the last substep; after the others, only what tears is noted
 };
 
 template <class L>
@@ -345,6 +346,21 @@ ISLET_SHARED void forget_unsound(Joint& j) {
     if ((j.flags & joint_limit) != 0) j.limit_load = 0;
 }
 
+/// True if a joint bore more in a substep than it can. What overflows breaks nothing.
+inline bool bears_too_much(const Joint& j, float inv_h) {
+    const float force = inv_h * length(j.force_impulse), torque = inv_h * abs(j.torque_impulse);
+    if (!(force < unsound_impulse * inv_h && torque < unsound_impulse * inv_h)) return false;
+    return (j.break_force > 0 && force > j.break_force) || (j.break_torque > 0 && torque > j.break_torque);
+}
+
+/// Marks a joint that bore too much in a substep, of which `borne` has the impulses. It keeps these, for readers, and is broken at the end of the step.
+inline void note_torn(Joint& j, const Joint& borne, const JointOutput& out) {
+    if (!bears_too_much(borne, 1.0f / out.h)) return;
+    j.force_impulse = borne.force_impulse;
+    j.torque_impulse = borne.torque_impulse;
+    j.flags |= joint_torn;
+}
+
 /// Notes how an impulse p at `arm` (when the step began) pulled a body outwards, for the next step's stability (stiffened() in free_motion.hpp), up to
 /// `most` times its inertia. What cannot be pushed is not stretched.
 inline void add_stretch(const JointOutput& out, std::uint32_t slot, std::uint32_t body, Vec2 arm, Vec2 p, float most = 1.0e37f) {
@@ -361,6 +377,7 @@ template <std::uint32_t W>
 void store_applied(const Applied<W>& applied, const JointEnds<W>& r, std::uint32_t lane, Joint& j, const JointOutput& out, float most_stretch) {
     const Vec2 p = {applied.px[lane], applied.py[lane]};
     j.force_impulse = p;
+    if (!out.ends) return;
     if (!(abs(p.x) + abs(p.y) < unsound_impulse)) return;
     add_stretch(out, r.body_b[lane], j.body_b, {r.rbx[lane], r.rby[lane]}, p, most_stretch);
     add_stretch(out, r.body_a[lane], j.body_a, {r.rax[lane], r.ray[lane]}, -p, most_stretch);

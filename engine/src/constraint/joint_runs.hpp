@@ -135,7 +135,7 @@ void solve_joints(JointKernel kernel, SolverBody* bodies, std::byte* rows, std::
 /// sliders and wheels under 300 times need all of it.
 constexpr float most_stretch(JointKernel kernel) { return kernel == JointKernel::slider || kernel == JointKernel::wheel ? 1.0e37f : 2.0f; }
 
-/// Writes the impulses back for the next step.
+/// Writes the impulses back for the next step, or notes what tears in a substep before the last.
 template <std::uint32_t W>
 void store_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, const JointOutput& out) {
     const std::size_t block_bytes = joint_block_bytes<W>(kernel);
@@ -144,10 +144,20 @@ void store_joints(JointKernel kernel, std::byte* rows, std::uint32_t blocks, con
             for (std::uint32_t lane = 0; lane < W; ++lane) {
                 const JointEnds<W>& ends = ends_of<W>(rows);
                 if (W > 1 && ends.joint[lane] == null_index) continue;
-                Joint& j = out.joints[ends.joint[lane]];
-                if (has_applied(kernel)) store_applied(applied_of<W>(rows), ends, lane, j, out, most_stretch(kernel));
-                with_row(rows, [&](auto* r) { store(*r, known_lane<W>(lane), j, out); });
-                forget_unsound(j);
+                Joint& joint = out.joints[ends.joint[lane]];
+                if ((joint.flags & joint_torn) != 0 || (!out.ends && !joint.can_break())) continue;
+                const auto write = [&](Joint& j) {
+                    if (has_applied(kernel)) store_applied(applied_of<W>(rows), ends, lane, j, out, most_stretch(kernel));
+                    with_row(rows, [&](auto* r) { store(*r, known_lane<W>(lane), j, out); });
+                };
+                if (out.ends) {
+                    write(joint);
+                    forget_unsound(joint);
+                } else {
+                    Joint borne = joint;
+                    write(borne);
+                    note_torn(joint, borne, out);
+                }
             }
         }
     });

@@ -87,6 +87,7 @@ enum ShapeFlags : std::uint32_t {
     shape_pre_solve = 8u,        // the pre-solve hook is asked about its contacts
     shape_single_bits = 15u,     // those above
     asked_one_way = 16u,         // in State::asked alone: some shape was one-way
+    asked_breaks = 32u,          // there, too: some joint could break
     shape_one_way_bits = ~255u,  // ShapeDef::one_way, x and y of 12 bits each (flags_of_direction); 0: no one-way shape
 };
 
@@ -152,6 +153,7 @@ enum ContactFlags : std::uint32_t {
     contact_dropped = 1u << 20,  // it lets the other shape pass because the hook said so
     contact_ahead = 1u << 21,    // the shapes come together fast: solved harder
     contact_untold = 1u << 22,   // made so far ahead that it is not said to touch before it does
+    contact_sharers_shift = 23,  // 2 bits: in how many other contacts its two moving bodies touch, at most 3
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
@@ -206,7 +208,12 @@ struct ManifoldWith {
 
     ISLET_INLINE std::uint32_t count() const { return flags >> contact_count_shift & 3u; }
     ISLET_INLINE std::uint32_t color() const { return flags >> contact_color_shift & 0xffu; }
+    ISLET_INLINE std::uint32_t sharers() const { return 1 + (flags >> contact_sharers_shift & 3u); }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
+    void set_sharers(std::uint32_t count) {
+        const std::uint32_t others = count < 4 ? count - 1 : 3;
+        flags = (flags & ~(3u << contact_sharers_shift)) | others << contact_sharers_shift;
+    }
     void forget_points() {  // and made anew in the next step
         flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead);
         separation[0] = separation[1] = 0;
@@ -229,6 +236,7 @@ enum JointFlags : std::uint32_t {
     joint_color_shift = 8,  // 8 bits: colour, or no_color
     joint_calm = 1u << 16,  // times 0 to 15: for so many steps on end a loaded hinge has borne little
     joint_calm_bits = 15 * joint_calm,
+    joint_torn = 1u << 20,  // bore too much in a substep; broken at the end of the step
 };
 
 /// A joint. Which fields mean something depends on its type.
@@ -271,6 +279,7 @@ struct Joint {
     float torque_impulse = 0;  // N m s on B about its anchor
     std::uint64_t user_data = 0;
 
+    ISLET_INLINE bool can_break() const { return break_force > 0 || break_torque > 0; }
     JointType joint_type() const { return known(static_cast<JointType>(type)); }
     ISLET_INLINE std::uint32_t color() const { return flags >> joint_color_shift & 0xffu; }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << joint_color_shift)) | color << joint_color_shift; }
@@ -353,7 +362,7 @@ struct State {
     std::uint32_t bullet_count = 0;  // bodies that are bullets
     float hit_threshold = 1;         // m/s
     std::uint32_t locked_count = 0;  // bodies with a lock
-    std::uint32_t asked = 0;         // asked_of the flags that any shape ever had
+    std::uint32_t asked = 0;         // asked_of the flags that any shape ever had, and asked_breaks
     std::uint32_t pad[10] = {};
 };
 

@@ -4,8 +4,10 @@
 #include "islet/island.hpp"
 
 #include "../calls/checks.hpp"
+#include "../constraint/solver_body.hpp"
 #include "../export/island_problem.hpp"
 #include "../math/float_mode.hpp"
+#include "../math/scalar.hpp"
 
 namespace islet {
 
@@ -102,6 +104,7 @@ std::size_t World::export_island(BodyId id, float h, span<std::byte> memory, Isl
     const IslandMembers members = find_island(c, body, arena);
     IslandRows rows{c, members, h};
     rows.warm = warm_factor(*c.state, h);
+    rows.contact_warm = min(rows.warm, most_contact_warm);
     const IslandConstraints constraints = list_constraints(rows, arena);
     constexpr std::uint64_t most = 0xffffffffu;
     const Sizes sizes{members.body_count, rows.count, count_entries(constraints, most)};

@@ -91,7 +91,11 @@ void destroy_contact(Core& core, std::uint32_t index) {
     ContactManifold& m = core.manifolds[index];
     if (is_told(m)) record_end_event(core, index);
     if (has_sensors && (m.flags & contact_overlap) != 0) end_overlap(core, index);
-    if ((m.flags & contact_touching) != 0) core.forget_plan();
+    if ((m.flags & contact_touching) != 0) {
+        core.forget_plan();
+        m.flags &= ~static_cast<std::uint32_t>(contact_touching);
+        count_sharers(core, index);
+    }
     release_color(core, index);
     detach_contact(core, index, 0, m.body_a);
     detach_contact(core, index, 1, m.body_b);
@@ -100,6 +104,24 @@ void destroy_contact(Core& core, std::uint32_t index) {
     clear_slot(c);
     m = ContactManifold{};
     pool_give(core.state->contact_pool, core.contacts, index);
+}
+
+void count_sharers(Core& core, std::uint32_t contact) {
+    const ContactManifold& own = core.manifolds[contact];
+    const std::uint32_t body_a = own.body_a, body_b = own.body_b;
+    const Body &a = core.bodies[body_a], &b = core.bodies[body_b];
+    const bool touches = (own.flags & contact_touching) != 0;
+    if (touches ? a.shape_count < 2 && b.shape_count < 2 : own.sharers() == 1) return;
+    if (!core.is_dynamic(body_a) || !core.is_dynamic(body_b)) return;
+    const auto for_each_between = [&](auto&& visit) {
+        for_each_constraint(core.contacts, (a.contact_count < b.contact_count ? a : b).contact_head, [&](std::uint32_t i, std::uint32_t) {
+            ContactManifold& m = core.manifolds[i];
+            if ((m.body_a == body_a && m.body_b == body_b) || (m.body_a == body_b && m.body_b == body_a)) visit(m);
+        });
+    };
+    std::uint32_t touching = 0;
+    for_each_between([&](ContactManifold& m) { touching += m.flags & contact_touching; });
+    for_each_between([&](ContactManifold& m) { m.set_sharers((m.flags & contact_touching) != 0 ? touching : 1); });
 }
 
 void mix_materials(Core& core, std::uint32_t contact) {

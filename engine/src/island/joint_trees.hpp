@@ -107,7 +107,7 @@ struct Forest {
             trees[a].swept = trees[b].swept = true;
             return false;
         }
-        const bool breaks = trees[a].breaks || trees[b].breaks || is_positive(j.break_force) || is_positive(j.break_torque);
+        const bool breaks = trees[a].breaks || trees[b].breaks || j.can_break();
         const bool acted = trees[a].acted || trees[b].acted || has_acting_angle(j);
         trees[sets.join(a, b)] = {false, false, breaks, trees[a].swept || trees[b].swept, false, acted, false};
         return true;

@@ -90,6 +90,7 @@ struct GroupSolve {
     void sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints);
     void restitute();
     void store();
+    void store_joints(bool ends);
     void hold() {
         if (!has_locked) return;
         for_members([&](Member&, Solve& s) {
@@ -113,6 +114,7 @@ void GroupSolve<K>::name_lane(OpenBlock<W>& open, Rows& r, const Member& member,
     r.body_a[i] = member.first_slot + s.plan.slot_of[m.body_a];
     r.body_b[i] = member.first_slot + s.plan.slot_of[m.body_b];
     r.extra_passes[i] = (m.flags & contact_ahead) != 0 ? landing_passes : std::uint8_t{0};
+    r.sharers[i] = static_cast<std::uint8_t>(m.sharers());
 }
 
 template <class K>
@@ -122,11 +124,13 @@ void GroupSolve<K>::close_block(OpenBlock<W>& open, Rows& r) {
         r.contact[i] = null_index;
         r.body_a[i] = r.body_b[i] = 0;
         r.extra_passes[i] = 0;
+        r.sharers[i] = 1;
         open.lanes.contact[i] = open.lanes.contact[0];
         open.lanes.body_a[i] = open.lanes.body_a[0];
         open.lanes.body_b[i] = open.lanes.body_b[0];
         open.lanes.has_point[0][i] = open.lanes.has_point[1][i] = 0;
     }
+    r.shared = (open.flags >> contact_sharers_shift & 3u) != 0;
     r.two_points = (open.flags & two_point_flag) != 0 ? 1 : 0;
     r.special = (open.flags & contact_special) != 0;
     r.bouncy = (open.flags & (contact_bouncy | contact_hits)) != 0;
@@ -229,8 +233,14 @@ void GroupSolve<K>::store() {
     K::store(all().core.manifolds, rows, first_block[color_count]);
     for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { One::store(s.core.manifolds, overflow, n); });
     for_members([&](Member&, Solve& s) { scatter_bodies(s, 1, s.plan.slot_count); });
-    const auto output_of = [](const Solve& s) {
-        return JointOutput{s.core.joints, s.core.poses, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
+    store_joints(true);
+}
+
+// As BatchSolve::store_joints.
+template <class K>
+void GroupSolve<K>::store_joints(bool ends) {
+    const auto output_of = [ends](const Solve& s) {
+        return JointOutput{s.core.joints, s.core.poses, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm, ends};
     };
     for_links([&](Solve& s, const Batch& batch) { store_trees(s.links + batch.first_link, batch.link_count, output_of(s)); });
     for_runs([&](Solve& s, const JointRun& r) { store_joint_run(r, W, s.joint_rows + r.offset, output_of(s)); });
@@ -244,6 +254,8 @@ void GroupSolve<K>::run() {
     const SolveNumbers& n = s.numbers;
     const bool relaxes = is_soft(def) && def.relax_iterations > 0;
     const std::uint32_t relaxing = relaxes ? def.relax_iterations : 0;
+    bool tears = false;
+    for_members([&](Member&, Solve& one) { tears = tears || (has_joints && (one.core.state->asked & asked_breaks) != 0); });
     // The static bodies' slots go along: what they have is zero, and stays so.
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         integrate_velocities(s, 0, slot_count, substep == 0);
@@ -251,6 +263,7 @@ void GroupSolve<K>::run() {
         sweeps(def.iterations, n.biased, n.ground, n.biased_joints);
         integrate_positions(s, 0, slot_count);
         sweeps(relaxing, n.relaxed, n.relaxed, n.relaxed_joints);
+        if (tears && substep + 1 < def.substeps) store_joints(false);
     }
     restitute();
     store();

@@ -46,10 +46,10 @@ ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
     n.h = dt / static_cast<float>(def.substeps);
     n.inv_h = 1.0f / n.h;
     n.omega = def.omega;
-    // Impulses grow with the substep, so those of the last step are scaled to this substep's length. A last substep that was nothing beside this one says
-    // nothing about it.
+    // A last substep that was nothing beside this one says nothing about it.
     n.warm = def.warm_start == 0 ? 0.0f : is_positive(state.last_substep) ? n.h / state.last_substep : 1.0f;
     if (!(n.warm <= 1.0e6f)) n.warm = 0;
+    n.contact_warm = min(n.warm, most_contact_warm);
     n.restitution_threshold = state.restitution_threshold;
     n.max_speed = state.max_speed;
     n.max_turn = max_turn_of(dt);

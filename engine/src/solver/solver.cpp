@@ -182,6 +182,7 @@ struct BatchSolve {
         if (s.core.state->locked_count != 0) over_bodies([&](std::uint32_t first, std::uint32_t end) { hold_locked(s, first, end); });
     }
     void store();
+    void store_joints(bool ends);
 };
 
 template <std::uint32_t lanes>
@@ -407,7 +408,13 @@ void BatchSolve<lanes>::store() {
     if (overflow_count != 0) One::store(s.core.manifolds, overflow, overflow_count);
     if (has_hits && s.hits != nullptr) note_hits(s.core.manifolds, overflow, overflow_count, s.hits);
     over_bodies([&](std::uint32_t first, std::uint32_t end) { scatter_bodies(s, first, end); });
-    const JointOutput out{s.core.joints, s.core.poses, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm};
+    store_joints(true);
+}
+
+// Writes back what joints bear at the end of the step, or notes which tear in a substep before.
+template <std::uint32_t lanes>
+void BatchSolve<lanes>::store_joints(bool ends) {
+    const JointOutput out{s.core.joints, s.core.poses, s.core.bodies, s.bodies, s.numbers.step.dt, s.numbers.step.h, s.numbers.step.warm, ends};
     if (link_count() != 0) store_trees(s.links + batch.first_link, link_count(), out);
     for (std::uint32_t i = batch.first_run; has_run(i); ++i) {
         const JointRun& r = s.plan.runs[i];
@@ -418,6 +425,7 @@ void BatchSolve<lanes>::store() {
 template <std::uint32_t lanes>
 void BatchSolve<lanes>::run() {
     const SolverState& def = s.core.state->solver;
+    const bool tears = has_joints && (s.core.state->asked & asked_breaks) != 0;
     prepare();
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_velocities(s, first, end, substep == 0); });
@@ -427,9 +435,9 @@ void BatchSolve<lanes>::run() {
         sweeps(def.iterations, s.numbers.biased, s.numbers.ground, s.numbers.biased_joints);
         if (measures && !relaxes) measure(s.numbers.biased, s.numbers.ground, s.numbers.biased_joints);
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_positions(s, first, end); });
-        if (!relaxes) continue;
-        sweeps(def.relax_iterations, s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
-        if (measures) measure(s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
+        if (relaxes) sweeps(def.relax_iterations, s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
+        if (tears && substep + 1 < def.substeps) store_joints(false);
+        if (relaxes && measures) measure(s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
     }
     const float threshold = s.numbers.step.restitution_threshold;
     for (std::uint32_t sweep = 0; sweep < restitution_sweeps && (sweep == 0 || bounces); ++sweep) {

@@ -490,6 +490,15 @@ void store_trees(const TreeLink* links, std::uint32_t count, const JointOutput& 
         const TreeLink& l = links[k];
         if (l.joint == null_index) continue;
         Joint& j = out.joints[l.joint];
+        if ((j.flags & joint_torn) != 0) continue;
+        if (!out.ends) {
+            if (!j.can_break()) continue;
+            Joint borne = j;
+            borne.force_impulse = l.sign * l.lambda.linear();
+            borne.torque_impulse = l.sign * l.lambda.turning;
+            note_torn(j, borne, out);
+            continue;
+        }
         const SolverBody &c = out.solved[l.child], &p = out.solved[l.parent];
         j.impulse = j.force_impulse = l.sign * l.lambda.linear();
         j.torque_impulse = l.sign * l.lambda.turning + 0.0f;

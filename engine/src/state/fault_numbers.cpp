@@ -39,7 +39,8 @@ bool floats_are_finite(const Record& record, std::size_t first, std::size_t end)
 
 const char* fault_in_numbers(const State& s) {
     if (s.solver.schedule > 1 || s.solver.warm_start > 1 || s.solver.joint_trees > 2 || s.solver.sweep_order > 3 || s.solver.block_contacts > 1 ||
-        s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1 || s.continuous > 1 || s.asked > (shape_single_bits | asked_one_way))
+        s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1 || s.continuous > 1 ||
+        s.asked > (shape_single_bits | asked_one_way | asked_breaks))
         return "a setting of the world is none";
     Error error = Error::none;
     const bool sane = check_solver(unpack(s.solver), error) && is_finite(s.gravity) && not_negative(s.restitution_threshold) && s.max_speed > 0 &&
@@ -83,7 +84,7 @@ const char* fault_in_numbers(const Geometry& g) {
 const char* fault_in_numbers(const ImageManifold& m) {
     constexpr std::uint32_t known = contact_touching | contact_posed | contact_special | contact_bouncy | 3u << contact_count_shift | contact_sensor |
                                     contact_overlap | contact_hits | contact_asks | contact_one_way | contact_passes | contact_dropped | contact_ahead |
-                                    contact_untold | 0xffu << contact_color_shift;
+                                    contact_untold | 3u << contact_sharers_shift | 0xffu << contact_color_shift;
     if ((m.flags & ~known) != 0 || m.count() > 2) return "a contact's flags are none";
     if (m.color() != no_color && m.color() >= color_count) return "a contact has a colour that is none";
     if (!floats_are_finite(m, offsetof(ImageManifold, normal), sizeof m)) return "a contact's numbers are not finite";

@@ -218,6 +218,7 @@ void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
     ContactManifold& m = core.manifolds[index];
     m.flags |= contact_touching;
     core.forget_plan();
+    count_sharers(core, index);
     assign_color(core, index);
     if ((m.flags & contact_ahead) != 0 && separation_now(core, m) > speculative_distance) {
         m.flags |= contact_untold;
@@ -233,6 +234,7 @@ void end_touch(Core& core, std::uint32_t index) {
     ContactManifold& m = core.manifolds[index];
     if (is_told(m)) record_end_event(core, index);
     m.flags &= ~static_cast<std::uint32_t>(contact_touching | contact_untold);
+    count_sharers(core, index);
     core.begins.clear(index);
     core.forget_plan();
     release_color(core, index);

@@ -3,7 +3,7 @@
 // passes it by less than half its thickness, and is pushed back the way it came.
 //
 // The body keeps its velocity and loses the rest of the step. (Box2D 3 also stops bodies where they hit, and lets them go on in the next step without a solve
-// of their own.)
+// of their own.) A body that gets nowhere stands still, for else it would gather speed for as long as it is wedged.
 #include "../exact.hpp"
 
 #include "../step/continuous.hpp"
@@ -25,6 +25,7 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float most_tolerance = 0.25f * linear_slop;  // m
+inline constexpr float least_progress = 0.001f;               // share of its way; a body that goes less goes nowhere
 inline constexpr float least_gap = 0.05f * linear_slop;       // m that the middle of a shape keeps from a surface that it must not pass
 
 // The smallest distance of the polygon's faces from its middle.
@@ -177,6 +178,9 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     path.way = end * path.way;
     path.turn = end * path.turn;
     place_at_end(core, body, path, way);
+    if (end > least_progress) return;
+    core.motions[body].v = {0, 0};
+    core.motions[body].w = 0;
 }
 
 }  // namespace islet::detail

@@ -25,7 +25,7 @@ inline constexpr float worth_learning = 0.4f * linear_slop;  // m; a contact tha
 inline constexpr float learning_tilt = 0.01f;                // sine of the angle between gravity and the normal of a face that learns, at most
 inline constexpr float learning_friction = 0.5f;             // its friction, as a share of its load, at most
 inline constexpr float turn_rate = 0.015f;                   // rad/s of bodies with which a manifold turns: at a body that is not dynamic
-inline constexpr float level_turn_rate = 0.05f;              // of two bodies that meet with a level face; card houses fall if it is less
+inline constexpr float level_turn_rate = 0.05f;              // of two bodies that meet with one level face; card houses fall if it is less
 inline constexpr float wedged_turn_rate = 0.15f;             // of all others; arches, whose stones press against each other, fold if it is less
 inline constexpr float turn_alike = 0.1f;                    // share of their rates by which two bodies on a level face may differ
 inline constexpr float level_face = 0.3f;                    // tangent of the angle between gravity and the normal of a level face, at most
@@ -100,7 +100,7 @@ ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a
     const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, slower = min(abs(wa), abs(wb));
     const Vec2 gravity = core.state->gravity;
     const bool level = m.count() == 2 && abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity));
-    const float least = has_floor(a, b) ? turn_rate : level && abs(wa - wb) < turn_alike * slower ? level_turn_rate : wedged_turn_rate;
+    const float least = has_floor(a, b) ? turn_rate : level && m.sharers() == 1 && abs(wa - wb) < turn_alike * slower ? level_turn_rate : wedged_turn_rate;
     if (!(wa * wb > 0) || !(slower > least)) return;
     m.normal = rotate(turn, m.normal);
     m.normal = (1.5f - 0.5f * length_squared(m.normal)) * m.normal;  // a unit vector, however often it is turned

@@ -196,6 +196,7 @@ void World::set_break(JointId id, float force, float torque) {
     if (i == null_index || !check_not_negative(c, force) || !check_not_negative(c, torque)) return;
     c.joints[i].break_force = force;
     c.joints[i].break_torque = torque;
+    if (c.joints[i].can_break()) c.state->asked |= asked_breaks;
     c.state->trees_stale = 1;  // what can break decides how a bridge is solved
 }
 
