@@ -93,8 +93,8 @@ struct ContactBlock : BodyPair<L> {
     }
 };
 
-/// Two moving bodies of several shapes may touch in several contacts. All these springs together are too stiff for the few sweeps of a step: columns of such
-/// bodies swing, and fall. So each of n contacts is n times as soft, and together they are as stiff as one: where one has mass_scale = 1 / (1 + x) and
+/// Two moving bodies of several shapes may touch in several contacts. Springs along the same normal are too stiff together for the few sweeps of a step: columns
+/// of such bodies swing, and fall. So each of n such contacts is n times as soft, and together they are as stiff as one: where one has mass_scale = 1 / (1 + x) and
 /// impulse_scale = x / (1 + x), each of n has n x for x.
 template <class F>
 struct Sharing {

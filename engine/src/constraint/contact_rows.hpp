@@ -107,7 +107,7 @@ ISLET_IN_ROW(tangent_impulse_of, points[i].tangent_impulse, tangent_impulse[i])
 ISLET_IN_ROW(rolling_impulse_of, rolling_impulse, rolling_impulse)
 #undef ISLET_IN_ROW
 
-/// How many contacts the two bodies of each lane touch in, as far as that counts: 1 to 4.
+/// In how many contacts with nearly the same normal the two bodies of each lane touch: 1 to 4.
 template <class L>
 ISLET_PART typename L::F sharers_of(const ContactRows<L::width>& r) {
     if constexpr (L::width == 1) {

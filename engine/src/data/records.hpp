@@ -153,7 +153,7 @@ enum ContactFlags : std::uint32_t {
     contact_dropped = 1u << 20,  // it lets the other shape pass because the hook said so
     contact_ahead = 1u << 21,    // the shapes come together fast: solved harder
     contact_untold = 1u << 22,   // made so far ahead that it is not said to touch before it does
-    contact_sharers_shift = 23,  // 2 bits: in how many other contacts its two moving bodies touch, at most 3
+    contact_sharers_shift = 23,  // 2 bits: in how many other contacts with nearly its normal its two moving bodies touch, at most 3
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
@@ -211,7 +211,7 @@ struct ManifoldWith {
     ISLET_INLINE std::uint32_t sharers() const { return 1 + (flags >> contact_sharers_shift & 3u); }
     void set_color(std::uint32_t color) { flags = (flags & ~(0xffu << contact_color_shift)) | color << contact_color_shift; }
     void set_sharers(std::uint32_t count) {
-        const std::uint32_t others = count < 4 ? count - 1 : 3;
+        const std::uint32_t others = count == 0 ? 0 : count < 4 ? count - 1 : 3;
         flags = (flags & ~(3u << contact_sharers_shift)) | others << contact_sharers_shift;
     }
     void forget_points() {  // and made anew in the next step

@@ -15,6 +15,8 @@ namespace islet::detail {
 
 namespace {
 
+inline constexpr float shared_normal = 0.9f;  // cosine of the angle up to which two normals count as one
+
 const Geometry& geometry_of_shape(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
 std::uint32_t rank(const Core& core, std::uint32_t shape) { return rank_of(geometry_of_shape(core, shape)); }
 bool is_solid(const Core& core, std::uint32_t shape) { return kind_of(geometry_of_shape(core, shape)) == ShapeKind::solid; }
@@ -107,21 +109,26 @@ void destroy_contact(Core& core, std::uint32_t index) {
 }
 
 void count_sharers(Core& core, std::uint32_t contact) {
-    const ContactManifold& own = core.manifolds[contact];
+    ContactManifold& own = core.manifolds[contact];
     const std::uint32_t body_a = own.body_a, body_b = own.body_b;
     const Body &a = core.bodies[body_a], &b = core.bodies[body_b];
     const bool touches = (own.flags & contact_touching) != 0;
     if (touches ? a.shape_count < 2 && b.shape_count < 2 : own.sharers() == 1) return;
+    if (!touches) own.set_sharers(1);
     if (!core.is_dynamic(body_a) || !core.is_dynamic(body_b)) return;
     const auto for_each_between = [&](auto&& visit) {
         for_each_constraint(core.contacts, (a.contact_count < b.contact_count ? a : b).contact_head, [&](std::uint32_t i, std::uint32_t) {
             ContactManifold& m = core.manifolds[i];
-            if ((m.body_a == body_a && m.body_b == body_b) || (m.body_a == body_b && m.body_b == body_a)) visit(m);
+            if ((m.flags & contact_touching) == 0) return;
+            if (m.body_a == body_a && m.body_b == body_b) visit(m, m.normal);
+            if (m.body_a == body_b && m.body_b == body_a) visit(m, -m.normal);
         });
     };
-    std::uint32_t touching = 0;
-    for_each_between([&](ContactManifold& m) { touching += m.flags & contact_touching; });
-    for_each_between([&](ContactManifold& m) { m.set_sharers((m.flags & contact_touching) != 0 ? touching : 1); });
+    for_each_between([&](ContactManifold& m, Vec2 normal) {
+        std::uint32_t sharers = 0;
+        for_each_between([&](const ContactManifold&, Vec2 of_other) { sharers += dot(normal, of_other) > shared_normal ? 1 : 0; });
+        m.set_sharers(sharers);
+    });
 }
 
 void mix_materials(Core& core, std::uint32_t contact) {

@@ -3,7 +3,7 @@
 // passes it by less than half its thickness, and is pushed back the way it came.
 //
 // The body keeps its velocity and loses the rest of the step. (Box2D 3 also stops bodies where they hit, and lets them go on in the next step without a solve
-// of their own.) A body that gets nowhere stands still, for else it would gather speed for as long as it is wedged.
+// of their own.) But a body that touches something and gets nowhere is stopped for good: else it would gather speed for as long as it is wedged.
 #include "../exact.hpp"
 
 #include "../step/continuous.hpp"
@@ -103,6 +103,13 @@ bool is_held(const Core& core, std::uint32_t shape, std::uint32_t other, bool as
     return held;
 }
 
+// Whether a contact holds the body.
+bool has_touch(const Core& core, std::uint32_t body) {
+    bool found = false;
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) { found = found || (core.manifolds[contact].flags & contact_touching) != 0; });
+    return found;
+}
+
 bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
     const std::uint32_t flags = core.shapes[shape].flags | core.shapes[other].flags;
     if ((flags & shape_sensor) != 0) return false;
@@ -178,7 +185,7 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     path.way = end * path.way;
     path.turn = end * path.turn;
     place_at_end(core, body, path, way);
-    if (end > least_progress) return;
+    if (end > least_progress || !has_touch(core, body)) return;
     core.motions[body].v = {0, 0};
     core.motions[body].w = 0;
 }
