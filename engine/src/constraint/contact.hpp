@@ -43,6 +43,21 @@ struct SweepLanes {
           impulse_scale(L::splat(n.impulse_scale)),
           push(L::splat(-n.push_speed)),
           slop(L::splat(n.slop)) {}
+
+    /// Makes the numbers those of a block whose contacts share their load with others.
+    ///
+    /// Two moving bodies of several shapes may touch in several contacts. Springs along the same normal are too stiff together for the few sweeps of a step:
+    /// columns of such bodies swing, and fall. So each of n such contacts is n times as soft, and together they are as stiff as one: where one has
+    /// mass_scale = 1 / (1 + x) and impulse_scale = x / (1 + x), each of n has n x for x.
+    ISLET_PART void share(const ContactRows<L::width>& r) {
+        if (r.sharing() == 0) return;
+        const F one = L::splat(1.0f), sharers = sharers_of<L>(r);
+        const F less = one / (one + (sharers - one) * impulse_scale);
+        bias_rate = less * bias_rate;
+        mass_scale = less * mass_scale;
+        impulse_scale = less * (sharers * impulse_scale);
+        push = less * push;
+    }
 };
 
 /// Which lanes of a block a pass solves: all of them,
@@ -93,32 +108,22 @@ struct ContactBlock : BodyPair<L> {
     }
 };
 
-/// Two moving bodies of several shapes may touch in several contacts. Springs along the same normal are too stiff together for the few sweeps of a step: columns
-/// of such bodies swing, and fall. So each of n such contacts is n times as soft, and together they are as stiff as one: where one has mass_scale = 1 / (1 + x) and
-/// impulse_scale = x / (1 + x), each of n has n x for x.
-template <class F>
-struct Sharing {
-    bool is_there = false;  // in any lane
-    F sharers, less;        // n, and (1 + x) / (1 + n x)
-};
-
-/// By how much a normal impulse, of which `held` counts as such, is too large in a sweep with bias, N s. Shapes that are apart may close the gap within the
-/// substep, but no faster. Shapes that overlap are pushed apart softly.
+/// By how much a normal impulse, of which `held` counts as such, is too large, N s. Shapes that are apart may close the gap within the substep, but no faster. In
+/// a sweep with bias, shapes that overlap are pushed apart softly.
 template <class L, class F = typename L::F>
-ISLET_PART F softly(const SweepLanes<L>& sweep, const Sharing<F>& sharing, F normal_mass, F speed, F separation, F held) {
+ISLET_PART F excess_of(const SweepLanes<L>& sweep, bool biased, F normal_mass, F speed, F separation, F held) {
     const F zero = L::splat(0.0f);
     if constexpr (L::width == 1) {
         if (separation > 0) return normal_mass * (speed + separation * sweep.inv_h);
-        const F bias = max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push), pushed = normal_mass * (sweep.mass_scale * speed + bias);
-        if (sharing.is_there) return sharing.less * (pushed + sweep.impulse_scale * (sharing.sharers * held));
-        return pushed + sweep.impulse_scale * held;
+        if (!biased) return normal_mass * speed;
+        const F bias = max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push);
+        return normal_mass * (sweep.mass_scale * speed + bias) + sweep.impulse_scale * held;
     } else {
+        if (!biased) return normal_mass * (speed + max(separation, zero) * sweep.inv_h);
         const auto apart = separation > zero;
         const F bias = select(apart, separation * sweep.inv_h, max(sweep.bias_rate * min(separation + sweep.slop, zero), sweep.push));
         const F mass_scale = select(apart, L::splat(1.0f), sweep.mass_scale);
-        if (sharing.is_there) held = sharing.sharers * held;
-        const F less = normal_mass * (mass_scale * speed + bias) + select(apart, zero, sweep.impulse_scale * held);
-        return sharing.is_there ? select(apart, less, sharing.less * less) : less;
+        return normal_mass * (mass_scale * speed + bias) + select(apart, zero, sweep.impulse_scale * held);
     }
 }
 
@@ -133,32 +138,30 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
     const F turned = s.dqb - s.dqa;
     const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
     const std::uint32_t points = r.two_points, first = points >> 1;
-    Sharing<F> sharing;
-    if (biased && r.is_shared()) {
-        const F one = L::splat(1.0f), sharers = sharers_of<L>(r);
-        sharing = {true, sharers, one / (one + (sharers - one) * sweep.impulse_scale)};
-    }
     F lean = zero;  // N s, of what the points sink apart by; none in lanes of one point
     if (biased && points != 0) {
         const F one = L::load(normal_impulse_of(r, first)), other = L::load(normal_impulse_of(r, 1 - first));
-        const F mass_1 = L::load(r.points[first].normal_mass), mass_2 = L::load(r.points[1 - first].normal_mass);
-        const F alike = mass_1 * ((one + other) / (mass_1 + mass_2));  // the first point's share if both sink by the same
-        const F share = L::splat(lean_share), least = zero - share * one, most = share * other;
-        lean = min(max(L::splat(2.0f * lean_share) * (alike - one), least), most);
-        lean = select(L::load(r.points[1].normal_mass) > zero, lean, zero);
+        bool pressed = true;
+        if constexpr (L::width == 1) pressed = bits_of(one + other) != 0;
+        if (pressed) {
+            const F mass_1 = L::load(r.points[first].normal_mass), mass_2 = L::load(r.points[1 - first].normal_mass);
+            const F alike = mass_1 * ((one + other) / (mass_1 + mass_2));  // the first point's share if both sink by the same
+            const F share = L::splat(lean_share), least = zero - share * one, most = share * other;
+            lean = min(max(L::splat(2.0f * lean_share) * (alike - one), least), most);
+            if constexpr (L::width > 1) lean = select(L::load(r.points[1].normal_mass) > zero, lean, zero);
+        }
     }
-    for_points(r, points != 0, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
+    for_points(r, points != 0, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i, auto is_first) ISLET_INLINED_LAMBDA {
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
         const F separation = L::load(p.separation) + moved + rna * turned;
         const F normal_mass = L::load(p.normal_mass);
         const F old = L::load(normal_impulse_of(r, i));
         const F speed = vn + (s.wb * rnb - s.wa * rna);
-        const F less = biased ? softly<L>(sweep, sharing, normal_mass, speed, separation, old + lean)  // N s, of impulse
-                              : normal_mass * (speed + max(separation, zero) * sweep.inv_h);
+        const F less = excess_of<L>(sweep, biased, normal_mass, speed, separation, old + lean);
         const F lambda = lanes.pick(max(old - less, zero), old);
         const F delta = lanes.pick(lambda - old, zero);
         L::store(normal_impulse_of(r, i), lambda);
-        s.sum_n = s.sum_n + delta;
+        s.sum_n = is_first ? delta : s.sum_n + delta;
         vn = vn + mass * delta;
         s.spin_by_normal(rna, rnb, delta);
         lean = zero - lean;
@@ -191,7 +194,9 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
     const F mu = L::load(friction_of(r));
     F vt = cross(s.vb - s.va, s.n);
     if (r.is_special()) vt = vt - L::load(r.tangent_speed);
-    for_points(r, r.two_points != 0, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
+    for_points(r, r.two_points != 0, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i, auto is_first) ISLET_INLINED_LAMBDA {
+        if constexpr (L::width == 1)
+            if ((bits_of(*normal_impulse_of(r, i)) | bits_of(*tangent_impulse_of(r, i))) == 0) return;  // as between most shapes that stand side by side
         const F rta = L::load(p.rta), rtb = rta + s.rt_ab;
         const F old = L::load(tangent_impulse_of(r, i));
         const F bound = mu * L::load(normal_impulse_of(r, i));
@@ -199,7 +204,7 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
         const F lambda = lanes.pick(bounded<L>(old - L::load(p.tangent_mass) * speed, bound), old);
         const F delta = lanes.pick(lambda - old, L::splat(0.0f));
         L::store(tangent_impulse_of(r, i), lambda);
-        s.sum_t = s.sum_t + delta;
+        s.sum_t = is_first ? delta : s.sum_t + delta;
         vt = vt + mass * delta;
         s.spin_by_tangent(rta, rtb, delta);
     });
@@ -239,9 +244,11 @@ ISLET_PART auto has_changed(const ContactBlock<L>& s, const ContactRows<L::width
 
 /// One sweep over a run of blocks, with bias or without.
 template <std::uint32_t W>
-ISLET_PART void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint32_t count, const SweepNumbers& numbers, bool biased) {
+ISLET_COPIED void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint32_t count, const SweepNumbers& numbers, bool biased) {
     using L = LaneOf<W>;
-    const SweepLanes<L> sweep(numbers);
+    SweepLanes<L> sweep(numbers);
+    if constexpr (W > 1)
+        if (numbers.shares) sweep.share(rows[0]);
     for (std::uint32_t block = 0; block < count; ++block) {
         ContactRows<W>& r = rows[block];
         // A contact that lands is solved again at once, alone, until a pass changes little.
@@ -263,19 +270,37 @@ ISLET_PART void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint
     }
 }
 
+/// The numbers of a sweep for one contact that shares its load with others, as SweepLanes::share makes them.
+ISLET_SHARED SweepNumbers shared_numbers(SweepNumbers n, const ContactRows<1>& r) {
+    SweepLanes<Lane1> lane(n);
+    lane.share(r);
+    n.bias_rate = lane.bias_rate;
+    n.mass_scale = lane.mass_scale;
+    n.impulse_scale = lane.impulse_scale;
+    n.push_speed = -lane.push;
+    return n;
+}
+
 /// ContactKernel::solve, to be compiled with the caller's instructions.
 template <std::uint32_t W>
 ISLET_PART void solve_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint32_t count, const SweepNumbers& numbers) {
     const bool biased = is_positive(numbers.bias_rate);
+    const std::uint32_t run = numbers.shares ? 1 : count;  // each block may need other numbers
+    for (std::uint32_t first = 0; first < count; first += run) {
+        [[maybe_unused]] SweepNumbers of_one;
+        const SweepNumbers* own = &numbers;
+        if constexpr (W == 1)
+            if (numbers.shares) own = &(of_one = shared_numbers(numbers, rows[first]));
 #if defined(__OPTIMIZE_SIZE__) || defined(__wasm__)
-    sweep_blocks<W>(bodies, rows, count, numbers, biased);
+        sweep_blocks<W>(bodies, rows + first, run, *own, biased);
 #else
-    // Each kind of sweep has a loop of its own, which asks for the kind no more.
-    if (biased)
-        sweep_blocks<W>(bodies, rows, count, numbers, true);
-    else
-        sweep_blocks<W>(bodies, rows, count, numbers, false);
+        // Each kind of sweep has a loop of its own, which asks for the kind no more.
+        if (biased)
+            sweep_blocks<W>(bodies, rows + first, run, *own, true);
+        else
+            sweep_blocks<W>(bodies, rows + first, run, *own, false);
 #endif
+    }
 }
 
 template <std::uint32_t W>
@@ -295,7 +320,8 @@ void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, 
             most = again ? landing_passes : most;
         }
         if (most == 0) return;
-        const SweepLanes<L> sweep(numbers);
+        SweepLanes<L> sweep(numbers);
+        if (numbers.shares) sweep.share(r);
         auto mask = L::load(lands) > L::splat(0.0f);
         for (std::uint32_t pass = 0; pass < most && L::bits(mask) != 0; ++pass) {
             // Bodies are read anew in each pass: if an impulse overflows, the speed of a static body becomes NaN, which is not kept.

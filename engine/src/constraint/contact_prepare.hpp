@@ -74,8 +74,8 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
     }
     if constexpr (W > 1) r.shared = (any >> contact_sharers_shift & 3u) != 0;
     r.two_points = (any & two_point_flag) != 0 ? 1 : 0;
-    r.special = (any & contact_special) != 0;
-    r.bouncy = (any & (contact_bouncy | contact_hits)) != 0;
+    if constexpr (has_surfaces) r.special = (any & contact_special) != 0;
+    r.bouncy = (any & bouncy_flags) != 0;
     if constexpr (W == 1)
         r.extra_passes[0] = 0;
     else
@@ -226,7 +226,7 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     L::store(r.rn_ab, rn_ab);
 
     WarmStartSum<F> sum{zero, zero, zero, zero};
-    for_points(r, r.two_points != 0, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i) ISLET_INLINED_LAMBDA {
+    for_points(r, r.two_points != 0, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i, auto is_first) ISLET_INLINED_LAMBDA {
         const F used = has_point<L>(lanes, i);
         const F rta = dot(n, m.anchor(i)), rna = cross(m.anchor(i), n);
         const F rtb = rta + rt_ab, rnb = rna + rn_ab;
@@ -237,10 +237,11 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
         const F normal_impulse = used * warm * m.normal_impulse(i), tangent_impulse = used * warm * m.tangent_impulse(i);
         L::store(normal_impulse_of(r, i), normal_impulse);
         L::store(tangent_impulse_of(r, i), tangent_impulse);
-        sum.along_n = sum.along_n + normal_impulse;
-        sum.along_t = sum.along_t + tangent_impulse;
-        sum.turning_a = sum.turning_a + (rna * normal_impulse - rta * tangent_impulse);
-        sum.turning_b = sum.turning_b + (rnb * normal_impulse - rtb * tangent_impulse);
+        const F turning_a = rna * normal_impulse - rta * tangent_impulse, turning_b = rnb * normal_impulse - rtb * tangent_impulse;
+        sum.along_n = is_first ? normal_impulse : sum.along_n + normal_impulse;
+        sum.along_t = is_first ? tangent_impulse : sum.along_t + tangent_impulse;
+        sum.turning_a = is_first ? turning_a : sum.turning_a + turning_a;
+        sum.turning_b = is_first ? turning_b : sum.turning_b + turning_b;
     });
     return sum;
 }
@@ -277,12 +278,15 @@ template <class L>
 ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, typename L::F load, const BodyPair<L>& s) {
     using F = typename L::F;
     const F zero = L::splat(0.0f), half = L::splat(0.5f);
+    if constexpr (L::width == 1)
+        if (!(is_positive(s.ma) && is_positive(s.mb))) return;
     F depth = zero - L::load(r.points[0].separation), rna = L::load(r.points[0].rna);
     F mass = L::load(r.points[0].normal_mass);
     if (r.two_points) mass = mass + select(has_point<L>(lanes, 1) > zero, L::load(r.points[1].normal_mass), zero);
     F give = L::splat(n.give_back) * load / mass;  // by which both points would sink under the load
     F from = L::splat(deep_from), share = L::splat(n.deep), ahead = L::splat(n.dt);
-    if (r.is_shared()) give = sharers_of<L>(r) * give;
+    if (r.sharing() != 0) [[unlikely]]
+        give = sharers_of<L>(r) * give;
     if (r.is_special()) give = select(L::load(r.rolling_resistance) > zero, zero, give);
     if (r.two_points) {
         const auto two = has_point<L>(lanes, 1) > zero;
@@ -303,7 +307,7 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
         share = share * min(L::splat(deep_masses) * light / max(heavy, L::splat(1.0e-37f)), L::splat(1.0f));
         more = more + share * max(min(soon - from, L::splat(1.0f)), zero);
     }
-    more = select(min(s.ma, s.mb) > zero, more, zero);
+    if constexpr (L::width > 1) more = select(min(s.ma, s.mb) > zero, more, zero);
     L::store(r.points[0].separation, L::load(r.points[0].separation) - more);
     if (r.two_points) L::store(r.points[1].separation, L::load(r.points[1].separation) - more);
 }

@@ -33,13 +33,13 @@ struct alignas(W * 4) ContactRows {
     float rolling_mass[W], rolling_impulse[W], rolling_resistance[W], tangent_speed[W];  // if special
     float restitution[W], approach[2][W], peak[2][W];  // if bouncy or reporting hits: m/s, normal velocity as the surfaces meet; N s, largest impulse
     std::uint8_t two_points;                           // 0: no contact of the block has two; 1: some have; 2: the same, and the second is solved first
-    bool special, bouncy, shared;                      // of any lane; is_special(), is_bouncy() and is_shared() read them
+    bool special, bouncy, shared;                      // of any lane; is_special(), is_bouncy() and sharing() read them
     std::uint8_t extra_passes[W];                      // landing_passes if the shapes come together fast, else 0
     std::uint8_t sharers[W * 3 - 4];                   // of W lanes, if shared: contacts that the two bodies have, 1 to 4
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }
     ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy; }
-    ISLET_INLINE bool is_shared() const { return shared; }
+    ISLET_INLINE std::uint32_t sharing() const { return shared ? 1 : 0; }
 };
 
 /// What only special contacts need. A build without them has no memory for it.
@@ -80,7 +80,7 @@ struct ContactRows<1> : SurfaceOfRow<>, BounceOfRow<> {
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }
     ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy != 0; }
-    ISLET_INLINE bool is_shared() const { return manifold->sharers() != 1; }
+    ISLET_INLINE std::uint32_t sharing() const { return manifold->sharers() - 1; }
 };
 
 static_assert(sizeof(ContactRows<4>) == 4 * row_bytes || max_lanes == 1);
@@ -124,10 +124,10 @@ template <class Rows, class Row>
 ISLET_PART void for_points(Rows& r, bool two, std::uint32_t first, Row&& row) {
 #if defined(__wasm__)
     std::uint32_t i = first;
-    for (std::uint32_t left = two ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i);
+    for (std::uint32_t left = two ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i, left == 2 || !two);
 #else
-    row(r.points[first], first);
-    if (two) row(r.points[1 - first], 1 - first);
+    row(r.points[first], first, std::true_type{});
+    if (two) row(r.points[1 - first], 1 - first, std::false_type{});
 #endif
 }
 
@@ -176,6 +176,7 @@ struct SweepNumbers {
     float impulse_scale = 0;
     float push_speed = 0;
     float slop = 0;
+    bool shares = false;  // some contacts share their load (SweepLanes::share)
 };
 
 }  // namespace islet::detail

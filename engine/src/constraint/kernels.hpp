@@ -40,6 +40,7 @@ static_assert(landing_sweeps % 2 == 0);
 inline constexpr std::uint32_t restitution_sweeps = 6;
 
 inline constexpr std::uint32_t two_point_flag = 2u << contact_count_shift;  // of ContactManifold::flags; a contact has no more
+inline constexpr std::uint32_t bouncy_flags = contact_bouncy | (has_hits ? std::uint32_t{contact_hits} : 0u);  // the same
 
 /// The contacts of a block, their bodies and which points they have. A lane of the padding reads the first lane's contact; it acts on slot 0 with no impulse.
 template <std::uint32_t W>

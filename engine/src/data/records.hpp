@@ -88,6 +88,7 @@ enum ShapeFlags : std::uint32_t {
     shape_single_bits = 15u,     // those above
     asked_one_way = 16u,         // in State::asked alone: some shape was one-way
     asked_breaks = 32u,          // there, too: some joint could break
+    asked_sharing = 64u,         // two bodies touched in several contacts with nearly the same normal
     shape_one_way_bits = ~255u,  // ShapeDef::one_way, x and y of 12 bits each (flags_of_direction); 0: no one-way shape
 };
 
@@ -362,7 +363,7 @@ struct State {
     std::uint32_t bullet_count = 0;  // bodies that are bullets
     float hit_threshold = 1;         // m/s
     std::uint32_t locked_count = 0;  // bodies with a lock
-    std::uint32_t asked = 0;         // asked_of the flags that any shape ever had, and asked_breaks
+    std::uint32_t asked = 0;         // asked_of the flags that any shape ever had, asked_breaks, asked_sharing
     std::uint32_t pad[10] = {};
 };
 

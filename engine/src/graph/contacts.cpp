@@ -128,6 +128,7 @@ void count_sharers(Core& core, std::uint32_t contact) {
         std::uint32_t sharers = 0;
         for_each_between([&](const ContactManifold&, Vec2 of_other) { sharers += dot(normal, of_other) > shared_normal ? 1 : 0; });
         m.set_sharers(sharers);
+        if (m.sharers() > 1) core.state->asked |= asked_sharing;
     });
 }
 

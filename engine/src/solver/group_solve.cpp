@@ -133,7 +133,7 @@ void GroupSolve<K>::close_block(OpenBlock<W>& open, Rows& r) {
     r.shared = (open.flags >> contact_sharers_shift & 3u) != 0;
     r.two_points = (open.flags & two_point_flag) != 0 ? 1 : 0;
     r.special = (open.flags & contact_special) != 0;
-    r.bouncy = (open.flags & (contact_bouncy | contact_hits)) != 0;
+    r.bouncy = (open.flags & bouncy_flags) != 0;
     for (std::uint32_t i = 0; (r.special || r.bouncy) && i < W; ++i) {
         const std::uint32_t c = i < used ? r.contact[i] - open.member[i]->first_contact : null_index;
         const Core* core = i < used ? &open.member[i]->s.core : nullptr;

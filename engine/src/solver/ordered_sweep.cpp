@@ -38,7 +38,7 @@ void solve_pair(SolverBody& a, SolverBody& b, ContactRows<1>& r, const SweepNumb
             // The kernel's row in the form of a linear problem: divided by its mass_scale, which is K / (K + softness).
             speed[i] += max(n.bias_rate * min(s + n.slop, 0.0f), -n.push_speed) / n.mass_scale;
             m[i] = k[i] / n.mass_scale;
-            if (r.is_shared()) m[i] = k[i] + sharers_of<Lane1>(r) * (m[i] - k[i]);
+            if (r.sharing() != 0) m[i] = k[i] + sharers_of<Lane1>(r) * (m[i] - k[i]);
         }
     }
     const float k01 = a.inv_mass + b.inv_mass + a.inv_inertia * rna[0] * rna[1] + b.inv_inertia * rnb[0] * rnb[1], m00 = m[0], m11 = m[1];

@@ -68,6 +68,7 @@ ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
             n.deep_level = max(level_share / undone - 1.0f, 0.0f);
         }
         s.biased.impulse_scale *= n.omega;
+        s.biased.shares = (state.asked & asked_sharing) != 0;
         s.ground.impulse_scale *= n.omega;
         // Friction is solved in both sweeps. Solving it in the relaxing sweep alone, as Box2D 3.2 does, saves 3 % of large_pyramid's time, but the pile then
         // still holds 6.4 J after 500 steps instead of 0.07 J.
