@@ -28,7 +28,7 @@ def build(folder):
 
 def about():
     return (f"Metadata-Version: 2.1\nName: islet\nVersion: {version()}\nSummary: A 2D rigid-body physics engine in one fixed block of memory\n"
-            "Requires-Python: >=3.9\nRequires-Dist: numpy\n")
+            "License: MIT\nLicense-File: LICENSE\nRequires-Python: >=3.9\nRequires-Dist: numpy\n")
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
@@ -46,6 +46,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     info = f"islet-{version()}.dist-info"
     files = {f"{info}/METADATA": about().encode(),
              f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: islet\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()}
+    with open(os.path.join(ROOT, "LICENSE"), "rb") as file:
+        files[f"{info}/LICENSE"] = file.read()
     with tempfile.TemporaryDirectory() as folder:
         build(folder)
         package = os.path.join(folder, "python", "islet")

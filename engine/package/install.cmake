@@ -40,6 +40,7 @@ endfunction()
 
 islet_install(engine islet islet "2D rigid-body physics in one fixed block of memory")
 islet_install(lcp lcp islet-lcp "Solvers of linear complementarity problems")
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/../../LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/islet-dev RENAME copyright)
 install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include/islet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp PATTERN *.h)
 
 # While the first number is 0, another second one may need changes.

@@ -40,7 +40,7 @@ def panel(title, rows, x0):
             out.append(f'<path d="M{x:.1f} {y:.1f}v4" stroke="#7d8894"/><text x="{x:.1f}" y="{y + 16:.1f}" text-anchor="middle">{number(step)}</text>')
     line = " ".join(f"{x:.1f},{y:.1f}" for x, y in (at(s, v) for s, v in zip(steps, values)))
     out.append(f'<polyline points="{line}" fill="none" stroke="#2f6fb0" stroke-width="2" stroke-linejoin="round"/>')
-    out.append(f'<text x="{x0 + WIDE / 2:.0f}" y="{HIGH - 6}" text-anchor="middle">steps taken; up: return of 16 episodes</text>')
+    out.append(f'<text x="{x0 + WIDE / 2:.0f}" y="{HIGH - 6}" text-anchor="middle">steps taken; up: mean return of 16 episodes</text>')
     return out
 
 

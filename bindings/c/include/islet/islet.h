@@ -1038,7 +1038,7 @@ typedef struct IsletJointBase {
     IsletJointFrame frame_b;
     /// true: the two bodies' shapes collide with each other
     bool collide_connected;
-    /// N, >= 0. The joint breaks when its force exceeds this at the end of a step; 0: never.
+    /// N, >= 0. The joint breaks, at the end of the step, when its force exceeds this in a substep; 0: never.
     float break_force;
     /// N m, >= 0; as above
     float break_torque;
