@@ -85,6 +85,28 @@ void joined(World& world, Random& random) {
     rain(world, random);
 }
 
+/// Columns of bodies in two halves, each of which touches the next in several contacts.
+void in_pieces(World& world, Random& random) {
+    add_floor(world);
+    for (int i = 0; i < 6; ++i) {
+        const BodyId body = world.create_body({.type = BodyType::dynamic, .position = {random.between(-0.01f, 0.01f), 0.5f + static_cast<float>(i)}});
+        for (const float x : {-0.25f, 0.25f}) world.create_shape(body, make_offset_box(0.25f, 0.5f, {{x, 0}, {}}), {});
+    }
+}
+
+/// Welds between falling boxes, some of which break as they land.
+void breaking(World& world, Random& random) {
+    add_floor(world);
+    for (int i = 0; i < 6; ++i) {
+        const Vec2 at = {2.0f * static_cast<float>(i), random.between(1, 3)};
+        WeldJointDef weld;
+        weld.base = {.body_a = add(world, at, -0.3f, {}), .body_b = add(world, at + Vec2{0.6f, 0}, -0.3f, {}), .frame_a = {{0.3f, 0}, {}}};
+        weld.base.frame_b = {{-0.3f, 0}, {}};
+        weld.base.break_force = random.between(1, 200);
+        world.create_joint(weld);
+    }
+}
+
 void guided(World& world, Random& random) {
     rain(world, random);
     const BodyId mover = add(world, {-4, 0.5f}, -0.5f, {}, BodyType::kinematic);
@@ -122,7 +144,7 @@ void of_other_gravity(World& world, Random& random) {
 }
 
 constexpr Content contents[] = {nothing,         pyramid,         rain, bouncing_and_rolling, crowded_plate, joined, guided, with_hit_events, of_other_numbers,
-                                of_other_limits, of_other_gravity};
+                                of_other_limits, of_other_gravity, in_pieces, breaking};
 
 /// A fleet, and as many worlds by themselves to which the same is done.
 struct Twins {
@@ -170,6 +192,7 @@ struct Twins {
             ASSERT_EQ(ra.overflow_contacts, rb.overflow_contacts) << when << ", world " << k;
             ASSERT_EQ(a.begin_touch_events().size(), b.begin_touch_events().size()) << when << ", world " << k;
             ASSERT_EQ(a.hit_events().size(), b.hit_events().size()) << when << ", world " << k;
+            ASSERT_EQ(a.broken_joints().size(), b.broken_joints().size()) << when << ", world " << k;
         }
     }
 };

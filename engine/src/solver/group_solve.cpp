@@ -288,11 +288,12 @@ void solve_group(GroupWorld* worlds, std::uint32_t count, Arena& arena, float dt
     alignas(Member) std::byte room[group_worlds * sizeof(Member)];
     auto* const members = reinterpret_cast<Member*>(room);
     const Core& first = *worlds[0].core;
-    const SolveNumbers numbers = choose_numbers(*first.state, dt);
+    SolveNumbers numbers = choose_numbers(*first.state, dt);
     std::uint32_t slots = 0, blocks = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
         slots += worlds[i].plan.slot_count;
         blocks += worlds[i].plan.block_count;
+        numbers.biased.shares = numbers.biased.shares || (worlds[i].core->state->asked & asked_sharing) != 0;
     }
     auto* const bodies = arena.take<SolverBody>(slots);
     Arena rows = arena;  // neither these nor the motions are read after the solve
