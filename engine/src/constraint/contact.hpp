@@ -242,12 +242,13 @@ ISLET_PART auto has_changed(const ContactBlock<L>& s, const ContactRows<L::width
     return s.sum_n * s.sum_n + s.sum_t * s.sum_t > small * small;
 }
 
-/// One sweep over a run of blocks, with bias or without.
-template <std::uint32_t W>
+/// One sweep over a run of blocks, with bias or without. `shares`: over one block, if its contacts may share their load. (The numbers of a single row are
+/// already those that it needs.)
+template <std::uint32_t W, bool shares = false>
 ISLET_COPIED void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint32_t count, const SweepNumbers& numbers, bool biased) {
     using L = LaneOf<W>;
     SweepLanes<L> sweep(numbers);
-    if constexpr (W > 1)
+    if constexpr (shares && W > 1)
         if (numbers.shares) sweep.share(rows[0]);
     for (std::uint32_t block = 0; block < count; ++block) {
         ContactRows<W>& r = rows[block];
@@ -285,22 +286,30 @@ ISLET_SHARED SweepNumbers shared_numbers(SweepNumbers n, const ContactRows<1>& r
 template <std::uint32_t W>
 ISLET_PART void solve_blocks(SolverBody* bodies, ContactRows<W>* rows, std::uint32_t count, const SweepNumbers& numbers) {
     const bool biased = is_positive(numbers.bias_rate);
+#if defined(__OPTIMIZE_SIZE__) || defined(__wasm__)
     const std::uint32_t run = numbers.shares ? 1 : count;  // each block may need other numbers
     for (std::uint32_t first = 0; first < count; first += run) {
         [[maybe_unused]] SweepNumbers of_one;
         const SweepNumbers* own = &numbers;
         if constexpr (W == 1)
             if (numbers.shares) own = &(of_one = shared_numbers(numbers, rows[first]));
-#if defined(__OPTIMIZE_SIZE__) || defined(__wasm__)
-        sweep_blocks<W>(bodies, rows + first, run, *own, biased);
-#else
-        // Each kind of sweep has a loop of its own, which asks for the kind no more.
-        if (biased)
-            sweep_blocks<W>(bodies, rows + first, run, *own, true);
-        else
-            sweep_blocks<W>(bodies, rows + first, run, *own, false);
-#endif
+        sweep_blocks<W, (W > 1)>(bodies, rows + first, run, *own, biased);
     }
+#else
+    // Each kind of sweep has a loop of its own, which asks for the kind no more. Only sweeps with bias know of shared loads.
+    if (numbers.shares) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if constexpr (W == 1)
+                sweep_blocks<W>(bodies, rows + i, 1, shared_numbers(numbers, rows[i]), true);
+            else
+                sweep_blocks<W, true>(bodies, rows + i, 1, numbers, true);
+        }
+    } else if (biased) {
+        sweep_blocks<W>(bodies, rows, count, numbers, true);
+    } else {
+        sweep_blocks<W>(bodies, rows, count, numbers, false);
+    }
+#endif
 }
 
 template <std::uint32_t W>

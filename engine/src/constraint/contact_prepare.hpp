@@ -70,9 +70,11 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
         lanes.has_point[1][i] = (flags & two_point_flag) != 0 ? 1.0f : 0.0f;
         any |= flags;
-        if constexpr (W > 1) r.sharers[i] = static_cast<std::uint8_t>(m.sharers());
     }
-    if constexpr (W > 1) r.shared = (any >> contact_sharers_shift & 3u) != 0;
+    if constexpr (W > 1) {
+        r.shared = (any >> contact_sharers_shift & 3u) != 0;
+        for (std::uint32_t i = 0; r.shared && i < W; ++i) r.sharers[i] = static_cast<std::uint8_t>(in.manifolds[lanes.contact[i]].sharers());
+    }
     r.two_points = (any & two_point_flag) != 0 ? 1 : 0;
     if constexpr (has_surfaces) r.special = (any & contact_special) != 0;
     r.bouncy = (any & bouncy_flags) != 0;
