@@ -108,8 +108,8 @@ struct ContactBlock : BodyPair<L> {
     }
 };
 
-/// By how much a normal impulse, of which `held` counts as such, is too large, N s. Shapes that are apart may close the gap within the substep, but no faster. In
-/// a sweep with bias, shapes that overlap are pushed apart softly.
+/// By how much a normal impulse, of which `held` counts as such, is too large, N s. Shapes that are apart may close the gap within the substep, but no faster.
+/// In a sweep with bias, shapes that overlap are pushed apart softly.
 template <class L, class F = typename L::F>
 ISLET_PART F excess_of(const SweepLanes<L>& sweep, bool biased, F normal_mass, F speed, F separation, F held) {
     const F zero = L::splat(0.0f);
