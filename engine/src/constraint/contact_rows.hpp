@@ -119,16 +119,22 @@ ISLET_PART typename L::F sharers_of(const ContactRows<L::width>& r) {
     }
 }
 
+/// A truth value that is known when a template is compiled.
+template <bool is>
+struct KnownBool {
+    constexpr operator bool() const { return is; }
+};
+
 /// Calls row(point, index, is_first) for a block's points, the one with the index `first` first. Sums may begin with what is_first says is the first; they are
 /// zero before. On a page there is one copy of the row, for which no point is.
 template <class Rows, class Row>
 ISLET_PART void for_points(Rows& r, bool two, std::uint32_t first, Row&& row) {
 #if defined(__wasm__)
     std::uint32_t i = first;
-    for (std::uint32_t left = two ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i, std::false_type{});
+    for (std::uint32_t left = two ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i, KnownBool<false>{});
 #else
-    row(r.points[first], first, std::true_type{});
-    if (two) row(r.points[1 - first], 1 - first, std::false_type{});
+    row(r.points[first], first, KnownBool<true>{});
+    if (two) row(r.points[1 - first], 1 - first, KnownBool<false>{});
 #endif
 }
 
