@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "../../engine/src/data/core.hpp"
@@ -25,7 +26,7 @@ inline std::vector<std::uint64_t> words_of(const detail::Plan& plan, std::uint32
     add_all(plan.slot_of, bodies);
     add_all(plan.body_of, plan.slot_count);
     if (keeps_islands) add_all(plan.island_of + 1, plan.slot_count - 1);
-    add_all(plan.contacts, std::size_t{plan.block_count} * lanes + plan.overflow_count);
+    add_all(plan.contacts + std::size_t{plan.block_count} * lanes, plan.overflow_count);
     for (std::uint32_t i = 0; i < plan.run_count; ++i) {
         const JointRun& r = plan.runs[i];
         const std::uint32_t width = r.color == no_color ? 1 : lanes;
@@ -37,6 +38,12 @@ inline std::vector<std::uint64_t> words_of(const detail::Plan& plan, std::uint32
         const Batch& batch = plan.batches[b];
         add(batch.first_slot, batch.body_count, batch.first_overflow, batch.end_overflow, batch.first_run, batch.end_run, batch.first_link, batch.link_count);
         add_all(batch.first_block, color_count + 1);
+        for (std::uint32_t c = 0; c < color_count; ++c) {  // in any order within a colour: first come those that landed when the plan was made
+            std::vector<PlanIndex> contacts(plan.contacts + std::size_t{batch.first_block[c]} * lanes,
+                                            plan.contacts + std::size_t{batch.first_block[c + 1]} * lanes);
+            std::sort(contacts.begin(), contacts.end());
+            add_all(contacts.data(), contacts.size());
+        }
     }
     return words;
 }

@@ -96,9 +96,13 @@ void check_batches(const Core& core, const Plan& plan, const std::vector<Touch>&
         const Batch& batch = plan.batches[b];
         for (std::uint32_t color = 0; color < color_count; ++color) {
             std::set<std::uint32_t> used;
+            bool others = false;
             for (std::uint32_t row = batch.first_block[color] * lanes; row < batch.first_block[color + 1] * lanes; ++row) {
                 if (plan.contacts[row] == null_index) continue;
                 ASSERT_NO_FATAL_FAILURE(place(plan.contacts[row], b, &used));
+                const bool lands = (core.manifolds[plan.contacts[row]].flags & contact_ahead) != 0;
+                ASSERT_FALSE(lands && others && max_lanes > 1) << "a contact that lands comes after one that does not";
+                others |= !lands;
             }
         }
         for (std::uint32_t i = batch.first_overflow; i < batch.end_overflow; ++i)
@@ -226,6 +230,24 @@ TEST(Colors, ABodyWithMoreContactsThanColorsOverflowsAndStillEveryContactIsSolve
     ASSERT_NO_FATAL_FAILURE(check_plan(w));
     w.step(60);
     EXPECT_EQ(w->validate(), nullptr);
+}
+
+TEST(Colors, BeginWithTheContactsThatLand) {
+    TestWorld w(islet::test::roomy, with_lanes(0, false));
+    Random random(1);
+    w.add_ground(0, 100);
+    for (int i = 0; i < 60; ++i) w.add_box({-60 + 2.0f * static_cast<float>(i), random.between(0.5f, 6)});  // each lands by itself, in a step of its own
+    int mixed = 0;                                                                                          // steps with contacts of both kinds
+    for (int i = 0; i < 90; ++i) {
+        w.step();
+        const Core& core = Core::of(*w);
+        std::size_t landing = 0;
+        const std::vector<Touch> touches = touches_of(w);
+        for (const Touch& t : touches) landing += (core.manifolds[t.contact].flags & contact_ahead) != 0;
+        mixed += landing != 0 && landing < touches.size();
+        ASSERT_NO_FATAL_FAILURE(check_plan(w)) << "in step " << i;
+    }
+    EXPECT_GT(mixed, 20);
 }
 
 TEST(Colors, OfTheGroundAreSolvedLast) {

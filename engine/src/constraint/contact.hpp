@@ -358,28 +358,36 @@ void ContactKernel<W>::land_again(SolverBody* bodies, Rows* rows, std::uint32_t 
     }
 }
 
-/// Solves the normal rows once more, for the rebound speed -e approach, and returns whether any lane bounces. Only points bounce where the surfaces met (an
-/// impulse was needed) faster than the threshold, and whose material bounces. The two points of a manifold share the blow: a few passes over both solve their
-/// 2 x 2 problem, so a box that lands flat bounces flat.
+/// Which points of a block bounce: those where the surfaces met (an impulse was needed) faster than the threshold, and whose material bounces. These stay the
+/// same while the rebounds are solved.
 template <class L>
-ISLET_PART bool solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, typename L::F threshold) {
+struct Rebounds {
+    using Mask = decltype(typename L::F{} < typename L::F{});
+    Mask first, second;
+
+    ISLET_PART Rebounds(const ContactRows<L::width>& r, typename L::F threshold) : first(will_bounce<L>(r, 0, threshold)), second{} {
+        if (r.two_points) second = will_bounce<L>(r, 1, threshold);
+    }
+    ISLET_PART bool any() const { return L::bits(first | second) != 0; }
+};
+
+/// Solves the normal rows once more, for the rebound speed -e approach. Two points that bounce share the blow: a few passes over both solve their 2 x 2
+/// problem, so a box that lands flat bounces flat.
+template <class L>
+ISLET_PART void solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, const Rebounds<L>& rebounds) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     F vn = dot(s.n, s.vb - s.va);
-    const F second = r.two_points ? L::load(r.points[1].normal_mass) : zero;  // 0 in lanes with one point, which is solved once
-    const std::uint32_t rows_to_solve = r.two_points ? 2 * restitution_passes : 1;
-    bool any = false;
+    const auto both = rebounds.first & rebounds.second;
+    const std::uint32_t rows_to_solve = L::bits(both) != 0 ? 2 * restitution_passes : 2;
     for (std::uint32_t k = 0; k < rows_to_solve; ++k) {
         const std::uint32_t i = k & 1u;
+        const auto bounces = k >= 2 ? both : i == 0 ? rebounds.first : rebounds.second;
+        if (L::bits(bounces) == 0) continue;
         typename ContactRows<L::width>::Point& p = r.points[i];
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
         const F old = L::load(normal_impulse_of(r, i));
         const F speed = vn + (s.wb * rnb - s.wa * rna);
-        auto bounces = will_bounce<L>(r, i, threshold);
-        any = any || L::bits(bounces) != 0;
-        if (k >= 2) bounces = bounces & (second > zero);
-        if constexpr (L::width == 1)
-            if (!bounces) continue;
         const F lambda = select(bounces, max(old - L::load(p.normal_mass) * (speed + rebound_of<L>(r, i)), zero), old);
         const F delta = select(bounces, lambda - old, zero);  // an overflowed impulse less itself would be NaN
         L::store(normal_impulse_of(r, i), lambda);
@@ -387,7 +395,6 @@ ISLET_PART bool solve_restitution(ContactBlock<L>& s, ContactRows<L::width>& r, 
         vn = vn + (s.ma + s.mb) * delta;
         s.spin_by_normal(rna, rnb, delta);
     }
-    return any;
 }
 
 template <std::uint32_t W>
@@ -397,8 +404,11 @@ bool ContactKernel<W>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t c
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
         if (!r.is_bouncy()) continue;
+        const Rebounds<L> rebounds(r, L::splat(-threshold));
+        if (!rebounds.any()) continue;
+        any = true;
         ContactBlock<L> s(bodies, r);
-        any = solve_restitution<L>(s, r, L::splat(-threshold)) || any;
+        solve_restitution<L>(s, r, rebounds);
         s.push_centres(s.sum_n * s.n);
         s.scatter(bodies, r.body_a, r.body_b);
     }

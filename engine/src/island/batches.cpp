@@ -53,6 +53,11 @@ inline constexpr std::uint32_t word_grain = 16;      // words of 64 bodies that 
 inline constexpr std::uint32_t listed_grain = 4;     // words of 64 joints
 inline constexpr std::uint32_t part_contacts = 256;  // that are worth a task
 
+// A listed contact's colour has a flag above it if the contact lands, and so has its place once it is counted. Among contacts of one colour these come first:
+// a block in which one lane lands is solved again as a whole. Rows by themselves have no use for that.
+inline constexpr std::uint32_t listed_landing = 1u << 31;
+inline constexpr bool gathers_landing = max_lanes > 1;
+
 // A listed joint's colour has its kernel and two flags above it.
 inline constexpr std::uint32_t listed_kernel_shift = 8;
 inline constexpr std::uint32_t listed_exact = 1u << 30;
@@ -74,6 +79,7 @@ struct ContactList {
     std::uint32_t first[max_plan_parts] = {};     // contact of each part
     std::uint32_t end[max_plan_parts] = {};
     std::uint32_t colors[max_plan_parts] = {};  // bits of those that a part's contacts may have
+    bool lands[max_plan_parts] = {};            // whether any of the part does
 
     std::uint32_t parts() const { return has_threads ? parts_with_threads : 1; }
     std::uint32_t first_word(std::uint32_t part) const { return part == 0 ? 0 : end_word[part - 1]; }
@@ -108,16 +114,19 @@ ContactList list_contacts(const Core& core, Plan& plan, const ConnectedBodies& s
     list.end_word[0] = awake.word_count;
     if (has_workers(core) && !is_ordered(core.state->solver) && !has_shock(core.state->solver)) list.cut(awake, plan_parts(core.capacity));
     for_ranges(core, list.parts(), 1, [&](std::uint32_t part, std::uint32_t) {
-        std::uint32_t at = list.first[part], colors = 0;
+        std::uint32_t at = list.first[part], colors = 0, any_lands = 0;
         awake.for_each_in(list.first_word(part), list.end_word[part], [&](std::uint32_t i) {
             const ContactManifold& m = core.manifolds[i];
             if ((m.flags & contact_touching) == 0) return;
             const std::uint32_t color = m.color();
-            contacts[at++] = {i, m.body_a, m.body_b, {color}};
+            const std::uint32_t lands = gathers_landing && (m.flags & contact_ahead) != 0 && color != no_color ? listed_landing : 0;
+            contacts[at++] = {i, m.body_a, m.body_b, {color | lands}};
             colors |= 1u << color % color_count;
+            any_lands |= lands;
         });
         list.end[part] = at;
         list.colors[part] = colors;
+        list.lands[part] = any_lands != 0;
 #if ISLET_SHARES_WORDS
         if (!shares_words(core)) return;
         for (std::uint32_t k = list.first[part]; k < at; ++k) sets.connect_at_once(core, contacts[k].body_a, contacts[k].body_b);
@@ -144,8 +153,10 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
             std::memset(count, 0, part_size * 4);
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
                 PlannedConstraint& c = list.contacts[k];
-                c.place = batch_of(c) * places + (c.color == no_color ? color_count : c.color);
-                ++count[c.place];
+                const std::uint32_t color = c.color & ~listed_landing, lands = c.color & listed_landing;
+                const std::uint32_t place = batch_of(c) * places + (color == no_color ? color_count : color);
+                c.place = place | lands;
+                ++count[place];
             }
         }
     });
@@ -185,8 +196,15 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
     for_ranges(core, list.parts(), 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t p = first; p < end; ++p) {
             std::uint32_t* at = next + p * part_size;
+            if (list.lands[p]) {
+                for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
+                    const PlannedConstraint& c = list.contacts[k];
+                    if ((c.place & listed_landing) != 0) plan.contacts[at[c.place & ~listed_landing]++] = static_cast<PlanIndex>(c.index);
+                }
+            }
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
                 const PlannedConstraint& c = list.contacts[k];
+                if ((c.place & listed_landing) != 0) continue;
                 (c.place % places == color_count ? overflows : plan.contacts)[at[c.place]++] = static_cast<PlanIndex>(c.index);
             }
         }
