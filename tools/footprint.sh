@@ -9,7 +9,7 @@
 #   tools/footprint.sh --write       the table, and its figures into docs/microcontrollers.md
 #   tools/footprint.sh --check       the table (without the Cortex-M7, and some without all programs), and whether every figure keeps its limit: part of
 #                                    tools/test.sh --release
-#   tools/footprint.sh --check-few   the same of a Cortex-M4F, riscv32, the small profile, and the board cortex-m0: part of tools/test.sh --all
+#   tools/footprint.sh --check-few   the same of a Cortex-M4F, the small profile, and the board cortex-m0: part of tools/test.sh --all
 #   tools/footprint.sh --c           what the C interface adds to a program of ten calls on a Cortex-M4F, and whether it is at most 500 bytes
 #   tools/footprint.sh --options     what each feature in islet/config.hpp saves on a Cortex-M4F when ISLET_WITHOUT leaves it out alone
 # Installs the cross compilers and QEMU with apt if they are missing.
@@ -156,7 +156,7 @@ at_most() { [ "$3" -le "$4" ] || complain "$1: $2 is $3, more than $4"; }
 # The code of a Cortex-M7 and of an M33 is that of the M55 to a few hundred bytes, and so are its instructions.
 if [ "$mode" = check ]; then targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m55 riscv32); fi
 if $few; then
-    targets=(cortex-m4f riscv32)
+    targets=(cortex-m4f)
     boards=(cortex-m0)
 fi
 

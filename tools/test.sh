@@ -321,9 +321,9 @@ if $all || ! $coverage; then
     fi
     # Of tests that take long, --all has one of each kind. That leaves out the sketches on this machine (boards.sh runs them on a board), Islet compiled by
     # somebody else's project (by_hand.sh has such flags too), the sandbox's tools and views and the manual's site in a browser (the sandbox is played, the
-    # site is built), random worlds in lockstep (sanitizers watch them below), and two programs in Python.
+    # site is built), random worlds in lockstep (sanitizers watch them below), the headers in each standard (the one file is compiled as C++17), and two programs in Python.
     if $all && ! $release; then
-        leave=(--exclude-regex '^package\.(boards|embedding)|^sandbox\.(tools|views)|^manual\.read|^robustness\.lockstep|^python\.(dask|planning)')
+        leave=(--exclude-regex '^package\.(boards|embedding|standards)|^sandbox\.(tools|views)|^manual\.read|^robustness\.lockstep|^python\.(dask|planning)')
     fi
     run_tests release "${leave[@]}" --parallel "$(($(jobs) + 1))" # tests of pages wait most of the time
 fi

@@ -9,6 +9,12 @@ root=$(cd "$1" && pwd)
 
 # anchors PAGE: its headings as links name them.
 anchors() { prose "$1" | sed -n 's/^##* //p' | tr '[:upper:]' '[:lower:]' | sed 's/[^a-z0-9 _-]//g; s/ /-/g'; }
+# names_heading PAGE NAME: a page's headings are read once.
+declare -A headings
+names_heading() {
+    [ -n "${headings[$1]+known}" ] || headings[$1]=$'\n'$(anchors "$1")$'\n'
+    [[ ${headings[$1]} == *$'\n'"$2"$'\n'* ]]
+}
 links() { prose "$1" | grep -oE '\]\([^)]+\)' | sed 's/^](//; s/)$//' || true; }
 
 checked=0
@@ -21,10 +27,10 @@ for page in "${own[@]}" "${others[@]}"; do
         checked=$((checked + 1))
         file=${link%%#*}
         target=$page
-        [ -z "$file" ] || target=$(dirname "$page")/$file
+        [ -z "$file" ] || target=${page%/*}/$file
         if [ ! -e "$target" ]; then
             complain "$page: there is no $link"
-        elif [ "$link" != "$file" ] && ! anchors "$target" | grep -xF "${link#*#}" >/dev/null; then
+        elif [ "$link" != "$file" ] && ! names_heading "$target" "${link#*#}"; then
             complain "$page: $link names no heading"
         fi
     done < <(links "$page")
