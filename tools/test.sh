@@ -320,8 +320,9 @@ if $all || ! $coverage; then
         start_building asan-ubsan
     fi
     # Of tests that take long, --all has one of each kind. That leaves out the sketches on this machine (boards.sh runs them on a board), Islet compiled by
-    # somebody else's project (by_hand.sh has such flags too), the sandbox's tools and views and the manual's site in a browser (the sandbox is played, the
-    # site is built), random worlds in lockstep (sanitizers watch them below), the headers in each standard (the one file is compiled as C++17), and two programs in Python.
+    # somebody else's project (by_hand.sh has such flags too), the headers in each standard (the one file is compiled as C++17), the sandbox's tools and views
+    # and the manual's site in a browser (the sandbox is played, the site is built), random worlds in lockstep (sanitizers watch them below), and two programs
+    # in Python.
     if $all && ! $release; then
         leave=(--exclude-regex '^package\.(boards|embedding|standards)|^sandbox\.(tools|views)|^manual\.read|^robustness\.lockstep|^python\.(dask|planning)')
     fi
