@@ -336,6 +336,42 @@ TEST(JointSettings, OfAWeldMakeItSoftAndRigidAgain) {
     EXPECT_TRUE(w.errors.empty());
 }
 
+// Changing a joint, or what a body takes part in, wakes the bodies: what no longer holds must fall.
+TEST(JointSettings, AWeakerJointBreaksThoughItsBodySleeps) {
+    TestWorld w;
+    const BodyId beam = w->create_body({});
+    const BodyId lamp = w.add_circle({0, -1}, 0.5f);
+    RevoluteJointDef def;
+    def.base.body_a = beam;
+    def.base.body_b = lamp;
+    def.base.frame_b.position = {0, 1};
+    const JointId hinge = w->create_joint(def);
+    for (int i = 0; i < 300 && w->is_awake(lamp); ++i) w.step();
+    ASSERT_FALSE(w->is_awake(lamp));
+    w->set_break(hinge, 1, 0);  // N; the lamp weighs 8
+    w.step(2);
+    EXPECT_FALSE(w->is_valid(hinge));
+}
+
+TEST(BodySettings, ABodyThatMayTurnAgainWakes) {
+    TestWorld w;
+    w.add_ground();
+    BodyDef def;
+    def.type = BodyType::dynamic;
+    def.position = {0, 0.8f};
+    def.angle = 0.7f;
+    def.fixed_rotation = true;
+    const BodyId box = w.add(make_box(0.5f, 0.5f), def);
+    for (int i = 0; i < 300 && w->is_awake(box); ++i) w.step();
+    ASSERT_FALSE(w->is_awake(box));
+    w->set_fixed_rotation(box, true);
+    EXPECT_FALSE(w->is_awake(box)) << "nothing changed";
+    w->set_fixed_rotation(box, false);
+    EXPECT_TRUE(w->is_awake(box));
+    w.step(300);
+    EXPECT_NEAR(w->position(box).y, 0.5f, 0.02f) << "it has come down from its corner";
+}
+
 TEST(JointSettings, OfAMouseJointAreRead) {
     TestWorld w;
     const BodyId box = w.add_box({0, 0});

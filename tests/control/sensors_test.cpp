@@ -188,6 +188,54 @@ TEST(Sensors, SleepersStayInTheirOverlapsAndAreFoundAsleep) {
     EXPECT_EQ(ended, 1u);
 }
 
+// A static sensor comes to a sleeper, in each way that a call can bring it there, and leaves it: the next step finds both, and wakes nobody.
+TEST(Sensors, FindSleepersThatCallsBringThemTo) {
+    for (int way = 0; way < 5; ++way) {
+        TestWorld w;
+        w.add_ground();
+        const BodyId sleeper = w.add_box({0, 0.5f});
+        const BodyId beam = w->create_body({.position = {way == 0 ? 10.0f : 0.0f, 0.5f}, .enabled = way != 1});
+        const ShapeDef seeing = {.filter = {.mask = way == 2 ? 0u : ~0u}, .sensor = true};
+        ShapeId sensor;
+        if (way != 4) sensor = w->create_shape(beam, Circle{{way == 3 ? 2.0f : 0.0f, 0}, 0.3f}, seeing);
+        for (int i = 0; i < 300 && w->is_awake(sleeper); ++i) w.step();
+        ASSERT_FALSE(w->is_awake(sleeper)) << way;
+        if (way == 0) w->set_transform(beam, {0, 0.5f}, 0);
+        if (way == 1) w->set_enabled(beam, true);
+        if (way == 2) w->set_filter(sensor, {});
+        if (way == 3) w->set_circle(sensor, Circle{{2, 0}, 1.8f});
+        if (way == 4) sensor = w->create_shape(beam, Circle{{}, 0.3f}, seeing);
+        std::size_t begun = 0, ended = 0;
+        const auto step = [&] {
+            w.step();
+            begun += w->sensor_begin_events().size();
+            ended += w->sensor_end_events().size();
+        };
+        for (int i = 0; i < 3; ++i) step();
+        EXPECT_EQ(begun, 1u) << way;
+        EXPECT_EQ(w->sensor_overlaps(sensor, {}), 1u) << way;
+        w->set_transform(beam, {10, 0.5f}, 0);
+        step();
+        EXPECT_EQ(ended, 1u) << way;
+        EXPECT_EQ(w->sensor_overlaps(sensor, {}), 0u) << way;
+        EXPECT_FALSE(w->is_awake(sleeper)) << way;
+    }
+}
+
+TEST(Sensors, WhatHasLeftThemWhenItIsPutToSleepIsOutside) {
+    TestWorld w(roomy, {.gravity = {0, 0}});
+    const ShapeId gate = w.shape_of(w.add_box({0, 0}, 1, 1, {.sensor = true}, BodyType::static_body));
+    const BodyId ball = w.add_circle({0, 0}, 0.25f);
+    w.step();
+    EXPECT_EQ(w->sensor_overlaps(gate, {}), 1u);
+    w->set_linear_velocity(ball, {120, 0});
+    w.step();
+    EXPECT_GT(w->position(ball).x, 1.5f);
+    w->sleep(ball);
+    w.step();
+    EXPECT_EQ(w->sensor_overlaps(gate, {}), 0u);
+}
+
 TEST(Sensors, TheirOwnBodyFallsAsleepInsideThem) {
     TestWorld w;
     w.add_ground();

@@ -325,6 +325,80 @@ TEST(ContinuousCollision, SlidingFastOverAFloorIsNotBraked) {
     EXPECT_NEAR(world->position(box).x, 500, 0.5);
 }
 
+// A block of 100 to 800 times their mass presses two skids into a frictionless floor: in 2 s at 5 m/s it goes 10 m, and they go with it. (A skid whose middle
+// came to the floor was stopped there for good, and left behind by 7 m.)
+TEST(ContinuousCollision, WhatIsPressedIntoAFloorSlidesOnIt) {
+    for (const bool welded : {false, true}) {
+        for (const float radius : {0.02f, 0.05f}) {
+            for (const float ratio : {100.0f, 200.0f, 400.0f, 800.0f}) {
+                TestWorld w;
+                const ShapeDef smooth = {.friction = 0};
+                w.add_ground(0, 100, smooth);
+                const float skid_mass = pi * radius * radius + 4 * 0.12f * radius;
+                const BodyId block = w.add_box({0, 2 * radius + 0.25f}, 0.5f, 0.25f, {.friction = 0, .density = ratio * skid_mass / 0.5f});
+                std::vector<JointId> joints;
+                for (const float x : {-0.4f, 0.4f}) {
+                    const BodyId skid = w.add_capsule({x, radius}, 0.12f, radius, smooth);
+                    const auto at = [&](auto def) {
+                        def.base.body_a = block;
+                        def.base.body_b = skid;
+                        def.base.frame_a.position = {x, -radius - 0.25f};
+                        return w->create_joint(def);
+                    };
+                    joints.push_back(welded ? at(WeldJointDef{}) : at(RevoluteJointDef{}));
+                }
+                for (const BodyId body : w.bodies())
+                    if (w->type(body) == BodyType::dynamic) w->set_linear_velocity(body, {5, 0});
+                double widest = 0;
+                for (int i = 0; i < 120; ++i) {
+                    w.step();
+                    widest = std::fmax(widest, widest_gap(*w, joints));
+                }
+                EXPECT_NEAR(w->position(block).x, 10, 0.05f) << "ratio " << ratio << ", radius " << radius << (welded ? ", welded" : "");
+                EXPECT_LT(widest, 0.15) << "ratio " << ratio << ", radius " << radius << (welded ? ", welded" : "");
+            }
+        }
+    }
+}
+
+// A rope of forty capsules over a peg, with 23 links' mass at either end: links are pressed into the peg, and go on round it. (One that was stopped there tore
+// its hinges open by tens of metres.)
+TEST(ContinuousCollision, ARopeSlidesOverAPeg) {
+    for (int start = 0; start < 10; ++start) {
+        TestWorld w({.bodies = 64, .shapes = 64, .contacts = 1024, .joints = 64});
+        const ShapeDef smooth = {.friction = 0};
+        w.add_circle({0, 0}, 1, smooth, BodyType::static_body);
+        constexpr int links = 40;
+        constexpr float length = 0.25f, mass = 0.25f * 0.1f + pi * 0.0025f, radius = 0.3f;
+        std::vector<JointId> hinges;
+        const auto hinge = [&](BodyId a, BodyId b, Vec2 point) {
+            RevoluteJointDef def;
+            def.base.body_a = a;
+            def.base.body_b = b;
+            def.base.frame_a.position = inv_transform_point(w->transform(a), point);
+            def.base.frame_b.position = inv_transform_point(w->transform(b), point);
+            hinges.push_back(w->create_joint(def));
+        };
+        const float left = -length * links / 2 + 0.001f * static_cast<float>(start), y = 1.06f;
+        BodyId previous;
+        const ShapeDef weight = {.friction = 0, .density = 23 * mass / (pi * radius * radius)};
+        for (int i = 0; i <= links + 1; ++i) {
+            const float x = left + length * static_cast<float>(i);
+            const bool is_end = i == 0 || i == links + 1;
+            const BodyId body = is_end ? w.add_circle({i == 0 ? left - radius : x - length + radius, y}, radius, weight)
+                                       : w.add_capsule({x - 0.5f * length, y}, 0.5f * length, 0.05f, smooth);
+            if (i > 0) hinge(previous, body, {x - length, y});
+            previous = body;
+        }
+        double widest = 0;
+        for (int i = 0; i < 15 * 60; ++i) {
+            w.step();
+            widest = std::fmax(widest, widest_gap(*w, hinges));
+        }
+        EXPECT_LT(widest, 0.2) << "start " << start;
+    }
+}
+
 TEST(ContinuousCollision, BulletIsASettingOfBodies) {
     TestWorld world;
     const BodyId body = world.add_box({0, 0});

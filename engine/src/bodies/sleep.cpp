@@ -5,6 +5,7 @@
 #include "../broadphase/tree.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/joint_graph.hpp"
+#include "../graph/sensors.hpp"
 
 namespace islet::detail {
 
@@ -129,7 +130,9 @@ void put_to_sleep(Core& core, std::uint32_t body) {
     core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_fast | pose_learns);
     rest_shapes(core, body);
     for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
-        if (!core.is_awake(other_body(core, contact, side))) core.awake_contacts.clear(contact);
+        if (core.is_awake(other_body(core, contact, side))) return;
+        core.awake_contacts.clear(contact);
+        if (has_sensors && (core.manifolds[contact].flags & contact_overlap) != 0 && !overlaps_sensor(core, contact)) end_overlap(core, contact);
     });
     for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t side) {
         const std::uint32_t other = other_joined(core, joint, side);

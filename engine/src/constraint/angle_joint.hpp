@@ -85,7 +85,7 @@ void store(const AngleRows<W>& r, std::uint32_t lane, Joint& j, const JointOutpu
     j.coordinate = r.angle[lane] + turned_by(r.ends, lane, out);
     if (j.length == 0) return;
     if ((j.flags & joint_limit) == 0) keep_load(r.free.low[lane] - r.free.high[lane], j, out);
-    j.velocity.y = tooth_at(j, j.coordinate);
+    for (const float x : {r.angle[lane], j.coordinate}) j.velocity.y = tooth_at(j, x);  // a new ratchet has passed the teeth up to where the step began
 }
 
 template <>

@@ -341,9 +341,7 @@ ISLET_SHARED void forget_unsound(Joint& j) {
     const float others =
         (j.impulse.x + j.impulse.y) + (j.angular_impulse + j.spring_impulse) + ((j.motor_impulse + j.friction_impulse) + (j.lower_impulse + j.upper_impulse));
     if (applied < unsound_impulse && is_finite(others)) return;
-    constexpr std::size_t first = offsetof(Joint, impulse), bytes = offsetof(Joint, torque_impulse) + 4 - first;
-    std::memset(reinterpret_cast<std::byte*>(&j) + first, 0, bytes);
-    if ((j.flags & joint_limit) != 0) j.limit_load = 0;
+    j.forget_impulses();
 }
 
 /// True if a joint bore more in a substep than it can. What overflows breaks nothing.

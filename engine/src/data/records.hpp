@@ -238,6 +238,7 @@ enum JointFlags : std::uint32_t {
     joint_calm = 1u << 16,  // times 0 to 15: for so many steps on end a loaded hinge has borne little
     joint_calm_bits = 15 * joint_calm,
     joint_torn = 1u << 20,  // bore too much in a substep; broken at the end of the step
+    joint_moved = 1u << 21,  // a call has put one of its bodies elsewhere since the last step
 };
 
 /// A joint. Which fields mean something depends on its type.
@@ -280,6 +281,11 @@ struct Joint {
     float torque_impulse = 0;  // N m s on B about its anchor
     std::uint64_t user_data = 0;
 
+    void forget_impulses() {
+        impulse = force_impulse = {0, 0};
+        angular_impulse = spring_impulse = motor_impulse = friction_impulse = lower_impulse = upper_impulse = torque_impulse = 0;
+        if ((flags & joint_limit) != 0) limit_load = 0;
+    }
     ISLET_INLINE bool can_break() const { return break_force > 0 || break_torque > 0; }
     JointType joint_type() const { return known(static_cast<JointType>(type)); }
     ISLET_INLINE std::uint32_t color() const { return flags >> joint_color_shift & 0xffu; }

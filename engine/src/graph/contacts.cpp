@@ -73,7 +73,9 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     attach_contact(core, index, 0, m.body_a);
     attach_contact(core, index, 1, m.body_b);
     if (has_pair_set) core.pairs.insert(PairSet::key(shape_1, shape_2));
-    core.awake_contacts.assign(index, core.is_awake(m.body_a) || core.is_awake(m.body_b));
+    const bool awake = core.is_awake(m.body_a) || core.is_awake(m.body_b);
+    core.awake_contacts.assign(index, awake);
+    if (has_sensors && !awake && (m.flags & contact_sensor) != 0 && overlaps_sensor(core, index)) begin_overlap(core, index);  // no update will visit it
     return true;
 }
 

@@ -55,8 +55,7 @@ inline constexpr std::uint32_t part_contacts = 256;  // that are worth a task
 
 // A listed contact's colour has a flag above it if the contact lands, and so has its place once it is counted. Among contacts of one colour these come first:
 // a block in which one lane lands is solved again as a whole. Rows by themselves have no use for that.
-inline constexpr std::uint32_t listed_landing = 1u << 31;
-inline constexpr bool gathers_landing = max_lanes > 1;
+inline constexpr std::uint32_t listed_landing = max_lanes > 1 ? 1u << 31 : 0;
 
 // A listed joint's colour has its kernel and two flags above it.
 inline constexpr std::uint32_t listed_kernel_shift = 8;
@@ -119,7 +118,7 @@ ContactList list_contacts(const Core& core, Plan& plan, const ConnectedBodies& s
             const ContactManifold& m = core.manifolds[i];
             if ((m.flags & contact_touching) == 0) return;
             const std::uint32_t color = m.color();
-            const std::uint32_t lands = gathers_landing && (m.flags & contact_ahead) != 0 && color != no_color ? listed_landing : 0;
+            const std::uint32_t lands = (m.flags & contact_ahead) != 0 && color != no_color ? listed_landing : 0;
             contacts[at++] = {i, m.body_a, m.body_b, {color | lands}};
             colors |= 1u << color % color_count;
             any_lands |= lands;

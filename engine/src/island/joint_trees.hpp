@@ -54,13 +54,13 @@ ISLET_PART std::uint32_t load_flags(const Core& core, const Joint& j) {
     const std::uint32_t calm = (j.flags & joint_calm_bits) + joint_calm;
     return was && calm <= joint_calm_bits ? joint_loaded | calm : 0;
 }
-ISLET_SHARED bool load_has_changed(const Core& core, const Joint& j) { return load_flags(core, j) != (j.flags & load_bits); }
+ISLET_SHARED bool load_has_changed(const Core& core, const Joint& j) { return load_flags(core, j) != (j.flags & (load_bits | joint_moved)); }
 
-/// Notes that.
+/// Notes that, and that a step has seen where calls have put the bodies.
 ISLET_PART void note_load(Core& core, Joint& j) {
     const std::uint32_t now = load_flags(core, j);
     if (((now ^ j.flags) & joint_loaded) != 0) core.state->trees_stale = 1;
-    j.flags = (j.flags & ~load_bits) | now;
+    j.flags = (j.flags & ~(load_bits | joint_moved)) | now;
 }
 
 /// Joint trees as they grow.

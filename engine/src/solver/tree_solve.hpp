@@ -76,6 +76,7 @@ struct TreeLink {
     bool acts = false;                    // a motor, friction or a limit acts on the angle
     bool held = false;                    // the angle's speed is held
     bool capped = false;                  // the child may turn no faster
+    bool moved = false;                   // a call has opened the hinge
     bool is_held() const { return has_exact_angles && held; }
     // Factors of this sweep.
     Vec2 arm_c = {__builtin_nanf(""), 0}, arm_p;  // m, rc and rp as they were when these were filled in

@@ -26,6 +26,7 @@ namespace {
 
 inline constexpr float most_tolerance = 0.25f * linear_slop;  // m
 inline constexpr float least_progress = 0.001f;               // share of its way; a body that goes less goes nowhere
+inline constexpr float least_alike = 0.7f;                    // cosine of the angle between what lets a body slide; else it is wedged
 inline constexpr float least_gap = 0.05f * linear_slop;       // m that the middle of a shape keeps from a surface that it must not pass
 
 // The smallest distance of the polygon's faces from its middle.
@@ -110,11 +111,46 @@ bool has_touch(const Core& core, std::uint32_t body) {
     return found;
 }
 
+// Which way out of the static bodies that it touches a body would go, unit; zero if it touches none, or is wedged between several.
+Vec2 way_out(const Core& core, std::uint32_t body) {
+    Vec2 out;
+    bool wedged = false;
+    for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t side) {
+        const ContactManifold& m = core.manifolds[contact];
+        if ((m.flags & contact_touching) == 0 || core.bodies[other_body(core, contact, side)].type() != BodyType::static_body) return;
+        const Vec2 own = side == 0 ? -m.normal : m.normal;
+        wedged = wedged || (out != Vec2{} && dot(out, own) < least_alike);
+        out = own;
+    });
+    return wedged ? Vec2{} : out;
+}
+
 bool is_solid(const Core& core, std::uint32_t shape, std::uint32_t other) {
     const std::uint32_t flags = core.shapes[shape].flags | core.shapes[other].flags;
     if ((flags & shape_sensor) != 0) return false;
     if ((flags & (shape_pre_solve | shape_one_way_bits)) != 0 && !is_held(core, shape, other, (flags & shape_pre_solve) != 0)) return false;
     return may_collide(core, shape, other) && (!has_hooks || core.hooks.filter == nullptr || stops_by_hook(core, shape, other));
+}
+
+// The share of its way after which static bodies stop a body; 1 if none does.
+float stop_on_way(const Core& core, std::uint32_t body, const BodyPath& path) {
+    TreeWalk walk(Tree{&core.state->tree, core.tree}, box_of_way(path.center, path.way, core.poses[body].max_extent));
+    std::uint32_t other = walk.next();
+    if (other == null_index) return 1;  // as for most bodies that fall or fly
+    ClearWay clear_way;
+    if (has_shortcuts) clear_way = clear_way_of(path, core.poses[body].max_extent, core.bodies[body].min_extent, 0.5f * most_tolerance);
+    float end = 1;
+    do {
+        const std::uint32_t wall = core.shapes[other].body;
+        if (core.bodies[wall].type() != BodyType::static_body) continue;
+        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
+            if (has_shortcuts && keeps_clear(clear_way, core.geometries[core.shapes[s].geometry], core.bodies[body].local_center,
+                                             core.geometries[core.shapes[other].geometry], body_transform(core, wall)))
+                continue;
+            end = min(end, stop_time(core, s, path, other, at_rest(core, wall), end));
+        }
+    } while ((other = walk.next()) != null_index);
+    return end;
 }
 
 }  // namespace
@@ -129,8 +165,7 @@ BodyPath path_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_
 }
 
 float time_to_touch(const Core& core, std::uint32_t shape_a, const BodyPath& a, std::uint32_t shape_b, const BodyPath& b) {
-    constexpr float gap = 0.25f * linear_slop;
-    return time_of_impact(moving_core(core, shape_a, a, Part::whole, shape_b, b), moving_core(core, shape_b, b, Part::whole, shape_a, a), gap, 1);
+    return time_of_impact(moving_core(core, shape_a, a, Part::whole, shape_b, b), moving_core(core, shape_b, b, Part::whole, shape_a, a), touch_gap, 1);
 }
 
 BodyPath path_of(const Core& core, std::uint32_t body, const SolverBody& way) {
@@ -164,30 +199,30 @@ void place_at_end(Core& core, std::uint32_t body, const BodyPath& way, SolverBod
 
 void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     if (!core.is_dynamic(body)) return;
-    TreeWalk walk(Tree{&core.state->tree, core.tree}, box_of_way(core.poses[body].center - way.dp, way.dp, core.poses[body].max_extent));
-    std::uint32_t other = walk.next();
-    if (other == null_index) return;  // as for most bodies that fall or fly
-    BodyPath path = path_of(core, body, way);
-    ClearWay clear_way;
-    if (has_shortcuts) clear_way = clear_way_of(path, core.poses[body].max_extent, core.bodies[body].min_extent, 0.5f * most_tolerance);
-    float end = 1;
-    do {
-        const std::uint32_t wall = core.shapes[other].body;
-        if (core.bodies[wall].type() != BodyType::static_body) continue;
-        for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-            if (has_shortcuts && keeps_clear(clear_way, core.geometries[core.shapes[s].geometry], core.bodies[body].local_center,
-                                             core.geometries[core.shapes[other].geometry], body_transform(core, wall)))
-                continue;
-            end = min(end, stop_time(core, s, path, other, at_rest(core, wall), end));
-        }
-    } while ((other = walk.next()) != null_index);
+    const BodyPath path = path_of(core, body, way);
+    float end = stop_on_way(core, body, path);
     if (end >= 1) return;
-    path.way = end * path.way;
-    path.turn = end * path.turn;
-    place_at_end(core, body, path, way);
-    if (end > least_progress || !has_touch(core, body)) return;
-    core.motions[body].v = {0, 0};
-    core.motions[body].w = 0;
+    BodyPath taken = path;
+    if (end <= least_progress && has_touch(core, body)) {
+        Motion& motion = core.motions[body];
+        const Vec2 out = way_out(core, body), step_out = 2 * least_gap * out;
+        if (out != Vec2{} && stop_on_way(core, body, {path.center, path.q, step_out, 0}) >= 1) {
+            taken.center += step_out;
+            taken.way -= min(dot(taken.way, out), 0.0f) * out;
+            motion.v -= min(dot(motion.v, out), 0.0f) * out;
+            end = stop_on_way(core, body, taken);
+            if (end <= least_progress) {
+                taken.turn = motion.w = 0;
+                end = stop_on_way(core, body, taken);
+            }
+        }
+        if (end <= least_progress) {
+            taken = path;
+            motion.v = {0, 0};
+            motion.w = 0;
+        }
+    }
+    place_at_end(core, body, {path.center, path.q, taken.center - path.center + end * taken.way, end * taken.turn}, way);
 }
 
 }  // namespace islet::detail

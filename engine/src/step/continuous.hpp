@@ -1,6 +1,7 @@
 // Continuous collision: a body that moved far in a step is followed from where it was to where it is, and stopped at the first shape that it would have passed.
 #pragma once
 
+#include "../collide/manifold.hpp"
 #include "../collide/time_of_impact.hpp"
 #include "../constraint/solver_body.hpp"
 #include "../data/core.hpp"
@@ -16,6 +17,8 @@ inline bool is_continuous(const Core& core) { return has_continuous && core.stat
 /// The way that a body will go in dt seconds if nothing stops it. With `may_be_held`, a body slower than the pull on it would make it in dt is taken to lie on
 /// something.
 BodyPath path_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_held);
+
+inline constexpr float touch_gap = 0.25f * linear_slop;  // m; shapes that are no farther apart touch
 
 /// The fraction of their ways at which two shapes touch: time_of_impact of the whole shapes.
 float time_to_touch(const Core& core, std::uint32_t shape_a, const BodyPath& a, std::uint32_t shape_b, const BodyPath& b);

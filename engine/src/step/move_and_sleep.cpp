@@ -24,10 +24,14 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     Pose& pose = core.poses[i];
     Motion& motion = core.motions[i];
     Body& body = core.bodies[i];
-    const float moved = length_inline(way.dp) + abs(way.dq) * pose.max_extent;
+    const auto farthest = [&] { return length_inline(way.dp) + abs(way.dq) * pose.max_extent; };  // m, of any of its points
+    float moved = farthest();
     if (is_continuous(core) && (moved > look_fraction * body.min_extent || (pose.flags & pose_deep) != 0)) {
         const bool alone = has_shortcuts && (pose.flags & pose_alone) != 0 && moved <= surroundings(pose);
-        if (!alone) stop_at_static(core, i, way);
+        if (!alone) {
+            stop_at_static(core, i, way);
+            moved = max(moved, farthest());  // it may have been let out of something
+        }
     }
     pose.flags &= ~static_cast<std::uint32_t>(pose_alone | pose_leaves | pose_far | pose_deep | pose_learns);
     body.origin = pose.center - rotate(pose.q, body.local_center);

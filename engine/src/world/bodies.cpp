@@ -3,6 +3,7 @@
 
 #include "../bodies/bounds.hpp"
 #include "../bodies/impulses.hpp"
+#include "../bodies/jam.hpp"
 #include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
@@ -83,6 +84,7 @@ void act_on(Core& core, Call call, BodyId id, Vec2 push, float turn, const Vec2*
 void teleport(Core& core, std::uint32_t body, const Transform& pose) {
     end_contacts(core, body);
     wake_island(core, body, core.arena());
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { core.joints[joint].flags |= joint_moved; });
     const bool at_rest = !core.is_awake(body);
     if (at_rest) unrest_shapes(core, body);
     core.bodies[body].origin = pose.p;
@@ -137,6 +139,7 @@ BodyId World::create_body(const BodyDef& def) {
 void World::destroy_body(BodyId id) {
     const auto [c, i] = begin_call<Call::destroy_body>(core(), id);
     if (i == null_index) return;
+    forget_jam(c, i, c.arena());
     if (c.bodies[i].joint_head != 0) remove_joints(c, i);
     end_contacts(c, i);
     while (c.bodies[i].shape_head != null_index) remove_shape(c, c.bodies[i].shape_head);
@@ -250,6 +253,7 @@ void World::set_type(BodyId id, BodyType type) {
     if (has_endless && type == BodyType::dynamic)
         for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next)
             if (!check(c, !is_endless(c.geometries[c.shapes[s].geometry]), Error::endless_shape)) return;
+    forget_jam(c, i, c.arena());
     // Colours depend on the types, so contacts are destroyed before the type changes, and joints get new colours after it.
     end_contacts(c, i);
     wake_island(c, i, c.arena());

@@ -4,6 +4,7 @@
 
 #include "../bodies/bounds.hpp"
 #include "../bodies/impulses.hpp"
+#include "../bodies/jam.hpp"
 #include "../bodies/sleep.hpp"
 #include "../calls/checks.hpp"
 #include "../calls/recorder.hpp"
@@ -30,6 +31,7 @@ void set_lock(Core& core, BodyId id, std::uint32_t flag, bool lock) {
 
 void disable(Core& core, std::uint32_t i) {
     wake_island(core, i, core.arena());
+    forget_jam(core, i, core.arena());
     end_contacts(core, i);
     unrest_shapes(core, i);
     core.awake_bodies.clear(i);
@@ -69,9 +71,11 @@ void World::set_fixed_rotation(BodyId id, bool fixed) {
     const auto [c, i] = begin_call<Call::set_fixed_rotation>(core(), id, fixed);
     if (i == null_index) return;
     Body& b = c.bodies[i];
+    if (((b.flags & body_fixed_rotation) != 0) == fixed) return;
     b.flags = fixed ? b.flags | body_fixed_rotation : b.flags & ~static_cast<std::uint32_t>(body_fixed_rotation);
     if (fixed) c.motions[i].w = 0;
     apply_mass(c, i, {b.mass, b.local_center, b.inertia});
+    wake_island(c, i, c.arena());
 }
 
 bool World::is_enabled(BodyId id) const { ISLET_READ(detail::is_enabled(c, i)); }

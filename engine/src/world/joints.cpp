@@ -1,6 +1,7 @@
 // The public functions on joints, making apart (joint_make.cpp).
 #include "../exact.hpp"
 
+#include "../bodies/jam.hpp"
 #include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
 #include "../broadphase/pairs.hpp"
@@ -63,7 +64,10 @@ float force_of(const Core& core, float impulse) { return core.state->last_subste
 
 void World::destroy_joint(JointId id) {
     const auto [c, i] = begin_call<Call::destroy_joint>(core(), id);
-    if (i != null_index) remove_joint(c, i);
+    if (i == null_index) return;
+    for (const std::uint32_t body : {c.joints[i].body_a, c.joints[i].body_b})
+        if (body != null_index) forget_jam(c, body, c.arena());
+    remove_joint(c, i);
 }
 
 bool World::is_valid(JointId id) const { return pool_holds(core().state->joint_pool, core().joints, id); }
@@ -198,6 +202,7 @@ void World::set_break(JointId id, float force, float torque) {
     c.joints[i].break_torque = torque;
     if (c.joints[i].can_break()) c.state->asked |= asked_breaks;
     c.state->trees_stale = 1;  // what can break decides how a bridge is solved
+    wake_bodies(c, c.joints[i]);
 }
 
 void World::set_user_data(JointId id, std::uint64_t data) {

@@ -1,0 +1,46 @@
+#include "../exact.hpp"
+
+#include "../bodies/jam.hpp"
+
+#include "../graph/contacts.hpp"
+#include "../graph/joint_graph.hpp"
+#include "../math/scalar.hpp"
+
+namespace islet::detail {
+
+namespace {
+
+float inv_mass_of(const Core& core, std::uint32_t body) { return body != null_index ? core.poses[body].inv_mass : 0.0f; }
+
+// Whether an impulse of the last substep, between two bodies, is that of a jam.
+bool is_jammed(const Core& core, float impulse, std::uint32_t body_a, std::uint32_t body_b) {
+    return impulse * max(inv_mass_of(core, body_a), inv_mass_of(core, body_b)) > jam_load * core.state->last_substep;
+}
+
+}  // namespace
+
+void forget_jam(Core& core, std::uint32_t body, Arena arena) {
+    // What has been forgotten is no longer jammed, so no contact or joint is passed twice.
+    std::uint32_t* queue = arena.take<std::uint32_t>(core.capacity.bodies);
+    std::uint32_t end = 0;
+    const auto reach = [&](std::uint32_t other) {
+        if (other != null_index && core.is_dynamic(other) && end < core.capacity.bodies) queue[end++] = other;
+    };
+    queue[end++] = body;
+    for (std::uint32_t at = 0; at < end; ++at) {
+        for_each_contact(core, queue[at], [&](std::uint32_t contact, std::uint32_t side) {
+            ContactManifold& m = core.manifolds[contact];
+            if (!is_jammed(core, m.normal_impulse[0] + m.normal_impulse[1], m.body_a, m.body_b)) return;
+            m.forget_impulses();
+            reach(other_body(core, contact, side));
+        });
+        for_each_joint(core, queue[at], [&](std::uint32_t joint, std::uint32_t side) {
+            Joint& j = core.joints[joint];
+            if (!is_jammed(core, abs(j.force_impulse.x) + abs(j.force_impulse.y), j.body_a, j.body_b)) return;
+            j.forget_impulses();
+            reach(other_joined(core, joint, side));
+        });
+    }
+}
+
+}  // namespace islet::detail
