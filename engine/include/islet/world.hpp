@@ -266,7 +266,7 @@ public:
     /// Multiple of the gravity that the body feels.
     float gravity_scale(BodyId body) const;
     void set_gravity_scale(BodyId body, float scale);
-    /// BodyDef::fixed_rotation. Fixing it makes the angular velocity 0.
+    /// BodyDef::fixed_rotation. Fixing it makes the angular velocity 0. A change wakes the body.
     bool is_rotation_fixed(BodyId body) const;
     void set_fixed_rotation(BodyId body, bool fixed);
     /// BodyDef::lock_x and lock_y.

@@ -411,8 +411,8 @@ ISLET_APART bool make_passes(SolverBody* bodies, TreeLink* links, std::uint32_t 
     return acts;
 }
 
-// Mends a share of the gaps as far as twice the energy `most` goes. The hinges' velocities are right, and stay so: what mends gaps is at right angles to them, in the metric
-// of the masses, so the energies add up.
+// Mends a share of the gaps as far as twice the energy `most` goes. The hinges' velocities are right, and stay so: what mends gaps is at right angles to them,
+// in the metric of the masses, so the energies add up.
 ISLET_APART void mend_gaps(SolverBody* bodies, TreeLink* links, std::uint32_t count, JointSweep n, bool acts, float gap_share, float most) {
     n.tree_rate *= gap_share;
     look<true>(bodies, links, count, n, true);

@@ -95,9 +95,8 @@ const char* fault_in_numbers(const ImageManifold& m) {
 }
 
 const char* fault_in_numbers(const Joint& j) {
-    constexpr std::uint32_t known =
-        joint_spring | joint_limit | joint_motor | joint_collide | joint_exact | joint_anchor | joint_loaded | 0xffu << joint_color_shift | joint_calm_bits |
-        joint_moved;
+    constexpr std::uint32_t known = joint_spring | joint_limit | joint_motor | joint_collide | joint_exact | joint_anchor | joint_loaded |
+                                    0xffu << joint_color_shift | joint_calm_bits | joint_moved;
     if (j.type >= joint_type_count || (j.flags & ~known) != 0 || ((j.flags & joint_exact) != 0 && j.joint_type() != JointType::revolute))
         return "a joint's type or flags are none";
     if (j.color() != no_color && j.color() >= color_count) return "a joint has a colour that is none";

@@ -3,7 +3,9 @@
 // passes it by less than half its thickness, and is pushed back the way it came.
 //
 // The body keeps its velocity and loses the rest of the step. (Box2D 3 also stops bodies where they hit, and lets them go on in the next step without a solve
-// of their own.) But a body that touches something and gets nowhere is stopped for good: else it would gather speed for as long as it is wedged.
+// of their own.) But a body that touches static faces and gets nowhere goes along them instead: else what is pressed in so deep that its middle has come to a
+// face would be nailed there, and torn off its joints. If it still gets nowhere, or is wedged between faces, it is stopped for good: else it would gather speed
+// for as long as it is wedged.
 #include "../exact.hpp"
 
 #include "../step/continuous.hpp"

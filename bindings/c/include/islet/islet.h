@@ -2660,7 +2660,7 @@ ISLET_C_API IsletError islet_body_set_angular_damping(IsletWorld* world, IsletBo
 ISLET_C_API float islet_body_gravity_scale(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_gravity_scale(IsletWorld* world, IsletBodyId body, float scale);
 
-/// IsletBodyDef.fixed_rotation. Fixing it makes the angular velocity 0.
+/// IsletBodyDef.fixed_rotation. Fixing it makes the angular velocity 0. A change wakes the body.
 ISLET_C_API bool islet_body_is_rotation_fixed(const IsletWorld* world, IsletBodyId body);
 ISLET_C_API IsletError islet_body_set_fixed_rotation(IsletWorld* world, IsletBodyId body, bool fixed);
 
