@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 #include "measure.hpp"
 
@@ -151,8 +152,8 @@ TEST(Restitution, ABoxLandingFlatBouncesFlat) {
 }
 
 // A frictionless floor takes no energy from what bounces with e = 1, however it lands: both corners of a box that comes down a little tilted bounce in one
-// step. (The second stopped dead, and a plank kept nothing of its energy.)
-TEST(Restitution, ATiltedLandingKeepsTheEnergy) {
+// step. (The second stopped dead, and a plank kept nothing of its energy.) A later corner is given nine tenths of its rebound, so that errors take energy.
+TEST(Restitution, ATiltedLandingKeepsMostOfTheEnergy) {
     struct Kind {
         const char* name;
         Polygon shape;
@@ -160,7 +161,8 @@ TEST(Restitution, ATiltedLandingKeepsTheEnergy) {
     for (const auto& [name, shape] : {Kind{"box", make_box(0.5f, 0.5f)}, Kind{"plank", make_box(0.8f, 0.1f)},
                                       Kind{"triangle", make_polygon(compute_hull(regular(3, 0.6f)))},
                                       Kind{"octagon", make_polygon(compute_hull(regular(8, 0.5f)))}}) {
-        const float face = name == std::string_view("triangle") ? -pi / 6 : name == std::string_view("octagon") ? pi / 8 : 0.0f;  // turned by this, it lands flat
+        const std::string_view kind = name;
+        const float face = kind == "triangle" ? -pi / 6 : kind == "octagon" ? pi / 8 : 0.0f;  // turned by this, it lands flat
         for (const float dt : {1.0f / 60, 1.0f / 120, 1.0f / 240}) {
             for (const float tilt : {0.005f, 0.02f, 0.05f, 0.1f, 0.15f, 0.2f, 0.3f, 0.5f, 0.7f}) {
                 TestWorld world(roomy, weightless());
@@ -171,8 +173,39 @@ TEST(Restitution, ATiltedLandingKeepsTheEnergy) {
                 const double before = kinetic_energy(*world, body);
                 world.step(static_cast<int>(1.0f / dt), dt);
                 EXPECT_GT(world->linear_velocity(body).y, 0) << name << ", tilt " << tilt;
-                EXPECT_NEAR(kinetic_energy(*world, body) / before, 1, 0.02) << name << ", tilt " << tilt << ", dt " << dt;
+                EXPECT_GT(kinetic_energy(*world, body) / before, 0.75) << name << ", tilt " << tilt << ", dt " << dt;
+                EXPECT_LT(kinetic_energy(*world, body) / before, 1.005) << name << ", tilt " << tilt << ", dt " << dt;
             }
+        }
+    }
+}
+
+// Nine frictionless bodies with e = 1 in a weightless room: energy is kept in theory, and may only fall.
+TEST(Restitution, ARoomGainsNoEnergy) {
+    for (const Polygon& shape : {make_box(0.6f, 0.6f), make_box(0.8f, 0.1f), make_polygon(compute_hull(regular(3, 0.7f))),
+                                 make_polygon(compute_hull(regular(8, 0.6f)))}) {
+        TestWorld world(roomy, weightless());
+        for (int side = 0; side < 4; ++side) {
+            const Rot turn = make_rot(pi / 2 * static_cast<float>(side));
+            world->create_shape(world->create_body({}), make_offset_box(6, 1, {rotate(turn, {0, -6}), turn}), bouncy(1));
+        }
+        std::vector<BodyId> bodies;
+        for (int i = 0; i < 9; ++i) {
+            const auto f = static_cast<float>(i);
+            bodies.push_back(world->create_body(dynamic_at({static_cast<float>(i % 3 - 1) * 3, static_cast<float>(i / 3 - 1) * 3}, f)));
+            world->create_shape(bodies.back(), shape, bouncy(1));
+            world->set_linear_velocity(bodies.back(), 6.0f * Vec2{std::sin(3 * f), std::cos(5 * f)});
+            world->set_angular_velocity(bodies.back(), 6 * std::sin(7 * f));
+        }
+        const auto energy = [&] {
+            double sum = 0;
+            for (const BodyId body : bodies) sum += kinetic_energy(*world, body);
+            return sum;
+        };
+        const double before = energy();
+        for (int i = 0; i < (slow_build ? 600 : 3600); ++i) {
+            world.step();
+            ASSERT_LT(energy(), 1.1 * before) << shape.count << " corners, step " << i;
         }
     }
 }

@@ -17,9 +17,11 @@ bool is_jammed(const Core& core, float impulse, std::uint32_t body_a, std::uint3
     return impulse * max(inv_mass_of(core, body_a), inv_mass_of(core, body_b)) > jam_load * core.state->last_substep;
 }
 
-}  // namespace
+bool is_jammed(const Core& core, const Joint& j) { return is_jammed(core, abs(j.force_impulse.x) + abs(j.force_impulse.y), j.body_a, j.body_b); }
 
-void forget_jam(Core& core, std::uint32_t body, Arena arena) {
+bool drives(const Core& core, std::uint32_t body) { return body != null_index && core.bodies[body].type() == BodyType::kinematic; }
+
+void forget_from(Core& core, std::uint32_t body, Arena arena) {
     // What has been forgotten is no longer jammed, so no contact or joint is passed twice.
     std::uint32_t* queue = arena.take<std::uint32_t>(core.capacity.bodies);
     std::uint32_t end = 0;
@@ -36,11 +38,24 @@ void forget_jam(Core& core, std::uint32_t body, Arena arena) {
         });
         for_each_joint(core, queue[at], [&](std::uint32_t joint, std::uint32_t side) {
             Joint& j = core.joints[joint];
-            if (!is_jammed(core, abs(j.force_impulse.x) + abs(j.force_impulse.y), j.body_a, j.body_b)) return;
+            if (!is_jammed(core, j)) return;
             j.forget_impulses();
             reach(other_joined(core, joint, side));
         });
     }
+}
+
+}  // namespace
+
+void forget_jam(Core& core, std::uint32_t body) {
+    if (drives(core, body)) forget_from(core, body, core.arena());
+}
+
+void forget_jam_of_joint(Core& core, std::uint32_t joint) {
+    const Joint& j = core.joints[joint];
+    if (!(drives(core, j.body_a) || drives(core, j.body_b)) || !is_jammed(core, j)) return;
+    for (const std::uint32_t body : {j.body_a, j.body_b})
+        if (body != null_index && core.is_dynamic(body)) forget_from(core, body, core.arena());
 }
 
 }  // namespace islet::detail

@@ -5,12 +5,15 @@
 
 namespace islet::detail {
 
-/// m/s^2. A contact or a joint that gives its lighter body more is jammed. (Ragdolls in a heap bear 500; ropes under hundreds of times their links' mass come
-/// to it, but do without a warm start for a step.)
+/// m/s^2. A contact or a joint that gives its lighter body more is jammed. (Ragdolls in a heap bear 500. A light body under a hundred times its mass bears it,
+/// too, so jams are looked for only where a kinematic body lets go: what else could press so hard?)
 inline constexpr float jam_load = 1000;
 
-/// Forgets the impulses of all that is jammed at a body which is about to be let go, or to hold no more, and on from there, from one jammed contact or joint
-/// to the next. Started from these impulses, the next step would shoot the bodies away: nothing bears them any longer.
-void forget_jam(Core& core, std::uint32_t body, Arena arena);
+/// Call it before a kinematic body becomes dynamic or goes: forgets the impulses of all that is jammed at it, and on from there, from one jammed contact or
+/// joint to the next. Started from these impulses, the next step would shoot the bodies away: nothing bears them any longer. No effect on other bodies.
+void forget_jam(Core& core, std::uint32_t body);
+
+/// The same before a joint goes that holds a body to a kinematic one.
+void forget_jam_of_joint(Core& core, std::uint32_t joint);
 
 }  // namespace islet::detail

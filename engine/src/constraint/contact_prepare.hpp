@@ -28,6 +28,10 @@ inline constexpr float level_tilt = 0.02f;       // sine of the angle between th
 inline constexpr float deep_level_from = 0.02f;  // m; what overlaps by more, in the mean of its two points, is deep
 inline constexpr float deep_from = 0.004f;       // m, of all other contacts
 
+/// Of the speed of a point that meets later than another one. (With all of it, rooms of frictionless bodies with restitution 1 gain energy: nine octagons had
+/// 46 times theirs after two minutes, with 0.97 of it twice theirs. With this share none had more than 1.11.)
+inline constexpr float late_share = 0.9f;
+
 inline constexpr float deep_masses = 4;    // ratio of masses above which deep overlaps are undone more slowly
 inline constexpr float most_give = 0.05f;  // m; boxes under hundreds of their own mass stand only because they give way
 
@@ -166,16 +170,17 @@ ISLET_PART void prepare_point(typename ContactRows<L::width>::Point& p, const Bo
 }
 
 /// m/s: the normal velocity that a point will have when the surfaces meet, gravity and forces included. `speed` (m/s) is its normal velocity now, `gain`
-/// (m/s^2) its rate of change. So a second point, which meets later in the step, bounces by the speed that it has before the first one meets: of a body that
-/// lands a little tilted, both bounces together give back what a bounce gives that is solved event by event.
+/// (m/s^2) its rate of change, and `behind` (m) by how much the point's separation exceeds that of the contact's nearer point. A point that meets later in the
+/// step bounces nearly by the speed that it has before the first one meets: of a body that lands a little tilted, both bounces together give back what a bounce
+/// gives that is solved event by event.
 template <class L>
-ISLET_PART typename L::F approach_of(const StepNumbers& n, typename L::F speed, typename L::F separation, typename L::F gain) {
+ISLET_PART typename L::F approach_of(const StepNumbers& n, typename L::F speed, typename L::F separation, typename L::F gain, typename L::F behind) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F fastest = L::splat(-2.0f * n.max_speed);  // two bodies cannot meet faster, whatever pulls at them
     const F gap = max(separation, zero);
     const F time = select(speed < zero, min(gap / max(zero - speed, L::splat(1.0e-9f)), L::splat(n.dt)), zero);
-    const F meeting = speed + time * gain;
+    const F meeting = (speed + time * gain) * select(behind > L::splat(2.0f * linear_slop), L::splat(late_share), L::splat(1.0f));
     return select(meeting < fastest, fastest, meeting);
 }
 
@@ -250,16 +255,19 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
 
 /// Notes how fast the surfaces will meet at each point of a block that has bouncing contacts.
 template <class L>
-ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r, const LaneManifolds<L>& m, const BodyPair<L>& s) {
+ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, const LaneManifolds<L>& m,
+                               const BodyPair<L>& s) {
     using F = typename L::F;
     const LaneVec<F> n = m.normal();
     const F rn_ab = L::load(r.rn_ab);
     const F vn = dot(n, s.vb - s.va), gain = normal_gain<L>(in, r, n);
+    F first = m.separation(0);
+    if (r.two_points) first = select(has_point<L>(lanes, 1) > L::splat(0.0f), min(first, m.separation(1)), first);
     const std::uint32_t points = r.two_points ? 2 : 1;
     for (std::uint32_t i = 0; i < points; ++i) {
         const F rna = L::load(r.points[i].rna), rnb = rna + rn_ab;
         const F speed = vn + s.wb * rnb - s.wa * rna;
-        note_approach<L>(in.numbers, r, i, approach_of<L>(in.numbers, speed, L::load(r.points[i].separation), gain));
+        note_approach<L>(in.numbers, r, i, approach_of<L>(in.numbers, speed, L::load(r.points[i].separation), gain, m.separation(i) - first));
     }
 }
 
@@ -321,7 +329,7 @@ ISLET_PART void prepare_block(const PrepareInput& in, const ContactManifold* man
     BodyPair<L> s;
     s.gather(in.bodies, r.body_a, r.body_b);
     WarmStartSum<F> start = prepare_points<L>(in, r, lanes, m, since, s);
-    if (r.is_bouncy()) prepare_bounce<L>(in, r, m, s);
+    if (r.is_bouncy()) prepare_bounce<L>(in, r, lanes, m, s);
     undo_overlap<L>(in.numbers, r, lanes, m.load(), s);
     if (r.is_special()) {
         const F rolling = prepare_rolling<L>(r, s, in.numbers, m.rolling_impulse());

@@ -220,6 +220,7 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
         }
         if (end <= least_progress) {
             taken = path;
+            end = 0;
             motion.v = {0, 0};
             motion.w = 0;
         }

@@ -139,7 +139,7 @@ BodyId World::create_body(const BodyDef& def) {
 void World::destroy_body(BodyId id) {
     const auto [c, i] = begin_call<Call::destroy_body>(core(), id);
     if (i == null_index) return;
-    forget_jam(c, i, c.arena());
+    forget_jam(c, i);
     if (c.bodies[i].joint_head != 0) remove_joints(c, i);
     end_contacts(c, i);
     while (c.bodies[i].shape_head != null_index) remove_shape(c, c.bodies[i].shape_head);
@@ -253,7 +253,7 @@ void World::set_type(BodyId id, BodyType type) {
     if (has_endless && type == BodyType::dynamic)
         for (std::uint32_t s = b.shape_head; s != null_index; s = c.shapes[s].next)
             if (!check(c, !is_endless(c.geometries[c.shapes[s].geometry]), Error::endless_shape)) return;
-    forget_jam(c, i, c.arena());
+    forget_jam(c, i);
     // Colours depend on the types, so contacts are destroyed before the type changes, and joints get new colours after it.
     end_contacts(c, i);
     wake_island(c, i, c.arena());

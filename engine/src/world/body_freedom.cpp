@@ -31,7 +31,7 @@ void set_lock(Core& core, BodyId id, std::uint32_t flag, bool lock) {
 
 void disable(Core& core, std::uint32_t i) {
     wake_island(core, i, core.arena());
-    forget_jam(core, i, core.arena());
+    forget_jam(core, i);
     end_contacts(core, i);
     unrest_shapes(core, i);
     core.awake_bodies.clear(i);

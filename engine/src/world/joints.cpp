@@ -65,8 +65,7 @@ float force_of(const Core& core, float impulse) { return core.state->last_subste
 void World::destroy_joint(JointId id) {
     const auto [c, i] = begin_call<Call::destroy_joint>(core(), id);
     if (i == null_index) return;
-    for (const std::uint32_t body : {c.joints[i].body_a, c.joints[i].body_b})
-        if (body != null_index) forget_jam(c, body, c.arena());
+    forget_jam_of_joint(c, i);
     remove_joint(c, i);
 }
 
