@@ -22,12 +22,17 @@ bool is_jammed(const Core& core, const Joint& j) { return is_jammed(core, abs(j.
 bool drives(const Core& core, std::uint32_t body) { return body != null_index && core.bodies[body].type() == BodyType::kinematic; }
 
 void forget_from(Core& core, std::uint32_t body, Arena arena) {
-    // What has been forgotten is no longer jammed, so no contact or joint is passed twice.
+    const auto words = static_cast<std::uint32_t>(words_for(core.capacity.bodies));
+    const BitSet found{arena.take<std::uint64_t>(words), words};
+    found.clear_all();
     std::uint32_t* queue = arena.take<std::uint32_t>(core.capacity.bodies);
     std::uint32_t end = 0;
     const auto reach = [&](std::uint32_t other) {
-        if (other != null_index && core.is_dynamic(other) && end < core.capacity.bodies) queue[end++] = other;
+        if (other == null_index || !core.is_dynamic(other) || found.test(other)) return;
+        found.set(other);
+        queue[end++] = other;
     };
+    found.set(body);
     queue[end++] = body;
     for (std::uint32_t at = 0; at < end; ++at) {
         for_each_contact(core, queue[at], [&](std::uint32_t contact, std::uint32_t side) {
