@@ -190,10 +190,10 @@ TEST(Sensors, SleepersStayInTheirOverlapsAndAreFoundAsleep) {
 
 // A static sensor comes to a sleeper, in each way that a call can bring it there, and leaves it: the next step finds both, and wakes nobody.
 TEST(Sensors, FindSleepersThatCallsBringThemTo) {
-    for (int way = 0; way < 5; ++way) {
+    for (int way = 0; way < 6; ++way) {
         TestWorld w;
         w.add_ground();
-        const BodyId sleeper = w.add_box({0, 0.5f});
+        const BodyId sleeper = w.add_box({0, 0.5f}, 0.5f, 0.5f, {.sensor_events = way != 5});
         const BodyId beam = w->create_body({.position = {way == 0 ? 10.0f : 0.0f, 0.5f}, .enabled = way != 1});
         const ShapeDef seeing = {.filter = {.mask = way == 2 ? 0u : ~0u}, .sensor = true};
         ShapeId sensor;
@@ -205,6 +205,7 @@ TEST(Sensors, FindSleepersThatCallsBringThemTo) {
         if (way == 2) w->set_filter(sensor, {});
         if (way == 3) w->set_circle(sensor, Circle{{2, 0}, 1.8f});
         if (way == 4) sensor = w->create_shape(beam, Circle{{}, 0.3f}, seeing);
+        if (way == 5) w->enable_sensor_events(w.shape_of(sleeper), true);
         std::size_t begun = 0, ended = 0;
         const auto step = [&] {
             w.step();

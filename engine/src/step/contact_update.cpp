@@ -75,6 +75,7 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
     if (now.count != 0) {
         const float apart = least_separation(now);
         if (apart <= speculative_distance) return now;
+        // They may end the step as near as those that touch, and a little nearer by rounding.
         if (!is_link && apart + dot(rotate(stand.a, now.normal), approach.way) > approach.turn + 1.1f * touch_gap) return {};
     }
     const bool held = !has_floor(core.poses[m.body_a], core.poses[m.body_b]);
