@@ -171,13 +171,6 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
             if (i == 0 || points != 0) note_impulse<L>(r, i, L::load(normal_impulse_of(r, i)));
 }
 
-/// The sum of a block's normal impulses so far.
-template <class L>
-ISLET_PART typename L::F normal_impulses_of(const ContactRows<L::width>& r) {
-    const auto first = L::load(normal_impulse_of(r, 0));
-    return r.two_points ? first + L::load(normal_impulse_of(r, 1)) : first;
-}
-
 /// max(min(a, bound), -bound). Most contacts of a pile stick.
 template <class L, class F = typename L::F>
 ISLET_PART F bounded(F a, F bound) {

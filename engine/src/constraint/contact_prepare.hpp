@@ -281,6 +281,10 @@ ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r,
 /// under a piston, which the few sweeps of a step do not damp enough. It therefore answers to the depth that the shapes will have after the step if they go on
 /// as they do. What comes together counts for at most twice its depth, so shapes that do not overlap yet are not pushed. Level faces get little enough to do
 /// without. A light body under a heavy one would shake, so the share falls with the ratio of their masses.
+///
+/// A deep overlap gets no more than what the contact's impulses of the last substep account for: it is there to hold against what presses. Shapes that were
+/// made to overlap, or that a long step let fall into each other, are pressed by little, and part as their springs say. (Without that bound a hundred balls in
+/// a bin that grew by 5 % were thrown 3 m high with 195 J. With half as much, 166 of some 10 000 contacts in a yard full of scrap stay deeper than 5 cm.)
 template <class L>
 ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, typename L::F load, const BodyPair<L>& s) {
     using F = typename L::F;
@@ -312,7 +316,9 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
         const F soon = min(depth - ahead * parting, most);
         const F light = min(s.ma, s.mb), heavy = max(s.ma, s.mb);  // inverse masses
         share = share * min(L::splat(deep_masses) * light / max(heavy, L::splat(1.0e-37f)), L::splat(1.0f));
-        more = more + share * max(min(soon - from, L::splat(1.0f)), zero);
+        F borne = L::splat(n.give_back * n.inv_h) * normal_impulses_of<L>(r) / mass;
+        if (r.sharing() != 0) borne = sharers_of<L>(r) * borne;
+        more = more + min(share * max(min(soon - from, L::splat(1.0f)), zero), borne);
     }
     if constexpr (L::width > 1) more = select(min(s.ma, s.mb) > zero, more, zero);
     L::store(r.points[0].separation, L::load(r.points[0].separation) - more);

@@ -119,6 +119,13 @@ ISLET_PART typename L::F sharers_of(const ContactRows<L::width>& r) {
     }
 }
 
+/// N s: the sum of a block's normal impulses so far.
+template <class L>
+ISLET_PART typename L::F normal_impulses_of(const ContactRows<L::width>& r) {
+    const auto first = L::load(normal_impulse_of(r, 0));
+    return r.two_points ? first + L::load(normal_impulse_of(r, 1)) : first;
+}
+
 /// A truth value that is known when a template is compiled.
 template <bool is>
 struct KnownBool {
