@@ -49,6 +49,7 @@ struct JointSweep {
     float omega = 1;      // relaxation factor
     bool biased = false;  // false: velocities only
     Softness soft;        // of what is rigid; in a relax sweep (0, 1, 0)
+    Softness soft_alone;  // the same of joints without a colour: those of crowded bodies, and those beside joint trees (solve_numbers.hpp)
     float max_turn = 0;   // rad/s, of bodies in joint trees
     float tree_rate = 0;  // 1/s, at which hinges solved exactly mend their error
 };

@@ -4,6 +4,7 @@
 
 #include "../constraint/joint_runs.hpp"
 #include "../data/parallel.hpp"
+#include "../graph/colors.hpp"
 #include "../island/height_order.hpp"
 #include "../island/joint_trees.hpp"
 #include "../island/union_find.hpp"
@@ -105,6 +106,32 @@ struct ContactList {
     }
 };
 
+// Marks the awake bodies of joint trees, by a slot that is not 0, until they are given their own. Returns whether there are any.
+bool mark_trees(const Core& core, Plan& plan) {
+    if (!has_joints || core.state->exact_joints == 0) return false;
+    bool any = false;
+    core.awake_joints.for_each([&](std::uint32_t i) {
+        const Joint& j = core.joints[i];
+        if ((j.flags & joint_exact) == 0) return;
+        any = true;
+        for (const std::uint32_t body : {j.body_a, j.body_b})
+            if (is_positive(core.poses[body].inv_mass)) plan.slot_of[body] = 1;
+    });
+    return any;
+}
+
+// True if a constraint is swept beside a joint tree: it is solved by itself then, and softer (solve_numbers.hpp says why).
+bool is_beside_tree(const Plan& plan, std::uint32_t body_a, std::uint32_t body_b) {
+    return plan.slot_of[body_b] != 0 || (body_a != null_index && plan.slot_of[body_a] != 0);  // a mouse joint has no A
+}
+
+// The colour of a contact as it is listed.
+std::uint32_t listed_color(const Plan& plan, const ContactManifold& m) {
+    const std::uint32_t color = m.color();
+    if (plan.has_trees && color >= dynamic_color_limit && is_beside_tree(plan, m.body_a, m.body_b)) return no_color;
+    return color | ((m.flags & contact_ahead) != 0 && color != no_color ? listed_landing : 0);
+}
+
 // Lists the touching contacts, in the order in which they are to be solved, and connects their bodies.
 ContactList list_contacts(const Core& core, Plan& plan, const ConnectedBodies& sets, Arena& temporary) {
     const BitSet awake = core.awake_contacts;
@@ -117,11 +144,10 @@ ContactList list_contacts(const Core& core, Plan& plan, const ConnectedBodies& s
         awake.for_each_in(list.first_word(part), list.end_word[part], [&](std::uint32_t i) {
             const ContactManifold& m = core.manifolds[i];
             if ((m.flags & contact_touching) == 0) return;
-            const std::uint32_t color = m.color();
-            const std::uint32_t lands = (m.flags & contact_ahead) != 0 && color != no_color ? listed_landing : 0;
-            contacts[at++] = {i, m.body_a, m.body_b, {color | lands}};
-            colors |= 1u << color % color_count;
-            any_lands |= lands;
+            const std::uint32_t color = listed_color(plan, m);
+            contacts[at++] = {i, m.body_a, m.body_b, {color}};
+            colors |= 1u << (color & ~listed_landing) % color_count;
+            any_lands |= color & listed_landing;
         });
         list.end[part] = at;
         list.colors[part] = colors;
@@ -133,7 +159,10 @@ ContactList list_contacts(const Core& core, Plan& plan, const ConnectedBodies& s
     });
     if (!shares_words(core)) list.for_each([&](const PlannedConstraint& c) { sets.connect(core, c.body_a, c.body_b); });
     for (std::uint32_t p = 0; p < list.parts(); ++p) plan.touching_count += list.end[p] - list.first[p];
-    if (has_shock(core.state->solver)) lighten_by_height(core, contacts, list.end[0], plan.lightness, temporary);
+    if (has_shock(core.state->solver)) {
+        lighten_by_height(core, contacts, list.end[0], plan.lightness, temporary);
+        for (std::uint32_t k = 0; k < list.end[0]; ++k) contacts[k].color = listed_color(plan, core.manifolds[contacts[k].index]);
+    }
     if (is_ordered(core.state->solver)) put_in_order(core, contacts, list.end[0]);
     return list;
 }
@@ -298,8 +327,9 @@ void connect_gear(const Core& core, const ConnectedBodies& sets, const Joint& ge
 }
 
 // A joint as it is listed.
-PlannedConstraint listed(std::uint32_t i, const Joint& j) {
-    std::uint32_t word = j.color() | static_cast<std::uint32_t>(kernel_of(j)) << listed_kernel_shift;
+PlannedConstraint listed(const Plan& plan, std::uint32_t i, const Joint& j) {
+    const bool alone = plan.has_trees && is_beside_tree(plan, j.body_a, j.body_b);
+    std::uint32_t word = (alone ? std::uint32_t{no_color} : j.color()) | static_cast<std::uint32_t>(kernel_of(j)) << listed_kernel_shift;
     if ((j.flags & joint_exact) != 0) word |= listed_exact;
     if (j.joint_type() == JointType::gear) word |= listed_gear;
     return {i, j.body_a, j.body_b, {word}};
@@ -314,13 +344,12 @@ PlannedConstraint* list_joints(const Core& core, Plan& plan, const ConnectedBodi
         awake.for_each_in(first, end, [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
             const Joint& j = core.joints[i];
             if (sets.parent_of(j.body_a) == null_index && sets.parent_of(j.body_b) == null_index) return;  // both have become static or kinematic
-            take(listed(i, j));
+            take(listed(plan, i, j));
         });
     };
     const auto take = [&](PlannedConstraint j) ISLET_INLINED_LAMBDA {
         ++plan.awake_joints;
         if ((j.color & listed_gear) != 0) connect_gear(core, sets, core.joints[j.index]);
-        plan.has_trees = plan.has_trees || (j.color & listed_exact) != 0;
         if ((j.color & listed_exact) == 0) joints[plan.joint_count++] = j;
     };
     const auto connect_and_take = [&](const PlannedConstraint& j) ISLET_INLINED_LAMBDA {
@@ -500,6 +529,7 @@ Plan make_plan(const Core& core, Arena& arena) {
     Arena temporary = arena;  // what is taken from it serves this function alone: the solve takes the same scratch again
 
     const ConnectedBodies sets = separate_bodies(core, plan, temporary);
+    plan.has_trees = mark_trees(core, plan);
     const ContactList contacts = list_contacts(core, plan, sets, temporary);
     PlannedConstraint* const joints = list_joints(core, plan, sets, temporary);
 

@@ -113,7 +113,6 @@ void lighten_by_height(const Core& core, PlannedConstraint* contacts, std::uint3
     turn_impulses(core, contacts, count, lightness, Impulses::real, temporary);
     for (std::uint32_t k = 0; k < count; ++k) contacts[k].height = 0;  // by slot
     sort_by_height(contacts, count);
-    for (std::uint32_t k = 0; k < count; ++k) contacts[k].color = core.manifolds[contacts[k].index].color();
 }
 
 void restore_impulses(const Core& core, const float* lightness, Arena temporary) {

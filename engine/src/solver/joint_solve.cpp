@@ -47,7 +47,9 @@ void prepare_joint_run(const JointRun& run, std::uint32_t lanes, std::byte* rows
     });
 }
 
-void solve_joint_run(const JointRun& run, std::uint32_t lanes, SolverBody* bodies, std::byte* rows, const JointSweep& sweep) {
+void solve_joint_run(const JointRun& run, std::uint32_t lanes, SolverBody* bodies, std::byte* rows, const JointSweep& of_colors) {
+    JointSweep sweep = of_colors;
+    if (run.color == no_color) sweep.soft = sweep.soft_alone;
     over_blocks(run, lanes, rows,
                 [&](auto w, std::uint32_t blocks, std::byte* first, std::uint32_t) { solve_joints<w>(run.kernel, bodies, first, blocks, sweep); });
 }
