@@ -2,8 +2,8 @@
 # Builds Islet and runs every test.
 #   tools/test.sh              optimised build, all tests
 #   tools/test.sh --all        the same, but for tests that take long and have others of their kind, and with tests and tools compiled many files as one and
-#                              run many in a process; once more with clang and sanitizers, but for tests of features left out, physics, control, scenes and
-#                              tools, and 110 seconds of fuzzing under them; hashes on other processors, and of the firmware and the sketches in
+#                              run many in a process; once more with clang and sanitizers, but for tests of rules, features left out, physics, control, scenes and
+#                              tools, and 90 seconds of fuzzing under them; hashes on other processors, and of the firmware and the sketches in
 #                              microcontrollers, all emulated; the engine compiled by hand and in a fresh tree; pages played in a browser, the package for
 #                              Python, and the scripts checked: what CI runs
 #   tools/test.sh --release    all of that with the optimised build file by file and all its tests, on more processors, systems and boards, with more
@@ -16,8 +16,8 @@ set -euo pipefail
 . "$(dirname "$0")/lib.sh"
 
 least_coverage=90  # %
-fuzz_seconds=80
-fuzz_c_seconds=20
+fuzz_seconds=65
+fuzz_c_seconds=15
 fuzz_small_seconds=10
 
 all=false
@@ -314,8 +314,8 @@ if $all || ! $coverage; then
     if $all; then
         # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
         # (What lacks a feature has no code that the whole engine lacks, and the small profile is fuzzed.)
-        targets=(--target islet_{unit,queries,robustness,determinism,embedded,c}_tests)
-        if $release; then targets+=(islet_{features,physics,control,samples,tools_islet,tools_lab}_tests islet_runner islet-lab islet_python_made); fi
+        targets=(--target islet_{unit,queries,robustness,determinism,c}_tests)
+        if $release; then targets+=(islet_{embedded,features,physics,control,samples,tools_islet,tools_lab}_tests islet_runner islet-lab islet_python_made); fi
         targets+=(islet_hashes islet_fuzz_{api,c,small} islet_lockstep islet_lcp_search islet_scene_mutants islet_c_{calls,lcp,refusals} islet_fleet_workers)
         start_building asan-ubsan
     fi
@@ -346,7 +346,7 @@ if $all; then
     # Planning and random rooms call nothing that the lockstep tester does not; the thread sanitizer sees workers; the manual's tests read files alone. The package for Python is only read
     # (check_by_hand).
     left_out='^(islet_)?(reference|tools[._]engines)|^docs\.|fast_math|^samples\.planning|random_rooms|any_number_of_workers|^python\.'
-    if ! $release; then left_out+='|^(islet_)?(features|small|physics|control|samples|tools)'; fi
+    if ! $release; then left_out+='|^(islet_)?(embedded|features|small|physics|control|samples|tools)'; fi
     run_tests asan-ubsan --exclude-regex "$left_out"
     tools=OFF
     # What two workers share by mistake.

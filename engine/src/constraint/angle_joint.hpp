@@ -62,7 +62,7 @@ WarmStart prepare(AngleRows<W>& r, std::uint32_t lane, const Joint& j, const Joi
     float turning = set_coordinate(r.free, lane, j, in);
     if (j.length != 0) {
         const AngleRange range = range_at(j, r.angle[lane]);
-        hold_between(r.free, lane, j, in.poses, in.numbers, range.lower, range.upper);
+        hold_between(r.free, lane, j, in.numbers, range.lower, range.upper);
         r.free.parts |= part_limit;
         turning = r.free.spring[lane] + r.free.motor[lane] + r.free.friction[lane] + r.free.low[lane] - r.free.high[lane];
     }

@@ -60,6 +60,19 @@ inline std::uint32_t coordinate_parts(const Joint& j) {
            (is_positive(j.friction) ? std::uint32_t{part_friction} : 0u) | ((j.flags & joint_limit) != 0 ? std::uint32_t{part_limit} : 0u);
 }
 
+/// What the joint's own motor put on its limits in the last substep. (A wheel's motor turns it, and its limits are the strut's.)
+inline float own_drive(const Joint& j) { return j.joint_type() == JointType::wheel ? 0 : j.motor_impulse; }
+
+/// Fills the limits' part of rows that have none yet.
+template <std::uint32_t W>
+ISLET_PART void hold_between(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n, float lower, float upper) {
+    r.lower[lane] = within_bound(lower);
+    r.upper[lane] = within_bound(upper);
+    r.low[lane] = n.warm * j.lower_impulse;
+    r.high[lane] = n.warm * j.upper_impulse;
+    r.load[lane] = n.warm * (j.limit_load - own_drive(j));
+}
+
 /// The speed that an impulse on the limits would give to the lighter of the joint's bodies; where it turns, at its radius of gyration. m/s.
 ISLET_SHARED float given_speed(const Joint& j, const Pose* poses, float impulse) {
     const bool turns = j.joint_type() == JointType::revolute || j.joint_type() == JointType::angle;
@@ -71,29 +84,10 @@ ISLET_SHARED float given_speed(const Joint& j, const Pose* poses, float impulse)
     return abs(impulse) * max(given_to(j.body_a), given_to(j.body_b));
 }
 
-/// What counts as put on the limits by the joint's own motor in the last substep: all of it, unless the motor bears a load besides that would give the lighter
-/// body more than twice light_load. Then the mean takes its time for the motor, too. (A platform of 6 kg that a motor pressed against its upper limit, under 60
-/// times its mass, shook at 0.24 m/s for ever: the limit was pulled towards what it does not bear.) A wheel's motor turns it, and its limits are the strut's.
-ISLET_SHARED float own_drive(const Joint& j, const Pose* poses, float h) {
-    if (j.joint_type() == JointType::wheel) return 0;
-    const float bound = 2 * light_load * h;
-    return j.motor_impulse * (bound / max(bound, given_speed(j, poses, j.motor_impulse + (j.lower_impulse - j.upper_impulse))));
-}
-
-/// Fills the limits' part of rows that have none yet.
-template <std::uint32_t W>
-ISLET_PART void hold_between(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const Pose* poses, const StepNumbers& n, float lower, float upper) {
-    r.lower[lane] = within_bound(lower);
-    r.upper[lane] = within_bound(upper);
-    r.low[lane] = n.warm * j.lower_impulse;
-    r.high[lane] = n.warm * j.upper_impulse;
-    r.load[lane] = n.warm * (j.limit_load - own_drive(j, poses, n.h));
-}
-
 /// The load that the limits bore, after a step, from their impulse. An image may hold any load; one beyond all sense is forgotten, as impulses are.
 ISLET_PART void keep_load(float impulse, Joint& j, const JointOutput& out) {
     const float before = out.warm * j.limit_load;  // in this step's substeps
-    const float borne = impulse + own_drive(j, out.poses, out.h);
+    const float borne = impulse + own_drive(j);
     const float bound = light_load * out.h;
     const float rate = load_rate * bound / max(bound, given_speed(j, out.poses, max(abs(borne), abs(before))));
     const float load = before + rate * out.dt * (borne - before);
@@ -125,7 +119,7 @@ float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, c
         r.max_friction[lane] = n.h * j.friction;
         r.friction[lane] = n.warm * j.friction_impulse;
     }
-    if ((parts & part_limit) != 0) hold_between(r, lane, j, in.poses, n, j.lower, j.upper);
+    if ((parts & part_limit) != 0) hold_between(r, lane, j, n, j.lower, j.upper);
     return r.spring[lane] + r.motor[lane] + r.friction[lane] + r.low[lane] - r.high[lane];
 }
 

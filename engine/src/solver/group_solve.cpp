@@ -193,7 +193,7 @@ void GroupSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
     for_runs([&](Solve& s, const JointRun& r) {
         if (r.color == no_color) solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     });
-    for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { One::solve(s.bodies, overflow, n, dynamic); });
+    for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { solve_alone<One>(s, overflow, n, dynamic, ground); });
     for (std::uint32_t left = colors; left != 0; left &= left - 1) {
         const auto c = trailing_zeros(left);
         for_runs([&](Solve& s, const JointRun& r) {
@@ -203,7 +203,9 @@ void GroupSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         if (blocks != 0) K::solve(all().bodies, rows + first_block[c], blocks, c < dynamic_color_limit ? dynamic : ground);
     }
     for (std::uint32_t i = 0; lands && i < landing_sweeps; ++i) {
-        for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { One::land_again(s.bodies, overflow, n, dynamic); });
+        for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) {
+            for (std::uint32_t k = 0; k < n; ++k) One::land_again(s.bodies, overflow + k, 1, numbers_alone(s, overflow[k], dynamic, ground));
+        });
         for (std::uint32_t c = 0; c < color_count; ++c)
             K::land_again(all().bodies, rows + first_block[c], first_block[c + 1] - first_block[c], c < dynamic_color_limit ? dynamic : ground);
     }

@@ -29,4 +29,16 @@ struct Solve {
     PrepareInput input() const { return {core.manifolds, core.poses, plan.slot_of, bodies, motions, numbers.step}; }
 };
 
+/// How a sweep treats a contact without a colour.
+ISLET_PART const SweepNumbers& numbers_alone(const Solve& s, const ContactRows<1>& r, const SweepNumbers& dynamic, const SweepNumbers& ground) {
+    if (is_positive(s.bodies[r.body_a[0]].inv_mass) && is_positive(s.bodies[r.body_b[0]].inv_mass)) return dynamic;
+    return s.numbers.is_ordered || !is_positive(ground.bias_rate) ? ground : s.numbers.ground_alone;
+}
+
+/// One sweep over contacts without a colour.
+template <class Kernel>
+void solve_alone(const Solve& s, ContactRows<1>* rows, std::uint32_t count, const SweepNumbers& dynamic, const SweepNumbers& ground) {
+    for (std::uint32_t i = 0; i < count; ++i) Kernel::solve(s.bodies, rows + i, 1, numbers_alone(s, rows[i], dynamic, ground));
+}
+
 }  // namespace islet::detail

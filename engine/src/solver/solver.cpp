@@ -91,8 +91,6 @@ struct BatchSolve {
         const std::uint32_t end = batch.first_block[color + 1];
         return end - block < step_of_blocks ? end : block + step_of_blocks;
     }
-    bool both_move(const ContactRows<1>& r) const { return is_positive(s.bodies[r.body_a[0]].inv_mass) && is_positive(s.bodies[r.body_b[0]].inv_mass); }
-
     /// Calls work(first, end) for ranges of `count` items: of blocks, which stay together two by two (with_rows says why), or of what `unit` says.
     template <class Work>
     void over(std::uint32_t count, std::uint32_t grain, Work&& work, std::uint32_t unit = lanes > W ? 2 : 1) {
@@ -239,8 +237,7 @@ ISLET_NEVER_INLINE void BatchSolve<lanes>::find_landing() {
 template <std::uint32_t lanes>
 ISLET_NEVER_INLINE void BatchSolve<lanes>::land(const SweepNumbers& dynamic, const SweepNumbers& ground) {
     for (std::uint32_t sweep = 0; sweep < landing_sweeps; ++sweep) {
-        for (std::uint32_t i = 0; i < overflow_count; ++i)
-            One::land_again(s.bodies, overflow + i, 1, s.numbers.is_ordered && !both_move(overflow[i]) ? ground : dynamic);
+        for (std::uint32_t i = 0; i < overflow_count; ++i) One::land_again(s.bodies, overflow + i, 1, numbers_alone(s, overflow[i], dynamic, ground));
         for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
             const auto c = trailing_zeros(left);
             const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
@@ -296,7 +293,7 @@ void BatchSolve<lanes>::sweep(const SweepNumbers& dynamic, const SweepNumbers& g
         const JointRun& r = s.plan.runs[run];
         solve_joint_run(r, 1, s.bodies, s.joint_rows + r.offset, joints);
     }
-    if (!s.numbers.is_ordered && overflow_count != 0) One::solve(s.bodies, overflow, overflow_count, dynamic);
+    if (!s.numbers.is_ordered) solve_alone<One>(s, overflow, overflow_count, dynamic, ground);
     if constexpr (W > 1) {
         over_pieces([&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t, std::uint32_t c) {
             decltype(kernel)::solve(s.bodies, rows, count, c < dynamic_color_limit ? dynamic : ground);
@@ -345,7 +342,7 @@ float BatchSolve<lanes>::measure(const SweepNumbers& dynamic, const SweepNumbers
     };
     for (std::uint32_t i = 0; i < overflow_count; ++i) {
         ContactRows<1>& r = overflow[i];
-        try_contacts(One{}, r, s.numbers.is_ordered && !both_move(r) ? ground : dynamic);
+        try_contacts(One{}, r, numbers_alone(s, r, dynamic, ground));
     }
     for (std::uint32_t c = 0; c < color_count; ++c)
         for (std::uint32_t block = batch.first_block[c]; block < batch.first_block[c + 1]; ++block)
