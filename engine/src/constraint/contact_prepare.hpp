@@ -322,7 +322,7 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
         share = share * min(L::splat(deep_masses) * light / max(heavy, L::splat(1.0e-37f)), L::splat(1.0f));
         F borne = L::splat(pressed_share * n.give_back * n.inv_h) * normal_impulses_of<L>(r) / mass;
         if (r.sharing() != 0) borne = sharers_of<L>(r) * borne;
-        more = more + min(share * max(min(soon - from, L::splat(1.0f)), zero), borne);
+        more = more + max(min(share * min(soon - from, L::splat(1.0f)), borne), zero);  // an image may hold impulses below 0
     }
     if constexpr (L::width > 1) more = select(min(s.ma, s.mb) > zero, more, zero);
     L::store(r.points[0].separation, L::load(r.points[0].separation) - more);

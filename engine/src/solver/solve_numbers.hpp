@@ -44,7 +44,7 @@ inline constexpr float level_share = 0.55f;
 //     -m (dx/dt + rate x) - impulse_scale p  with bias,     -m dx/dt  without,
 // and M d2x/dt2 = p / h. Where M is much larger than m, x comes to rest, by Routh's criterion, if k impulse_scale > h rate (mass_scale = 1 - impulse_scale).
 // With two sweeps and a damping ratio of 2 that holds up to 0.208 / h; up to here it holds with a tenth to spare. (At 0.25 / h, a drawbridge that a rod held
-// near its hinge whirled round, and a boom of 1 kg threw 60 kg that hung on it about at 15 m/s.) Contacts with the ground, whose damping ratio is 10, are steady
+// near its hinge whirled round, and a boom threw 60 kg that hung on it about at 15 m/s.) Contacts with the ground, whose damping ratio is 10, are steady
 // up to 0.22 / h, but other rows take part in what they bear: a lever on a block of the ground, with 50 kg on its other end, shook at 0.2 / h and 0.167 / h.
 inline constexpr float steady_hertz = 0.2f, steady_ground = 0.15f;
 
