@@ -32,10 +32,6 @@ inline constexpr float deep_from = 0.004f;       // m, of all other contacts
 /// 46 times theirs after two minutes, with 0.97 of it twice theirs. With this share none had more than 1.11.)
 inline constexpr float late_share = 0.9f;
 
-/// What is undone presses, too, and compounds that are wedged into each other would drive themselves by it: with 1 instead of this share, 47 of 2700 pairs that
-/// were made inside each other went on at more than 0.5 m/s, with it 22, and with 0, 17. Below 0.6, piles of scrap stay deep, and pressed rows shake.
-inline constexpr float pressed_share = 0.8f;
-
 inline constexpr float deep_masses = 4;    // ratio of masses above which deep overlaps are undone more slowly
 inline constexpr float most_give = 0.05f;  // m; boxes under hundreds of their own mass stand only because they give way
 
@@ -286,9 +282,10 @@ ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r,
 /// as they do. What comes together counts for at most twice its depth, so shapes that do not overlap yet are not pushed. Level faces get little enough to do
 /// without. A light body under a heavy one would shake, so the share falls with the ratio of their masses.
 ///
-/// A deep overlap gets no more than a share of what the contact's impulses of the last substep account for: it is there to hold against what presses. Shapes
-/// that were made to overlap, or that a long step let fall into each other, are pressed by little, and part as their springs say. (Without that bound a hundred
-/// balls in a bin that grew by 5 % were thrown 3 m high.)
+/// A deep overlap gets no more than what the contact's impulses of the last substep account for: it is there to hold against what presses. Shapes that were
+/// made to overlap, or that a long step let fall into each other, are pressed by little, and part as their springs say. (Without that bound a hundred balls in
+/// a bin that grew by 5 % were thrown 3 m high. With half of it, crowds of compounds and of scrap stay deep, and pressed rows shake; compounds that are wedged
+/// into each other would drive themselves less, since what is undone presses, too.)
 template <class L>
 ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, const ContactLanes<L::width>& lanes, typename L::F load, const BodyPair<L>& s) {
     using F = typename L::F;
@@ -320,7 +317,7 @@ ISLET_PART void undo_overlap(const StepNumbers& n, ContactRows<L::width>& r, con
         const F soon = min(depth - ahead * parting, most);
         const F light = min(s.ma, s.mb), heavy = max(s.ma, s.mb);  // inverse masses
         share = share * min(L::splat(deep_masses) * light / max(heavy, L::splat(1.0e-37f)), L::splat(1.0f));
-        F borne = L::splat(pressed_share * n.give_back * n.inv_h) * normal_impulses_of<L>(r) / mass;
+        F borne = L::splat(n.give_back * n.inv_h) * normal_impulses_of<L>(r) / mass;
         if (r.sharing() != 0) borne = sharers_of<L>(r) * borne;
         more = more + max(min(share * min(soon - from, L::splat(1.0f)), borne), zero);  // an image may hold impulses below 0
     }
