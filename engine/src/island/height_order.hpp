@@ -40,7 +40,7 @@ void put_in_order(const Core& core, PlannedConstraint* contacts, std::uint32_t c
 
 /// Writes by which factor, at most 10 000, the solve takes each body for lighter than it is: 1 for a body that lies on nothing that can be pushed, else
 /// 1 / (1 - shock) times the factor of the body below. Makes the impulses of the contacts smaller accordingly. Expects the contacts in the order of their
-/// slots, and leaves them so.
+/// slots, and leaves them so, with no colours: heights stand in their place.
 void lighten_by_height(const Core& core, PlannedConstraint* contacts, std::uint32_t count, float* lightness, Arena temporary);
 
 /// After the solve: makes the impulses of the awake contacts as large again as those of the bodies as they are.
