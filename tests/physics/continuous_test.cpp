@@ -399,6 +399,32 @@ TEST(ContinuousCollision, ARopeSlidesOverAPeg) {
     }
 }
 
+// A bar lies through the top of a wall of 4 cm, its middle within a millimetre of the wall's face, so that continuous collision holds the middle. Contacts press
+// the bar upwards, along that face. A hand pulls it off. (It was held there for ever: at up to 30 of 63 such places.)
+TEST(ContinuousCollision, NothingIsNailedToAThinWall) {
+    for (const float tilt : {0.0f, 0.7f})
+        for (const float below : {0.02f, 0.04f, 0.06f})
+            for (const float angle : {1.2f, pi / 2, 1.95f})
+                for (int place = -10; place <= 10; ++place)
+                    for (const Vec2 to : {Vec2{-4, 2}, Vec2{0, 2}, Vec2{4, 2}}) {
+                        WorldDef def = sleepless();
+                        const Rot q = make_rot(tilt);
+                        TestWorld world({.bodies = 4, .shapes = 4, .contacts = 8, .joints = 1}, def);
+                        world.add(make_offset_box(0.02f, 5, {{0, -5}, {}}), BodyDef{.angle = tilt});
+                        const Vec2 at = rotate(q, {0.02f + 1e-4f * static_cast<float>(place), -below});
+                        const BodyId bar = world.add(make_box(0.04f, 0.15f), dynamic_at(at, angle + tilt));
+                        MouseJointDef hand;
+                        hand.body = bar;
+                        hand.target = at;
+                        hand.max_force = 5 * static_cast<float>(g) * world->mass(bar);
+                        const JointId joint = world->create_joint(hand);
+                        world->set_target(joint, to);
+                        world.step(slow_build ? 120 : 300);
+                        EXPECT_GT(distance(world->position(bar), at), 0.03f)
+                            << "wall at " << tilt << ", middle " << below << " below its top, bar at " << angle << ", place " << place << ", to " << to.x;
+                    }
+}
+
 TEST(ContinuousCollision, BulletIsASettingOfBodies) {
     TestWorld world;
     const BodyId body = world.add_box({0, 0});

@@ -221,6 +221,34 @@ TEST(Sleep, TouchingAMovingKinematicBodyKeepsAnIslandAwake) {
     EXPECT_LT(steps_to_sleep(world, {box}), 60) << "a kinematic body that stands still lets others sleep";
 }
 
+// A lift, a turning board as slow as a clock's minute hand, and a lift with a box on it, set once and left alone for a minute. (Slower than 0.05 m/s, they stood
+// still after half a second.)
+TEST(Sleep, AKinematicBodyMovesAtItsSpeedHoweverSlowly) {
+    for (const float speed : {0.0001f, 0.002f, 0.02f, 0.049f}) {
+        TestWorld world;
+        BodyDef def;
+        def.type = BodyType::kinematic;
+        def.linear_velocity = {0, speed};
+        const BodyId lift = world.add(make_box(2, 0.2f), def);
+        def.position = {10, 0};
+        const BodyId loaded = world.add(make_box(2, 0.2f), def);
+        const BodyId box = world.add_box({10, 0.7f});
+        def.position = {-10, 0};
+        def.linear_velocity = {0, 0};
+        def.angular_velocity = speed;
+        const BodyId hand = world.add(make_box(2, 0.2f), def);
+        world.step(3600);
+        const double way = 60 * double(speed), rounding = 3600 * eps * way + 1e-5;
+        EXPECT_NEAR(double(world->position(lift).y), way, rounding);
+        EXPECT_NEAR(double(world->position(loaded).y), way, rounding);
+        EXPECT_NEAR(double(world->position(box).y), 0.7 + way, 0.005);
+        EXPECT_NEAR(double(world->angle(hand)), way, 3600 * 2 * eps);
+        EXPECT_TRUE(world->is_awake(box));
+        world->set_linear_velocity(loaded, {0, 0});
+        EXPECT_LT(steps_to_sleep(world, {box, loaded}), 120) << "stands still at last";
+    }
+}
+
 TEST(Sleep, CanBeTurnedOff) {
     TestWorld world;
     world.add_ground();

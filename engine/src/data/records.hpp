@@ -238,7 +238,7 @@ enum JointFlags : std::uint32_t {
     joint_calm = 1u << 16,  // times 0 to 15: for so many steps on end a loaded hinge has borne little
     joint_calm_bits = 15 * joint_calm,
     joint_torn = 1u << 20,   // bore too much in a substep; broken at the end of the step
-    joint_moved = 1u << 21,  // a call has put one of its bodies elsewhere since the last step
+    joint_moved = 1u << 21,  // a call has put its bodies apart, and they have not come together yet
 };
 
 /// A joint. Which fields mean something depends on its type.

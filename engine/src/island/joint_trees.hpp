@@ -54,11 +54,16 @@ ISLET_PART std::uint32_t load_flags(const Core& core, const Joint& j) {
     const std::uint32_t calm = (j.flags & joint_calm_bits) + joint_calm;
     return was && calm <= joint_calm_bits ? joint_loaded | calm : 0;
 }
-ISLET_SHARED bool load_has_changed(const Core& core, const Joint& j) { return load_flags(core, j) != (j.flags & (load_bits | joint_moved)); }
 
-/// Notes that, and that a step has seen where calls have put the bodies.
+/// The flags of a joint that a step may change, as it leaves them. (Where calls have put the bodies is of no interest to what is swept; trees forget it.)
+ISLET_SHARED std::uint32_t stepped_flags(const Core& core, const Joint& j) {
+    return load_flags(core, j) | ((j.flags & joint_exact) != 0 ? j.flags & joint_moved : 0);
+}
+inline bool load_has_changed(const Core& core, const Joint& j) { return stepped_flags(core, j) != (j.flags & (load_bits | joint_moved)); }
+
+/// Notes them.
 ISLET_PART void note_load(Core& core, Joint& j) {
-    const std::uint32_t now = load_flags(core, j);
+    const std::uint32_t now = stepped_flags(core, j);
     if (((now ^ j.flags) & joint_loaded) != 0) core.state->trees_stale = 1;
     j.flags = (j.flags & ~(load_bits | joint_moved)) | now;
 }

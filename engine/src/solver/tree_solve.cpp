@@ -499,6 +499,16 @@ void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const
     if (gain > 0) solve_safely(bodies, links, count, joints, n);
 }
 
+namespace {
+
+// A hinge that a call has opened counts as opened while it closes. (If something is in the way, it gets no more energy to close with.)
+void note_closing(Joint& j, const TreeLink& l, const SolverBody& c, const SolverBody& p, float dt) {
+    const float before = length(l.d + l.rc - l.rp), now = length(l.d + point_at_end(c, l.rc, 0) - point_at_end(p, l.rp, 0));
+    if (!(now > closed_gap && before - now > spare_speed * dt)) j.flags &= ~std::uint32_t{joint_moved};
+}
+
+}  // namespace
+
 void store_trees(const TreeLink* links, std::uint32_t count, const JointOutput& out) {
     for (std::uint32_t k = 0; k < count; ++k) {
         const TreeLink& l = links[k];
@@ -517,6 +527,7 @@ void store_trees(const TreeLink* links, std::uint32_t count, const JointOutput& 
         j.impulse = j.force_impulse = l.sign * l.lambda.linear();
         j.torque_impulse = l.sign * l.lambda.turning + 0.0f;
         j.coordinate = angle_now(l, c, p);
+        if (l.moved) note_closing(j, l, c, p, out.dt);
         if (has_exact_angles && l.acts) {
             JointSweep n;
             n.h = out.h;

@@ -155,6 +155,27 @@ float stop_on_way(const Core& core, std::uint32_t body, const BodyPath& path) {
     return end;
 }
 
+// Moves a body, whose middle static bodies hold, a little along `out`, with what its way has of the other direction taken away, and its turn if need be.
+// Returns the share of that way after which it is stopped, and the way in `taken`; 0 if it is held there, too.
+float let_go(Core& core, std::uint32_t body, const BodyPath& path, Vec2 out, BodyPath& taken) {
+    const Vec2 step_out = 2 * least_gap * out;
+    if (stop_on_way(core, body, {path.center, path.q, step_out, 0}) < 1) return 0;
+    Motion& motion = core.motions[body];
+    taken = path;
+    taken.center += step_out;
+    taken.way -= min(dot(taken.way, out), 0.0f) * out;
+    float end = stop_on_way(core, body, taken);
+    const bool turns = end > least_progress;
+    if (!turns) {
+        taken.turn = 0;
+        end = stop_on_way(core, body, taken);
+    }
+    if (end <= least_progress) return 0;
+    motion.v -= min(dot(motion.v, out), 0.0f) * out;
+    if (!turns) motion.w = 0;
+    return end;
+}
+
 }  // namespace
 
 BodyPath path_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_held) {
@@ -207,20 +228,16 @@ void stop_at_static(Core& core, std::uint32_t body, SolverBody& way) {
     BodyPath taken = path;
     if (end <= least_progress && has_touch(core, body)) {
         Motion& motion = core.motions[body];
-        const Vec2 out = way_out(core, body), step_out = 2 * least_gap * out;
-        if (out != Vec2{} && stop_on_way(core, body, {path.center, path.q, step_out, 0}) >= 1) {
-            taken.center += step_out;
-            taken.way -= min(dot(taken.way, out), 0.0f) * out;
-            motion.v -= min(dot(motion.v, out), 0.0f) * out;
-            end = stop_on_way(core, body, taken);
-            if (end <= least_progress) {
-                taken.turn = motion.w = 0;
-                end = stop_on_way(core, body, taken);
-            }
+        end = 0;
+        const Vec2 out = way_out(core, body);
+        if (out != Vec2{}) {
+            // The contact's normal may lead along the face that the middle lies at, as at the top of a thin wall. Of four ways a quarter turn apart, one leads
+            // away from any face.
+            for (const Vec2 way_off : {out, Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}})
+                if (end <= 0) end = let_go(core, body, path, way_off, taken);
         }
-        if (end <= least_progress) {
+        if (end <= 0) {
             taken = path;
-            end = 0;
             motion.v = {0, 0};
             motion.w = 0;
         }

@@ -17,6 +17,7 @@ namespace islet::detail {
 namespace {
 
 inline constexpr std::uint32_t finish_grain = 4;  // words of 64 bodies that are worth a task
+inline constexpr float unmoved = 1.25e-7f;        // of a position, and of 1 m: what a kinematic body that stands still may move by in a step
 
 // Updates the body's pose and fat boxes after its way. Most bodies cannot have left a fat box, because their slack says how far they may go before they could.
 // Returns true if the boxes were checked; `changed`, if given, then says which shapes have new ones.
@@ -40,9 +41,10 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     const bool looks = motion.slack < 0;
     if (looks) fit_boxes(core, i, false, changed);
 
-    // The way counts for sleep too, so bodies that are being pushed apart stay awake.
+    // The way counts for sleep too, so bodies that are being pushed apart stay awake. A kinematic body rests while it does not move at all.
     const float speed = max(speed_of(core, i), 0.5f * moved / dt);
-    const bool resting = speed <= body.sleep_threshold && (body.flags & body_may_sleep) != 0;
+    const bool slow = core.is_dynamic(i) ? speed <= body.sleep_threshold : moved <= unmoved * (1 + abs(pose.center.x) + abs(pose.center.y));
+    const bool resting = slow && (body.flags & body_may_sleep) != 0;
     motion.sleep_time = resting ? motion.sleep_time + dt : 0;
     return looks;
 }

@@ -6,7 +6,8 @@
 // a radian it leaves out the geometric stiffness of a loaded contact, which a Gauss-Seidel solver cannot balance in a few sweeps. With the exact geometry in
 // each step, a column of 30 boxes buckles within ten seconds, as it does in Box2D 3.2 without recycling. The faces of moving bodies also keep their manifold
 // while a load presses them into each other, because separations follow that motion exactly. Made anew for it, a column of 100 boxes takes up its own lean
-// again and again as it settles, and falls.
+// again and again as it settles, and falls. Those that friction holds may slip further, too: the cards of a house creep as it settles, and with the exact
+// geometry they would not stop.
 //
 // But a normal that lags behind bodies which turn together holds them like a spring between them and the world: cargo would brake its swing, and no box would
 // slide off a board before that has tilted by 0.1 rad. So where both bodies turn faster than a column leans, the manifold turns with them.
@@ -25,8 +26,9 @@ inline constexpr float worth_learning = 0.4f * linear_slop;  // m; a contact tha
 inline constexpr float learning_tilt = 0.01f;                // sine of the angle between gravity and the normal of a face that learns, at most
 inline constexpr float learning_friction = 0.5f;             // its friction, as a share of its load, at most
 inline constexpr float turn_rate = 0.015f;                   // rad/s of bodies with which a manifold turns: at a body that is not dynamic
-inline constexpr float level_turn_rate = 0.05f;              // of two bodies that meet with one level face; card houses fall if it is less
-inline constexpr float wedged_turn_rate = 0.15f;             // of all others; arches, whose stones press against each other, fold if it is less
+inline constexpr float level_turn = 0.011f;                  // the same of two bodies that meet with one level face, as a share of their pace
+inline constexpr float wedged_turn = 0.09f;                  // of all others; arches, whose stones press against each other, fold if it is less
+inline constexpr float bearing_share = 0.1f;                 // of the impulse at the other point: a point that bears less is none of a level face
 inline constexpr float turn_alike = 0.1f;                    // share of their rates by which two bodies on a level face may differ
 inline constexpr float level_face = 0.3f;                    // tangent of the angle between gravity and the normal of a level face, at most
 
@@ -75,7 +77,9 @@ ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const P
     // apart by more than the speculative distance.
     const float turn = abs(turn_b.s * turn_a.c - turn_b.c * turn_a.s);
     const float size = min(a.max_extent, b.max_extent);
-    const float reach = recycle_distance - 2.0f * size * turn;
+    const bool faces = count == 2 && !has_floor(a, b);
+    const bool stick = faces && abs(m.tangent_impulse[0] + m.tangent_impulse[1]) < held_share * m.friction * (m.normal_impulse[0] + m.normal_impulse[1]);
+    const float reach = (stick ? max(recycle_distance, min(most_face_slip, face_slip * size)) : recycle_distance) - 2.0f * size * turn;
     if (reach <= 0) return false;
     // Faces of moving bodies that are pressed into each other do not slip: separations follow. (slip_of, with what both points share worked out once.)
     const Vec2 shift = b.center - a.center - rotate(turn_b, m.offset);
@@ -84,7 +88,7 @@ ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const P
         const Vec2 slip = shift + rotate(apart, m.anchors[i]);
         if (length_squared(slip) <= reach * reach) continue;
         const float sunk = clamp(dot(slip, m.normal), -0.5f * size, 0.0f);
-        if (count != 2 || has_floor(a, b) || length_squared(slip) - sunk * sunk > reach * reach) return false;
+        if (!faces || length_squared(slip) - sunk * sunk > reach * reach) return false;
     }
     return true;
 }
@@ -93,14 +97,19 @@ ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const P
 ISLET_PART bool have_turned_little(Rot turn_a, Rot turn_b) { return !(min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn); }
 
 // Turns the manifold, with all that it holds of how the bodies stood, as far as the bodies have turned together. (It then lags by half a step in the mean.
-// Turned ahead by that much, it would keep the spin of two bodies that are pressed together; but pressed hard, they would gain spin.)
+// Turned ahead by that much, it would keep the spin of two bodies that are pressed together; but pressed hard, they would gain spin.) How fast bodies must
+// turn goes with the pace sqrt(g / size) at which they would topple: what settles turns in proportion to it, whatever its size.
 ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a, const Pose& b) {
     const Rot turn = inv_mul(m.rotation_a, a.q);
     if (abs(turn.s) <= least_lag) return;
     const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, slower = min(abs(wa), abs(wb));
     const Vec2 gravity = core.state->gravity;
-    const bool level = m.count() == 2 && abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity));
-    const float least = has_floor(a, b) ? turn_rate : level && m.sharers() == 1 && abs(wa - wb) < turn_alike * slower ? level_turn_rate : wedged_turn_rate;
+    const float p = m.normal_impulse[0], q = m.normal_impulse[1];
+    const bool on_face = m.count() == 2 && min(p, q) > bearing_share * max(p, q);
+    const bool level =
+        on_face && m.sharers() == 1 && abs(wa - wb) < turn_alike * slower && abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity));
+    const float pace = sqrt(length(gravity) / min(a.max_extent, b.max_extent));
+    const float least = has_floor(a, b) ? turn_rate : (level ? level_turn : wedged_turn) * pace;
     if (!(wa * wb > 0) || !(slower > least)) return;
     m.normal = rotate(turn, m.normal);
     m.normal = (1.5f - 0.5f * length_squared(m.normal)) * m.normal;  // a unit vector, however often it is turned

@@ -67,6 +67,7 @@ JointId tie(Core& core, const Joint& made) {
     j.generation = generation;
     if (j.joint_type() != JointType::gear) j.set_color(take_color(core, j.body_a, j.body_b));
     if (j.can_break()) core.state->asked |= asked_breaks;
+    if (j.joint_type() == JointType::revolute && length(gap_of(pose_of(j, core.poses, core.bodies))) > wide_gap) j.flags |= joint_moved;
     attach_joint(core, i, 0, j.body_a);
     attach_joint(core, i, 1, j.body_b);
     if (j.body_a != null_index) wake_island(core, j.body_a, core.arena());
