@@ -43,19 +43,15 @@ constexpr bool has_kernel(JointKernel kernel) {
     return false;
 }
 
-/// From so many times its mass on, what a light body is joined to is many times as heavy.
-inline constexpr float lopsided = 10;
-
 /// How one sweep treats joints.
 struct JointSweep {
     float h = 0, inv_h = 0;
-    float omega = 1;         // relaxation factor
-    bool biased = false;     // false: velocities only
-    Softness soft;           // of what is rigid; in a relax sweep (0, 1, 0)
-    Softness soft_alone;     // the same of joints without a colour: those of crowded bodies, and those beside joint trees (solve_numbers.hpp)
-    Softness soft_lopsided;  // of these, the same of those between bodies of which one is many times as heavy as the other
-    float max_turn = 0;      // rad/s, of bodies in joint trees
-    float tree_rate = 0;     // 1/s, at which hinges solved exactly mend their error
+    float omega = 1;      // relaxation factor
+    bool biased = false;  // false: velocities only
+    Softness soft;        // of what is rigid; in a relax sweep (0, 1, 0)
+    Softness soft_alone;  // the same of joints without a colour: those of crowded bodies, and those beside joint trees (solve_numbers.hpp)
+    float max_turn = 0;   // rad/s, of bodies in joint trees
+    float tree_rate = 0;  // 1/s, at which hinges solved exactly mend their error
 };
 
 /// Where joints find their inputs.

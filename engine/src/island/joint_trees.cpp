@@ -32,7 +32,10 @@ void choose_trees(Core& core, Arena temporary) {
     }
     for (std::uint32_t i = 0; i < s.joint_pool.high_water; ++i) {
         Joint& j = core.joints[i];
-        if ((j.flags & joint_exact) == 0) continue;
+        if ((j.flags & joint_exact) == 0) {
+            if ((j.generation & 1u) != 0) forest.note_burden(core, j);
+            continue;
+        }
         if (forest.is_anchor(core, j)) j.flags |= joint_anchor;
         if ((j.flags & joint_loaded) != 0) forest.tree_of(core, j).asked = true;
     }
@@ -57,7 +60,8 @@ void choose_trees(Core& core, Arena temporary) {
         Joint& j = core.joints[i];
         if ((j.flags & joint_exact) == 0) continue;
         const Forest::Tree& of = forest.tree_of(core, j);
-        if (wanted == JointTrees::all || ((of.acted ? of.asked : of.loaded) && !of.swept && !(of.taut && (of.breaks || of.acted)))) {
+        if (wanted == JointTrees::all ||
+            ((of.acted ? of.asked : of.loaded) && !of.swept && !(of.acted && of.burdened) && !(of.taut && (of.breaks || of.acted)))) {
             ++s.exact_joints;
         } else {
             j.flags &= ~static_cast<std::uint32_t>(joint_exact | joint_anchor);

@@ -12,6 +12,9 @@
 // A tree with a limit, a motor or friction (a ragdoll) takes several passes to solve, and sweeps do well as long as it bears little. It is solved exactly
 // while one of these hinges bears a heavy load (heavy_load): as it did in the last step, or as a force that was just applied to one of its bodies will make it.
 //
+// (But not if a swept joint, such as a weld, fixes a load of many times its mass to one of its bodies. The tree would hand the body to that joint as light as
+// it is alone, and gain energy: one plank that bore 70 times its mass so whirled round at 46 m/s. Swept, it bears that with a gap of 2 cm.)
+//
 // The joints, the masses, the setting and these loads decide which hinges are marked. The marks are made anew when one of these has changed.
 #pragma once
 
@@ -68,16 +71,20 @@ ISLET_PART void note_load(Core& core, Joint& j) {
     j.flags = (j.flags & ~(load_bits | joint_moved)) | now;
 }
 
+/// A load of so many times the mass of the body that it is fixed to is many times as heavy. (Arms of ten planks on limits gained energy from 16 times on.)
+inline constexpr float burden = 10;
+
 /// Joint trees as they grow.
 struct Forest {
     struct Tree {
-        bool held;    // by a static or kinematic body: filled in by is_anchor, and so is
-        bool taut;    // held in several places
-        bool breaks;  // one of its hinges can break
-        bool swept;   // sweeps do better: one of its hinges closes a loop, or has a spring
-        bool loaded;  // a hinge has a load so heavy that sweeps would not carry it
-        bool acted;   // a limit, a motor or friction acts on one of its hinges
-        bool asked;   // one of these is heavily loaded: filled in by choose_trees
+        bool held;      // by a static or kinematic body: filled in by is_anchor, and so is
+        bool taut;      // held in several places
+        bool breaks;    // one of its hinges can break
+        bool swept;     // sweeps do better: one of its hinges closes a loop, or has a spring
+        bool loaded;    // a hinge has a load so heavy that sweeps would not carry it
+        bool acted;     // a limit, a motor or friction acts on one of its hinges
+        bool asked;     // one of these is heavily loaded: filled in by choose_trees, and so is
+        bool burdened;  // a swept joint fixes a load of many times its mass to one of its bodies
     };
     UnionFind sets;  // of bodies
     Tree* trees;     // by root
@@ -114,8 +121,15 @@ struct Forest {
         }
         const bool breaks = trees[a].breaks || trees[b].breaks || j.can_break();
         const bool acted = trees[a].acted || trees[b].acted || has_acting_angle(j);
-        trees[sets.join(a, b)] = {false, false, breaks, trees[a].swept || trees[b].swept, false, acted, false};
+        trees[sets.join(a, b)] = {false, false, breaks, trees[a].swept || trees[b].swept, false, acted, false, false};
         return true;
+    }
+
+    /// Notes what a swept joint fixes to a body. To be called after all hinges have been added.
+    void note_burden(const Core& core, const Joint& j) const {
+        if (j.body_a == null_index || j.joint_type() == JointType::gear || !moves(core, j.body_a) || !moves(core, j.body_b)) return;
+        const float a = core.bodies[j.body_a].mass, b = core.bodies[j.body_b].mass;
+        if (max(a, b) > burden * min(a, b)) trees[sets.root_of(a < b ? j.body_a : j.body_b)].burdened = true;
     }
 
     /// True if a hinge of a tree holds it at a static or kinematic body, and a hinge that was asked about before does so too (joint_anchor). To be called after

@@ -22,7 +22,11 @@ ISLET_ALWAYS_INLINE inline float length_inline(const Vec2& a) {
 }
 
 /// a, but at most `bound` on either side.
-ISLET_SHARED float within_bounds(float a, float bound) { return abs(a) > bound ? (a < 0 ? -bound : bound) : a; }
+#if defined(__OPTIMIZE_SIZE__)
+ISLET_SHARED float within_bounds(float a, float bound) { return abs(a) > bound ? (a < 0 ? -bound : bound) : a; }  // one comparison, mostly
+#else
+inline float within_bounds(float a, float bound) { return clamp(a, -bound, bound); }  // without a branch
+#endif
 
 inline std::uint32_t bits_of(float a) { return __builtin_bit_cast(std::uint32_t, a); }
 

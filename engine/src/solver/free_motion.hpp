@@ -31,7 +31,7 @@ inline void gather_motion(SolverMotion& m, const Core& core, std::uint32_t body,
 }
 
 /// a, but at most `bound` on either side, and 0 if it is not a number.
-ISLET_SHARED float within(float a, float bound) { return abs(a) <= bound ? a : a == a ? (a < 0 ? -bound : bound) : 0; }
+ISLET_SHARED float within(float a, float bound) { return a == a ? within_bounds(a, bound) : 0; }
 
 /// v, but no longer than max_speed. Velocities may have overflowed: infinity counts as a very large number, and NaN as zero.
 inline Vec2 limit_speed(Vec2 v, float max_speed) {

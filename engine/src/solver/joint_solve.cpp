@@ -47,27 +47,9 @@ void prepare_joint_run(const JointRun& run, std::uint32_t lanes, std::byte* rows
     });
 }
 
-namespace {
-
-// Whether one of the bodies that a joint's row joins is many times as heavy as the other. (A gear's row does not name its bodies.)
-bool is_lopsided(JointKernel kernel, const SolverBody* bodies, const JointEnds<1>& ends) {
-    if (kernel == JointKernel::gear) return false;
-    const float a = bodies[ends.body_a[0]].inv_mass, b = bodies[ends.body_b[0]].inv_mass;
-    return min(a, b) > 0 && max(a, b) > lopsided * min(a, b);
-}
-
-}  // namespace
-
-void solve_joint_run(const JointRun& run, std::uint32_t lanes, SolverBody* bodies, std::byte* rows, const JointSweep& sweep) {
-    if (run.color == no_color) {
-        JointSweep alone = sweep;
-        for (std::uint32_t i = 0; i < run.blocks; ++i) {
-            alone.soft = is_lopsided(run.kernel, bodies, ends_of<1>(rows)) ? sweep.soft_lopsided : sweep.soft_alone;
-            solve_joints<1>(run.kernel, bodies, rows, 1, alone);
-            rows += joint_block_bytes<1>(run.kernel);
-        }
-        return;
-    }
+void solve_joint_run(const JointRun& run, std::uint32_t lanes, SolverBody* bodies, std::byte* rows, const JointSweep& of_colors) {
+    JointSweep sweep = of_colors;
+    if (run.color == no_color) sweep.soft = sweep.soft_alone;
     over_blocks(run, lanes, rows,
                 [&](auto w, std::uint32_t blocks, std::byte* first, std::uint32_t) { solve_joints<w>(run.kernel, bodies, first, blocks, sweep); });
 }

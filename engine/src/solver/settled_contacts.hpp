@@ -11,9 +11,6 @@
 namespace islet::detail {
 
 inline constexpr float recycle_distance = 2.0f * linear_slop;  // m that the surfaces may slip before a manifold is made anew
-inline constexpr float most_face_slip = 10.0f * linear_slop;   // m, the same of the faces of two moving bodies that friction holds, but
-inline constexpr float face_slip = 0.15f;                      // of the smaller body's size, and recycle_distance at least
-inline constexpr float held_share = 0.9f;                      // of the friction that there may be: what is held needs less
 inline constexpr float most_load = 1.0e28f;                    // N; a contact whose load would be more forgets it
 inline constexpr float recycle_turn = 0.1f;                    // rad that a body may turn before a manifold is made anew
 inline constexpr float least_lag = 0.001f;                     // rad that a manifold may lag behind two bodies that turn
@@ -81,10 +78,7 @@ ISLET_LANE std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* po
             L::bits(max(L::abs(turn_a.y), L::abs(turn_b.y)) <= L::splat(recycle_turn));
     const F turn = L::abs(turn_b.y * turn_a.x - turn_b.x * turn_a.y);
     const F size = min(a[6], b[6]);
-    const auto faces = ((flags & static_cast<std::int32_t>(2u << contact_count_shift)) != 0) & (min(a[4], b[4]) > L::splat(0));
-    const F slip = max(L::splat(recycle_distance), min(L::splat(most_face_slip), L::splat(face_slip) * size));
-    const F rubs = L::abs(points[6] + points[7]), may_rub = L::splat(held_share) * surface[3] * (points[4] + points[5]);
-    const F reach = select(faces & (rubs < may_rub), slip, L::splat(recycle_distance)) - L::splat(2.0f) * size * turn;
+    const F reach = L::splat(recycle_distance) - L::splat(2.0f) * size * turn;
     const F most = reach * reach;
     kept &= L::positive(reach);
     const std::uint32_t moving = L::positive(min(a[4], b[4]));

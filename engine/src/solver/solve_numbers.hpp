@@ -44,12 +44,9 @@ inline constexpr float level_share = 0.55f;
 //     -m (dx/dt + rate x) - impulse_scale p  with bias,     -m dx/dt  without,
 // and M d2x/dt2 = p / h. Where M is much larger than m, x comes to rest, by Routh's criterion, if k impulse_scale > h rate (mass_scale = 1 - impulse_scale).
 // With two sweeps and a damping ratio of 2 that holds up to 0.208 / h; up to here it holds with a tenth to spare. (At 0.25 / h, a drawbridge that a rod held
-// near its hinge whirled round, and a boom threw 60 kg that hung on it about at 15 m/s.) But several rows may share what a load gives them. What a weld, a
-// slider, a wheel or a rod fixes to the tip of an arm of ten planks is steady up to 8 times a plank's mass; from 16 times on, it gained energy at 0.2 / h. (One
-// plank with 70 times its mass welded to it whirled round at 46 m/s.) Between such bodies joints are half as stiff: at 0.15 / h and 0.125 / h arms of five
-// planks with 32 times their mass still gained some. Contacts with the ground, whose damping ratio is 10, are steady up to 0.22 / h, but other rows take
-// part in what they bear: a lever on a block of the ground, with 50 kg on its other end, shook at 0.2 / h and 0.167 / h.
-inline constexpr float steady_hertz = 0.2f, lopsided_hertz = 0.1f, steady_ground = 0.15f;
+// near its hinge whirled round, and a boom threw 60 kg that hung on it about at 15 m/s.) Contacts with the ground, whose damping ratio is 10, are steady
+// up to 0.22 / h, but other rows take part in what they bear: a lever on a block of the ground, with 50 kg on its other end, shook at 0.2 / h and 0.167 / h.
+inline constexpr float steady_hertz = 0.2f, steady_ground = 0.15f;
 
 ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
     SolveNumbers s;
@@ -111,10 +108,8 @@ ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
         s.biased_joints.tree_rate = n.inv_h;
         s.biased_joints.soft = make_soft(min(def.joint_hertz, 0.25f * n.inv_h), def.joint_damping_ratio, n.h);
         s.biased_joints.soft_alone = make_soft(min(def.joint_hertz, steady_hertz * n.inv_h), def.joint_damping_ratio, n.h);
-        s.biased_joints.soft_lopsided = make_soft(min(def.joint_hertz, lopsided_hertz * n.inv_h), def.joint_damping_ratio, n.h);
     } else {
-        s.biased_joints.tree_rate = def.baumgarte * n.inv_h;
-        s.biased_joints.soft.rate = s.biased_joints.soft_alone.rate = s.biased_joints.soft_lopsided.rate = s.biased_joints.tree_rate;
+        s.biased_joints.soft.rate = s.biased_joints.soft_alone.rate = s.biased_joints.tree_rate = def.baumgarte * n.inv_h;
     }
     return s;
 }

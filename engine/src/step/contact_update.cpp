@@ -189,7 +189,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     Approach approach;
     if (fast && m.count() == 0) approach = approach_to(core, m, dt, fall);
     if ((m.flags & (contact_posed | contact_ahead)) == contact_posed && m.count() != 0) turn_along(core, m, a, b);
-    if (!comes_fast(approach) && can_recycle(m, a, b)) {
+    if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
         ++kept.manifolds;
     } else {
         if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);

@@ -43,8 +43,8 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
 
     // The way counts for sleep too, so bodies that are being pushed apart stay awake. A kinematic body rests while it does not move at all.
     const float speed = max(speed_of(core, i), 0.5f * moved / dt);
-    const bool slow = core.is_dynamic(i) ? speed <= body.sleep_threshold : moved <= unmoved * (1 + abs(pose.center.x) + abs(pose.center.y));
-    const bool resting = slow && (body.flags & body_may_sleep) != 0;
+    const bool still = core.is_dynamic(i) || moved <= unmoved * (1 + abs(pose.center.x) + abs(pose.center.y));
+    const bool resting = speed <= body.sleep_threshold && still && (body.flags & body_may_sleep) != 0;
     motion.sleep_time = resting ? motion.sleep_time + dt : 0;
     return looks;
 }

@@ -6,11 +6,12 @@
 // a radian it leaves out the geometric stiffness of a loaded contact, which a Gauss-Seidel solver cannot balance in a few sweeps. With the exact geometry in
 // each step, a column of 30 boxes buckles within ten seconds, as it does in Box2D 3.2 without recycling. The faces of moving bodies also keep their manifold
 // while a load presses them into each other, because separations follow that motion exactly. Made anew for it, a column of 100 boxes takes up its own lean
-// again and again as it settles, and falls. Those that friction holds may slip further, too: the cards of a house creep as it settles, and with the exact
-// geometry they would not stop.
+// again and again as it settles, and falls. Faces of parts that lean on each other may slip further, if friction holds them: the cards of a house creep as it
+// settles, and with the exact geometry they would not stop.
 //
 // But a normal that lags behind bodies which turn together holds them like a spring between them and the world: cargo would brake its swing, and no box would
-// slide off a board before that has tilted by 0.1 rad. So where both bodies turn faster than a column leans, the manifold turns with them.
+// slide off a board before that has tilted by 0.1 rad. So where both bodies turn faster than a column leans, the manifold turns with them. What other
+// bodies are at, too, as at the stones of an arch and the cards of a house, must turn faster for that.
 #pragma once
 
 #include "../collide/manifold.hpp"
@@ -26,9 +27,13 @@ inline constexpr float worth_learning = 0.4f * linear_slop;  // m; a contact tha
 inline constexpr float learning_tilt = 0.01f;                // sine of the angle between gravity and the normal of a face that learns, at most
 inline constexpr float learning_friction = 0.5f;             // its friction, as a share of its load, at most
 inline constexpr float turn_rate = 0.015f;                   // rad/s of bodies with which a manifold turns: at a body that is not dynamic
-inline constexpr float level_turn = 0.011f;                  // the same of two bodies that meet with one level face, as a share of their pace
-inline constexpr float wedged_turn = 0.09f;                  // of all others; arches, whose stones press against each other, fold if it is less
-inline constexpr float bearing_share = 0.1f;                 // of the impulse at the other point: a point that bears less is none of a level face
+inline constexpr float level_turn_rate = 0.05f;              // of two bodies that meet with one level face; card houses fall if it is less
+inline constexpr float wedged_turn_rate = 0.15f;             // of all others
+inline constexpr float held_turn = 0.09f;                    // of what is between others, as a share of sqrt(g / size); arches fold if it is less
+inline constexpr float bearing_share = 0.1f;                 // of the impulse at the other point: if a point bears less, that face is none
+inline constexpr float most_creep = 10.0f * linear_slop;     // m that faces of what is between others may slip before a manifold is made anew
+inline constexpr float creep_share = 0.15f;                  // the same as a share of the smaller body's size, but recycle_distance at least
+inline constexpr float sticking_share = 0.9f;                // of the friction that there may be: what sticks needs less
 inline constexpr float turn_alike = 0.1f;                    // share of their rates by which two bodies on a level face may differ
 inline constexpr float level_face = 0.3f;                    // tangent of the angle between gravity and the normal of a level face, at most
 
@@ -71,15 +76,19 @@ struct LoadFollower {
 // True if one of the two bodies is not dynamic.
 ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return !(min(a.inv_mass, b.inv_mass) > 0); }
 
-// True if the surfaces have slipped little at the points of a contact that has `count` of them, 1 or 2.
-ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const Pose& b, std::uint32_t count, Rot turn_a, Rot turn_b) {
+// True if other bodies are at both bodies of a contact, too, as at the parts of an arch or of a house of cards, but not at what lies on a board.
+inline bool is_between_others(const Core& core, const ContactManifold& m) {
+    const std::uint32_t own = m.sharers();
+    return core.bodies[m.body_a].contact_count > own && core.bodies[m.body_b].contact_count > own;
+}
+
+// True if the surfaces have slipped by less than `most` at the points of a contact that has `count` of them, 1 or 2.
+ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const Pose& b, std::uint32_t count, Rot turn_a, Rot turn_b, float most) {
     // As one body turns against the other, points that are not in the manifold may come near, by at most the smaller body's size times the turn. They were
     // apart by more than the speculative distance.
     const float turn = abs(turn_b.s * turn_a.c - turn_b.c * turn_a.s);
     const float size = min(a.max_extent, b.max_extent);
-    const bool faces = count == 2 && !has_floor(a, b);
-    const bool stick = faces && abs(m.tangent_impulse[0] + m.tangent_impulse[1]) < held_share * m.friction * (m.normal_impulse[0] + m.normal_impulse[1]);
-    const float reach = (stick ? max(recycle_distance, min(most_face_slip, face_slip * size)) : recycle_distance) - 2.0f * size * turn;
+    const float reach = most - 2.0f * size * turn;
     if (reach <= 0) return false;
     // Faces of moving bodies that are pressed into each other do not slip: separations follow. (slip_of, with what both points share worked out once.)
     const Vec2 shift = b.center - a.center - rotate(turn_b, m.offset);
@@ -88,7 +97,7 @@ ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const P
         const Vec2 slip = shift + rotate(apart, m.anchors[i]);
         if (length_squared(slip) <= reach * reach) continue;
         const float sunk = clamp(dot(slip, m.normal), -0.5f * size, 0.0f);
-        if (!faces || length_squared(slip) - sunk * sunk > reach * reach) return false;
+        if (count != 2 || has_floor(a, b) || length_squared(slip) - sunk * sunk > reach * reach) return false;
     }
     return true;
 }
@@ -97,20 +106,20 @@ ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const P
 ISLET_PART bool have_turned_little(Rot turn_a, Rot turn_b) { return !(min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn); }
 
 // Turns the manifold, with all that it holds of how the bodies stood, as far as the bodies have turned together. (It then lags by half a step in the mean.
-// Turned ahead by that much, it would keep the spin of two bodies that are pressed together; but pressed hard, they would gain spin.) How fast bodies must
-// turn goes with the pace sqrt(g / size) at which they would topple: what settles turns in proportion to it, whatever its size.
+// Turned ahead by that much, it would keep the spin of two bodies that are pressed together; but pressed hard, they would gain spin.)
 ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a, const Pose& b) {
     const Rot turn = inv_mul(m.rotation_a, a.q);
     if (abs(turn.s) <= least_lag) return;
     const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, slower = min(abs(wa), abs(wb));
     const Vec2 gravity = core.state->gravity;
-    const float p = m.normal_impulse[0], q = m.normal_impulse[1];
-    const bool on_face = m.count() == 2 && min(p, q) > bearing_share * max(p, q);
     const bool level =
-        on_face && m.sharers() == 1 && abs(wa - wb) < turn_alike * slower && abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity));
+        m.count() == 2 && m.sharers() == 1 && abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity)) && abs(wa - wb) < turn_alike * slower;
+    const bool floor = has_floor(a, b);
+    if (!(wa * wb > 0) || !(slower > (floor ? turn_rate : level ? level_turn_rate : wedged_turn_rate))) return;
+    const float p = m.normal_impulse[0], q = m.normal_impulse[1];
+    const bool on_face = level && min(p, q) > bearing_share * max(p, q);
     const float pace = sqrt(length(gravity) / min(a.max_extent, b.max_extent));
-    const float least = has_floor(a, b) ? turn_rate : (level ? level_turn : wedged_turn) * pace;
-    if (!(wa * wb > 0) || !(slower > least)) return;
+    if (!floor && !on_face && !(slower > held_turn * pace) && is_between_others(core, m)) return;
     m.normal = rotate(turn, m.normal);
     m.normal = (1.5f - 0.5f * length_squared(m.normal)) * m.normal;  // a unit vector, however often it is turned
     m.offset = rotate(turn, m.offset);
@@ -119,7 +128,7 @@ ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a
     m.rotation_b = normalize(turn * m.rotation_b);
 }
 
-inline bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) {
+inline bool can_recycle(const Core& core, const ContactManifold& m, const Pose& a, const Pose& b) {
     if ((m.flags & (contact_posed | contact_ahead)) != contact_posed) return false;
     const Rot turn_a = inv_mul(m.rotation_a, a.q);
     const Rot turn_b = inv_mul(m.rotation_b, b.q);
@@ -131,7 +140,13 @@ inline bool can_recycle(const ContactManifold& m, const Pose& a, const Pose& b) 
         const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
         return reach > 0 && length_squared(shift) < reach * reach;
     }
-    return has_kept_points(m, a, b, count, turn_a, turn_b);
+    float most = recycle_distance;
+    for (bool creeps = false;; creeps = true) {
+        if (has_kept_points(m, a, b, count, turn_a, turn_b, most)) return true;
+        const float rubs = abs(m.tangent_impulse[0] + m.tangent_impulse[1]), pressed = m.normal_impulse[0] + m.normal_impulse[1];
+        if (creeps || count != 2 || has_floor(a, b) || !(rubs < sticking_share * m.friction * pressed) || !is_between_others(core, m)) return false;
+        most = max(recycle_distance, min(most_creep, creep_share * min(a.max_extent, b.max_extent)));
+    }
 }
 
 // True if nothing but how the bodies have moved can keep the contact from being settled.
@@ -145,7 +160,7 @@ ISLET_PART bool is_settled(const ContactManifold& m, const Pose& a, const Pose& 
     if (!may_be_settled(m, a, b)) return false;
     const std::uint32_t count = m.count();
     const Rot turn_a = inv_mul(m.rotation_a, a.q), turn_b = inv_mul(m.rotation_b, b.q);
-    return abs(turn_a.s) <= least_lag && have_turned_little(turn_a, turn_b) && has_kept_points(m, a, b, count, turn_a, turn_b);
+    return abs(turn_a.s) <= least_lag && have_turned_little(turn_a, turn_b) && has_kept_points(m, a, b, count, turn_a, turn_b, recycle_distance);
 }
 
 }  // namespace islet::detail
