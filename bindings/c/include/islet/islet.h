@@ -639,10 +639,10 @@ typedef struct IsletSolverDef {
     /// m/s, >= 0. The fastest that overlapping shapes are pushed apart.
     float contact_push_speed;
     /// Hz, > 0. Stiffness with which joints correct their errors; capped at a quarter of the substep rate, and at a fifth where a body of the joint belongs
-    /// to a joint tree that is solved exactly (a tenth if its other body is more than ten times as heavy, or as light). A rigid joint that is swept gives way
-    /// by F / (m (2 pi joint_hertz)^2) under a steady force F, where m is the mass that it moves. A limit does not give way to the joint's own motor. To any
-    /// other steady load it first gives way as much as a rigid joint does; 128 steps of 1/60 s later, about a third of that error is left. (A load that would
-    /// give the lighter body more than 100 m/s^2 is taken up more slowly, in inverse proportion.)
+    /// to a joint tree that is solved exactly. A rigid joint that is swept gives way by F / (m (2 pi joint_hertz)^2) under a steady force F, where m is the
+    /// mass that it moves. A limit does not give way to the joint's own motor. To any other steady load it first gives way as much as a rigid joint does; 128
+    /// steps of 1/60 s later, about a third of that error is left. (A load that would give the lighter body more than 100 m/s^2 is taken up more slowly, in
+    /// inverse proportion.)
     float joint_hertz;
     /// >= 0
     float joint_damping_ratio;
