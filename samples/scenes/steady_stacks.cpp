@@ -280,7 +280,7 @@ Scene with_deep_contacts_counted(Scene scene, int start, double known) {
 
 }  // namespace
 
-Scene make_compounds_from(int start) { return with_deep_contacts_counted(make_compounds(), start, 500); }
+Scene make_compounds_from(int start) { return with_deep_contacts_counted(make_compounds(), start, 700); }
 
 Scene make_junkyard_from(int start) { return with_deep_contacts_counted(make_junkyard(), start, 100); }
 
