@@ -100,8 +100,8 @@ TEST(BesideTrees, ABoomThatBearsManyTimesItsMassComesToRestAndGainsNoEnergy) {
     }
 }
 
-// A plank on a hinge whose limits hold it level, or an arm of five, with a load that a weld, a slider or a wheel joint fixes to its tip. (The weld's row and the
-// arms of the other two share the tip: at a fifth of the substep rate loads of 70 times a plank's mass whirled round at 46 m/s.)
+// A plank on a hinge whose limits hold it level, or an arm of five, with a load that a weld, a slider or a wheel joint fixes to its tip. (While the
+// hinges were solved exactly, loads of 70 times a plank's mass whirled round at 46 m/s: the joint at the tip knew the plank's mass alone.)
 TEST(BesideTrees, WhatIsFixedToTheTipOfAHeldArmGainsNoEnergy) {
     enum class Fixed { weld, slider, wheel };
     struct Case {

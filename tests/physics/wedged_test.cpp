@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "arch.hpp"
 #include "measure.hpp"
 #include "support/random.hpp"
 
@@ -38,18 +39,8 @@ TEST(Wedged, ArchesOfUpToFiftyOneStonesStandAndComeToRest) {
             TestWorld world;
             const float radius = static_cast<float>(stones) / pi, thickness = 0.15f * radius;
             world.add_ground(0, 3 * radius, rough(0.9f));
-            std::vector<BodyId> arch;
-            for (int i = 0; i < stones; ++i) {
-                const auto corner = [&](float from_center, int side) {
-                    const Rot q = make_rot(pi * static_cast<float>(i + side) / static_cast<float>(stones));
-                    return from_center * Vec2{q.c, q.s};
-                };
-                const Vec2 middle = 0.25f * (corner(radius, 0) + corner(radius, 1) + corner(radius + thickness, 0) + corner(radius + thickness, 1));
-                const Vec2 corners[] = {corner(radius, 0) - middle, corner(radius + thickness, 0) - middle, corner(radius + thickness, 1) - middle,
-                                        corner(radius, 1) - middle};
-                const Vec2 off = {random.between(-0.0001f, 0.0001f) * radius, 0};
-                arch.push_back(world.add(make_polygon(compute_hull(corners)), middle + off, rough(0.9f)));
-            }
+            const std::vector<BodyId> arch =
+                add_arch(world, stones, radius, thickness, rough(0.9f), [&] { return Vec2{random.between(-0.0001f, 0.0001f) * radius, 0}; });
             const std::vector<Vec2> before = centers_of(world, arch);
             world.step(static_cast<int>(60 * settling_seconds));
             const std::string what = std::to_string(stones) + " stones, start " + std::to_string(seed);

@@ -140,6 +140,7 @@ inline bool can_recycle(const Core& core, const ContactManifold& m, const Pose& 
         const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
         return reach > 0 && length_squared(shift) < reach * reach;
     }
+    // With two points the manifold has all that there are; with one, others may come near.
     float most = recycle_distance;
     for (bool creeps = false;; creeps = true) {
         if (has_kept_points(m, a, b, count, turn_a, turn_b, most)) return true;
