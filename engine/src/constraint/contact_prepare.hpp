@@ -349,21 +349,21 @@ ISLET_PART void prepare_block(const PrepareInput& in, const ContactManifold* man
 
 /// ContactKernel::prepare, to be compiled with the caller's instructions.
 template <std::uint32_t W>
-ISLET_PART bool prepare_blocks(const PrepareInput& in, ContactRows<W>* rows, std::uint32_t count) {
-    bool lands = false;
+ISLET_PART ContactKinds prepare_blocks(const PrepareInput& in, ContactRows<W>* rows, std::uint32_t count) {
+    ContactKinds found;
     for (std::uint32_t block = 0; block < count; ++block) {
         ContactRows<W>& r = rows[block];
         ContactLanes<W> lanes;
         if (W > 1 && block + 1 < count) prefetch_manifolds(in, rows[block + 1]);
         name_bodies(in, r, lanes);
         prepare_block<W>(in, &manifold_of(r, 0, in.manifolds) - lanes.contact[0], lanes, r);
-        lands = any_lands(r) || lands;
+        found.note(r);
     }
-    return lands;
+    return found;
 }
 
 template <std::uint32_t W>
-bool ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
+ContactKinds ContactKernel<W>::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) {
     return prepare_blocks<W>(in, rows, count);
 }
 

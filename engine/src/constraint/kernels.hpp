@@ -49,6 +49,20 @@ struct ContactLanes {
     float has_point[2][W];  // 1 or 0
 };
 
+/// Whether any contact of a batch lands, and whether any may bounce or reports hits.
+struct ContactKinds {
+    bool lands = false, bounces = false;
+
+    void note(ContactKinds other) {
+        lands = lands || other.lands;
+        bounces = bounces || other.bounces;
+    }
+    template <std::uint32_t W>
+    ISLET_INLINE void note(const ContactRows<W>& r) {
+        note({any_lands(r), r.is_bouncy()});
+    }
+};
+
 /// The contacts' kernel, W contacts at a time.
 template <std::uint32_t width>
 struct ContactKernel {
@@ -56,8 +70,8 @@ struct ContactKernel {
     using Rows = ContactRows<W>;
 
     /// Fills the rows of blocks, and adds the warm start to the bodies' warm_v and warm_w. The caller has filled in the `contact` entries, and the material
-    /// of special and bouncy contacts. Returns whether any contact lands.
-    static bool prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
+    /// of special and bouncy contacts. Returns the kinds of these contacts.
+    static ContactKinds prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
     /// The same for one block whose contacts may be of several worlds: the caller has filled in all but the frame, the points and the rolling row. The lanes
     /// count contacts from in.manifolds, and bodies from in.poses.
     static void prepare_named(const PrepareInput& in, const ContactLanes<W>& lanes, Rows& r);
@@ -79,7 +93,7 @@ extern template struct ContactKernel<16>;
 
 /// One contact at a time, with AVX: an operation need not overwrite what it reads, which saves a tenth of the instructions.
 struct LoneKernel8 : ContactKernel<1> {
-    static bool prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
+    static ContactKinds prepare(const PrepareInput& in, Rows* rows, std::uint32_t count);
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
 };
 /// The kernel of contacts that are solved one by one beside others in so many lanes.

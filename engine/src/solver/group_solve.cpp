@@ -50,7 +50,8 @@ struct GroupSolve {
     Rows* rows = nullptr;
     std::uint32_t first_block[color_count + 1] = {};
     std::uint32_t colors = 0;  // bits of those in use
-    bool has_overflow = false, has_runs = false, has_links = false, has_locked = false, lands = false;
+    bool has_overflow = false, has_runs = false, has_links = false, has_locked = false;
+    ContactKinds has = {};
 
     Solve& all() { return members[0].s; }  // its bodies and motions, from the first on, are all worlds'
 
@@ -140,7 +141,7 @@ void GroupSolve<K>::close_block(OpenBlock<W>& open, Rows& r) {
         set_surface(r, i, c != null_index ? core->manifolds[c].flags : 0, c != null_index ? surface_of(*core, c) : MixedSurface{});
     }
     const Solve& s = all();
-    lands = any_lands(r) || lands;
+    has.note(r);
     K::prepare_named({s.core.manifolds, s.core.poses, nullptr, s.bodies, s.motions, s.numbers.step}, open.lanes, r);
     open.used = open.flags = 0;
 }
@@ -181,7 +182,7 @@ void GroupSolve<K>::prepare() {
     first_block[color_count] = block;
     for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t overflow_count) {
         name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W);
-        lands = One::prepare(s.input(), overflow, overflow_count) || lands;
+        has.note(One::prepare(s.input(), overflow, overflow_count));
     });
     const auto input_of = [](const Solve& s) { return JointInput{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers.step}; };
     for_links([&](Solve& s, const Batch& batch) { prepare_trees(s.plan, batch, s.links, input_of(s), s.motions); });
@@ -202,7 +203,7 @@ void GroupSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
         const std::uint32_t blocks = first_block[c + 1] - first_block[c];
         if (blocks != 0) K::solve(all().bodies, rows + first_block[c], blocks, c < dynamic_color_limit ? dynamic : ground);
     }
-    for (std::uint32_t i = 0; lands && i < landing_sweeps; ++i) {
+    for (std::uint32_t i = 0; has.lands && i < landing_sweeps; ++i) {
         for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) {
             for (std::uint32_t k = 0; k < n; ++k) One::land_again(s.bodies, overflow + k, 1, numbers_alone(s, overflow[k], dynamic, ground));
         });
@@ -221,7 +222,7 @@ void GroupSolve<K>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, cons
 template <class K>
 void GroupSolve<K>::restitute() {
     const float threshold = all().numbers.step.restitution_threshold;
-    bool bounces = true;
+    bool bounces = has.bounces;
     for (std::uint32_t i = 0; bounces && i < restitution_sweeps; ++i) {
         bounces = false;
         for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) { bounces = One::restitute(s.bodies, overflow, n, threshold) || bounces; });

@@ -13,7 +13,7 @@ namespace islet::detail {
 #if defined(ISLET_AVX2)
 template struct ContactKernel<8>;
 
-bool LoneKernel8::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { return prepare_blocks<1>(in, rows, count); }
+ContactKinds LoneKernel8::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { return prepare_blocks<1>(in, rows, count); }
 void LoneKernel8::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) { solve_blocks<1>(bodies, rows, count, numbers); }
 
 std::uint32_t keep_settled_8(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep) {

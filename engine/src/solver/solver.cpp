@@ -46,7 +46,9 @@ struct BatchSolve {
     /// Of a narrow batch without joints, bits of the colours at which a piece begins: blocks that lie side by side and are solved alike, and so in one go,
     /// whatever their colours. 0: all blocks are solved colour by colour.
     std::uint32_t piece_colors = 0;
-    bool lands = false, bounces = false;                      // any contact of the batch
+    ContactKinds has = {};                                    // of the batch
+    bool bounces = false;                                     // any contact does
+    bool is_idle = false;                                     // sweeps would change nothing
     std::uint32_t landing_end[W > 1 ? color_count : 1] = {};  // of the colours' blocks with contacts that land, in landing()
 
     PlanIndex* landing() const { return s.landing + batch.first_block[0]; }
@@ -58,6 +60,10 @@ struct BatchSolve {
 #else
         something = true;
 #endif
+    }
+    void note(ContactKinds found) {
+        note(has.lands, found.lands);
+        note(has.bounces, found.bounces);
     }
 
     Rows* row(std::uint32_t block) const { return first_row + (block - batch.first_block[0]); }
@@ -163,8 +169,7 @@ struct BatchSolve {
 
     std::uint32_t link_count() const { return has_joints ? batch.link_count : 0; }
     bool has_run(std::uint32_t run) const { return has_joints && run < batch.end_run; }
-    /// Sweeps would change nothing.
-    bool is_idle() const {
+    bool has_nothing_to_sweep() const {
         const std::uint32_t blocks = batch.first_block[color_count] - batch.first_block[0], runs = batch.end_run - batch.first_run;
         return (blocks | overflow_count | runs | link_count()) == 0 && !is_positive(s.numbers.tolerance);
     }
@@ -266,14 +271,14 @@ void BatchSolve<lanes>::prepare() {
     find_pieces();
     over_rows([&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t block) {
         name_contacts(s.core, rows, count, s.plan.contacts + std::size_t{block} * W);
-        note(lands, decltype(kernel)::prepare(in, rows, count));
+        note(decltype(kernel)::prepare(in, rows, count));
     });
     if (overflow_count != 0) {
         name_contacts(s.core, overflow, overflow_count, s.plan.contacts + std::size_t{s.plan.block_count} * W + batch.first_overflow);
-        note(lands, One::prepare(in, overflow, overflow_count));
+        note(One::prepare(in, overflow, overflow_count));
     }
-    lands = lands && !is_lightened();
-    if (lands) find_landing();
+    has.lands = has.lands && !is_lightened();
+    if (has.lands) find_landing();
 
     const JointInput joints{s.core.joints, s.core.poses, s.core.bodies, s.plan.slot_of, s.bodies, s.numbers.step};
     if (link_count() != 0) prepare_trees(s.plan, batch, s.links, joints, s.motions);
@@ -315,7 +320,7 @@ void BatchSolve<lanes>::sweep(const SweepNumbers& dynamic, const SweepNumbers& g
         });
     }
     if (has_tuning && s.numbers.is_ordered) solve_in_order(s.bodies, overflow, overflow_count, dynamic, ground, s.core.state->solver.block_contacts != 0);
-    if (lands) land(dynamic, ground);
+    if (has.lands) land(dynamic, ground);
     if (link_count() != 0) solve_trees(s.bodies, s.links + batch.first_link, link_count(), s.core.joints, joints);
     hold();
 }
@@ -378,7 +383,7 @@ void BatchSolve<lanes>::try_joints(const JointRun& r, const JointSweep& joints) 
 // Makes so many sweeps, or fewer if the tolerance is reached before.
 template <std::uint32_t lanes>
 void BatchSolve<lanes>::sweeps(std::uint32_t most, const SweepNumbers& dynamic, const SweepNumbers& ground, const JointSweep& joints) {
-    if (is_idle()) {
+    if (is_idle) {
         batch.sweeps += most;
         return;
     }
@@ -424,6 +429,7 @@ void BatchSolve<lanes>::run() {
     const SolverState& def = s.core.state->solver;
     const bool tears = has_joints && (s.core.state->asked & asked_breaks) != 0;
     prepare();
+    is_idle = has_nothing_to_sweep();
     for (std::uint32_t substep = 0; substep < def.substeps; ++substep) {
         over_bodies([&](std::uint32_t first, std::uint32_t end) { integrate_velocities(s, first, end, substep == 0); });
         hold();
@@ -437,7 +443,7 @@ void BatchSolve<lanes>::run() {
         if (relaxes && measures) measure(s.numbers.relaxed, s.numbers.relaxed, s.numbers.relaxed_joints);
     }
     const float threshold = s.numbers.step.restitution_threshold;
-    for (std::uint32_t sweep = 0; sweep < restitution_sweeps && (sweep == 0 || bounces); ++sweep) {
+    for (std::uint32_t sweep = 0; sweep < restitution_sweeps && (sweep == 0 ? has.bounces : bounces); ++sweep) {
         if (overflow_count != 0) note(bounces, One::restitute(s.bodies, overflow, overflow_count, threshold));
         over_rows(
             [&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t) { note(bounces, decltype(kernel)::restitute(s.bodies, rows, count, threshold)); });
