@@ -192,7 +192,7 @@ ISLET_PART typename L::F prepare_rolling(ContactRows<L::width>& r, const BodyPai
     const F zero = L::splat(0.0f);
     const F k_rolling = s.ia + s.ib;
     const auto rolls = L::load(r.rolling_resistance) > zero;
-    const F impulse = select(rolls, L::splat(n.contact_warm) * old, zero);
+    const F impulse = select(rolls, L::splat(n.swept_warm) * old, zero);
     L::store(r.rolling_mass, select(k_rolling > zero, L::splat(n.omega) / k_rolling, zero));
     L::store(rolling_impulse_of(r), impulse);
     return impulse;
@@ -221,7 +221,7 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F omega = L::splat(in.numbers.omega);
-    const F warm = L::splat(in.numbers.contact_warm);
+    const F warm = L::splat(in.numbers.swept_warm);
     const LaneVec<F> n = m.normal();
     const F rt_ab = zero - dot(n, m.offset()), rn_ab = zero - cross(m.offset(), n);
     if constexpr (L::width > 1) {

@@ -68,8 +68,8 @@ template <std::uint32_t W>
 ISLET_PART void hold_between(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, const StepNumbers& n, float lower, float upper) {
     r.lower[lane] = within_bound(lower);
     r.upper[lane] = within_bound(upper);
-    r.low[lane] = n.warm * j.lower_impulse;
-    r.high[lane] = n.warm * j.upper_impulse;
+    r.low[lane] = n.swept_warm * j.lower_impulse;
+    r.high[lane] = n.swept_warm * j.upper_impulse;
     r.load[lane] = n.warm * (j.limit_load - own_drive(j));
 }
 
@@ -108,16 +108,16 @@ float set_coordinate(CoordinateRows<W>& r, std::uint32_t lane, const Joint& j, c
         const float crowd = crowd_of(j, in.poses, in.bodies_in);
         set_spring(r.soft, lane, split_spring(j.spring_hertz, j.spring_damping_ratio, crowd, n.h, n.relaxes));
         r.target[lane] = within_bound(j.target);
-        r.spring[lane] = n.warm * j.spring_impulse;
+        r.spring[lane] = n.swept_warm * j.spring_impulse;
     }
     if ((parts & part_motor) != 0) {
         r.speed[lane] = within_bound(j.motor_speed);
         r.max_motor[lane] = n.h * j.motor_max;
-        r.motor[lane] = n.warm * j.motor_impulse;
+        r.motor[lane] = n.swept_warm * j.motor_impulse;
     }
     if ((parts & part_friction) != 0) {
         r.max_friction[lane] = n.h * j.friction;
-        r.friction[lane] = n.warm * j.friction_impulse;
+        r.friction[lane] = n.swept_warm * j.friction_impulse;
     }
     if ((parts & part_limit) != 0) hold_between(r, lane, j, n, j.lower, j.upper);
     return r.spring[lane] + r.motor[lane] + r.friction[lane] + r.low[lane] - r.high[lane];

@@ -37,7 +37,7 @@ WarmStart prepare(DistanceRows<W>& r, std::uint32_t lane, const Joint& j, const 
     r.rigid[lane] = rigid ? 1.0f : 0.0f;
     const float along = set_coordinate(r.free, lane, j, in);
     r.free.target[lane] = j.length;
-    r.rod[lane] = rigid ? in.numbers.warm * j.impulse.x : 0;
+    r.rod[lane] = rigid ? in.numbers.swept_warm * j.impulse.x : 0;
     return {(along + r.rod[lane]) * u, 0};
 }
 

@@ -62,7 +62,7 @@ inline WarmStart prepare(GearRows<1>& r, std::uint32_t, const Joint& j, const Jo
         add_entry(r, 2 * side + 1, in.slot_of[geared.body_b], ratio * g.u, ratio * g.sb);
         r.c = side == 0 ? g.c : r.c + ratio * g.c - j.length;
     }
-    r.impulse = in.numbers.warm * j.impulse.x;
+    r.impulse = in.numbers.swept_warm * j.impulse.x;
     float k = 0;
     for (std::uint32_t i = 0; i < 4; ++i) {
         const SolverBody& b = in.bodies[r.slots[i]];

@@ -43,8 +43,8 @@ WarmStart prepare(DriveRows<W>& r, std::uint32_t lane, const Joint& j, const Joi
     r.spin[lane] = within_bound(j.motor_speed);
     r.max_p[lane] = h * j.motor_max;
     r.max_turning[lane] = h * j.max_torque;
-    r.turning[lane] = in.numbers.warm * j.angular_impulse;
-    return {in.numbers.warm * j.impulse, r.turning[lane]};
+    r.turning[lane] = in.numbers.swept_warm * j.angular_impulse;
+    return {in.numbers.swept_warm * j.impulse, r.turning[lane]};
 }
 
 template <class L>

@@ -32,8 +32,8 @@ WarmStart prepare(SliderRows<W>& r, std::uint32_t lane, const Joint& j, const Jo
     r.uy[lane] = u.y;
     r.angle[lane] = angle_of(p);
     const float along = set_coordinate(r.free, lane, j, in);
-    r.across[lane] = in.numbers.warm * j.impulse.x;
-    r.turning[lane] = in.numbers.warm * j.angular_impulse;
+    r.across[lane] = in.numbers.swept_warm * j.impulse.x;
+    r.turning[lane] = in.numbers.swept_warm * j.angular_impulse;
     return {along * u + r.across[lane] * n, r.turning[lane]};
 }
 

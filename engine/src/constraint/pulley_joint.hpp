@@ -41,7 +41,7 @@ ISLET_SHARED void prepare(RopeRows<W>& r, std::uint32_t lane, SolverBody& body, 
 
 template <std::uint32_t W>
 WarmStart prepare(PulleyRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
-    const float tension = in.numbers.warm * j.impulse.x;
+    const float tension = in.numbers.swept_warm * j.impulse.x;
     r.ratio[lane] = j.ratio;
     r.constant[lane] = j.length;
     r.tension[lane] = tension;

@@ -43,14 +43,14 @@ WarmStart prepare(PointRows<W>& r, std::uint32_t lane, const Joint& j, const Joi
     // Nothing here needs the angle, but full turns are counted for readers and gears: a rough one tells how many there were (5 % of a step of
     // 19 800 hinges; the exact one, 12 %).
     r.angle[lane] = rough_coordinate(j, p);
-    return {in.numbers.warm * j.impulse, 0};
+    return {in.numbers.swept_warm * j.impulse, 0};
 }
 
 template <std::uint32_t W>
 WarmStart prepare(HingeRows<W>& r, std::uint32_t lane, const Joint& j, const JointPose& p, const JointInput& in) {
     r.angle[lane] = unwrap(angle_of(p), j.coordinate);
     const float turning = set_coordinate(r.free, lane, j, in);
-    return {in.numbers.warm * j.impulse, turning};
+    return {in.numbers.swept_warm * j.impulse, turning};
 }
 
 template <class L>

@@ -52,18 +52,19 @@ static_assert(sizeof(SolverBody) == solver_body_bytes && sizeof(SolverMotion) ==
 /// together (the largest float here, a speck of dust there) can overflow in a solve. Bodies have limits of their own (solver.cpp).
 inline constexpr float unsound_impulse = 1.0e28f;
 
-/// Impulses grow with the substep, so those of the last step are scaled to this substep's length. Those of contacts are doubled at most: what a short substep
-/// pushed apart need not be pushed in a long one. (Where steps of 1/30 s and 1/240 s take turns, eightfold impulses throw columns into the air.)
-inline constexpr float most_contact_warm = 2;
+/// Impulses grow with the substep, so those of the last step are scaled to this substep's length. Those of what is swept are doubled at most: what a short
+/// substep pushed apart or stopped need not be pushed or stopped in a long one. (Where steps of 1/30 s and 1/240 s take turns, eightfold impulses throw columns
+/// into the air; where those of 1/30 s and 1/120 s do, fourfold ones make arms of three bars on strong motors flail at 45 m/s.)
+inline constexpr float most_swept_warm = 2;
 
 /// Constants of one solve.
 struct StepNumbers {
     float dt = 0;  // s
     float h = 0;   // s, substep
     float inv_h = 0;
-    float omega = 1;         // relaxation factor
-    float warm = 1;          // share of the last step's impulses to start from; 0: none
-    float contact_warm = 1;  // that of contacts
+    float omega = 1;       // relaxation factor
+    float warm = 1;        // share of the last step's impulses to start from; 0: none
+    float swept_warm = 1;  // the same of what is swept: contacts, and joints outside trees
     float restitution_threshold = 0;
     float max_speed = 0, max_turn = 0;
     float give_back = 0;             // kg m/N: see undo_overlap in contact_prepare.hpp

@@ -55,8 +55,8 @@ WarmStart prepare(WeldRows<W>& r, std::uint32_t lane, const Joint& j, const Join
     const float crowd = crowd_of(j, in.poses, in.bodies_in);
     soften(r.linear, lane, j.linear_hertz, j.linear_damping_ratio, crowd * point_reach, in.numbers);
     soften(r.angular, lane, j.angular_hertz, j.angular_damping_ratio, crowd * angle_reach, in.numbers);
-    r.turning[lane] = in.numbers.warm * j.angular_impulse;
-    return {in.numbers.warm * j.impulse, r.turning[lane]};
+    r.turning[lane] = in.numbers.swept_warm * j.angular_impulse;
+    return {in.numbers.swept_warm * j.impulse, r.turning[lane]};
 }
 
 template <class L>

@@ -26,7 +26,7 @@ WarmStart prepare(WheelRows<W>& r, std::uint32_t lane, const Joint& j, const Joi
     r.ux[lane] = u.x;
     r.uy[lane] = u.y;
     set_coordinate(r.free, lane, j, in);
-    r.across[lane] = in.numbers.warm * j.impulse.x;
+    r.across[lane] = in.numbers.swept_warm * j.impulse.x;
     const float along = r.free.spring[lane] + r.free.low[lane] - r.free.high[lane];
     const float turning = r.free.motor[lane] + r.free.friction[lane];
     return {along * u + r.across[lane] * left_perp(u), turning};

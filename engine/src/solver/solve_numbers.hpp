@@ -59,7 +59,7 @@ ISLET_PART SolveNumbers choose_numbers(const State& state, float dt) {
     // A last substep that was nothing beside this one says nothing about it.
     n.warm = def.warm_start == 0 ? 0.0f : is_positive(state.last_substep) ? n.h / state.last_substep : 1.0f;
     if (!(n.warm <= 1.0e6f)) n.warm = 0;
-    n.contact_warm = min(n.warm, most_contact_warm);
+    n.swept_warm = min(n.warm, most_swept_warm);
     n.restitution_threshold = state.restitution_threshold;
     n.max_speed = state.max_speed;
     n.max_turn = max_turn_of(dt);
