@@ -14,7 +14,7 @@
 namespace islet::test {
 namespace {
 
-constexpr float allowed = 0.005f;  // m
+constexpr float allowed_depth = 0.005f;  // m
 
 struct Thing {
     const char* name;
@@ -93,13 +93,13 @@ float deepest(const Thing& thing, Ground ground) {
 class Landing : public testing::TestWithParam<Thing> {};
 
 TEST_P(Landing, SinksByNoMoreThanCanBeSeen) {
-    EXPECT_LE(deepest(GetParam(), Ground::box), allowed) << "into a box";
-    EXPECT_LE(deepest(GetParam(), Ground::segment), allowed) << "into a segment";
-    EXPECT_LE(deepest(GetParam(), Ground::half_space), allowed) << "into a half-space";
-    EXPECT_LE(deepest(GetParam(), Ground::sinking), allowed) << "into a floor that sinks at 2 m/s";
-    EXPECT_LE(deepest(GetParam(), Ground::rising), 2 * allowed) << "into a floor that rises at 2 m/s";  // a triangle sinks by 5.7 mm
-    EXPECT_LE(deepest(GetParam(), Ground::heavy), allowed) << "into a heavy slab";
-    EXPECT_LE(deepest(GetParam(), Ground::light), allowed) << "into a light slab";
+    EXPECT_LE(deepest(GetParam(), Ground::box), allowed_depth) << "into a box";
+    EXPECT_LE(deepest(GetParam(), Ground::segment), allowed_depth) << "into a segment";
+    EXPECT_LE(deepest(GetParam(), Ground::half_space), allowed_depth) << "into a half-space";
+    EXPECT_LE(deepest(GetParam(), Ground::sinking), allowed_depth) << "into a floor that sinks at 2 m/s";
+    EXPECT_LE(deepest(GetParam(), Ground::rising), 2 * allowed_depth) << "into a floor that rises at 2 m/s";  // a triangle sinks by 5.7 mm
+    EXPECT_LE(deepest(GetParam(), Ground::heavy), allowed_depth) << "into a heavy slab";
+    EXPECT_LE(deepest(GetParam(), Ground::light), allowed_depth) << "into a light slab";
 }
 
 const Thing things[] = {{"box", {rectangle(0.5f, 0.5f)}},
@@ -130,8 +130,8 @@ TEST(LandingAtSpeed, APlateStopsAtTheFaceOfAWall) {
                 world.step();
                 deepest = std::max(deepest, world->position(plate).x + 0.05f);
             }
-            EXPECT_LE(deepest, allowed) << speed << " m/s, phase " << phase;
-            EXPECT_GE(deepest, -allowed) << speed << " m/s, phase " << phase;
+            EXPECT_LE(deepest, allowed_depth) << speed << " m/s, phase " << phase;
+            EXPECT_GE(deepest, -allowed_depth) << speed << " m/s, phase " << phase;
         }
     }
 }

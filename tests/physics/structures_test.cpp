@@ -12,7 +12,7 @@
 namespace islet::test {
 namespace {
 
-constexpr std::uint64_t starts = slow_build ? 1 : 10;
+constexpr std::uint64_t house_starts = slow_build ? 1 : 10;
 
 /// m, the farthest that one of the bodies has sunk.
 float farthest_sunk(const TestWorld& world, const std::vector<BodyId>& bodies, const std::vector<float>& heights) {
@@ -41,7 +41,7 @@ std::vector<BodyId> add_wall(TestWorld& world, int rows, Vec2 brick, float gap, 
 TEST(Structures, WallsInBondComeToRestAndSleep) {
     for (const Vec2 brick : {Vec2{2, 1}, Vec2{1.5f, 0.5f}})
         for (const int rows : {8, 15, 16, 18, 20, 22, 24, 30})
-            for (std::uint64_t start = 0; start < (starts + 1) / 2; ++start) {
+            for (std::uint64_t start = 0; start < (house_starts + 1) / 2; ++start) {
                 Random random(start);
                 TestWorld world;
                 world.add_ground();
@@ -65,7 +65,7 @@ struct House {
 TEST(Structures, HousesOfCardsStand) {
     for (const House& h : {House{4, 1, 25, 0.6f}, House{4, 1, 25, 0.7f}, House{5, 1, 25, 0.7f}, House{4, 1, 30, 0.7f}, House{4, 0.5f, 25, 0.7f}, House{4, 2, 25, 0.7f},
                            House{3, 0.5f, 20, 0.7f}, House{4, 5, 20, 0.7f}})
-        for (std::uint64_t start = 0; start < starts; ++start) {
+        for (std::uint64_t start = 0; start < house_starts; ++start) {
             Random random(start);
             TestWorld world;
             world.add_ground(0, 60, rough(h.friction));
@@ -102,7 +102,7 @@ struct Arch {
 // An arch stands from a thickness of 0.107 of its mean radius on (Heyman, "The safety of masonry arches", 1969); of these the thinnest has 0.122.
 TEST(Structures, ThinArchesOfEverySizeStand) {
     for (const Arch& a : {Arch{31, 3, 0.15f}, Arch{21, 3, 0.13f}, Arch{21, 3, 0.15f}, Arch{21, 0.9f, 0.15f}, Arch{11, 0.3f, 0.15f}, Arch{21, 9, 0.15f}})
-        for (std::uint64_t start = 0; start < starts; ++start) {
+        for (std::uint64_t start = 0; start < house_starts; ++start) {
             Random random(start);
             TestWorld world;
             world.add_ground(0, 60, rough(0.8f));

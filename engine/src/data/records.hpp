@@ -155,6 +155,7 @@ enum ContactFlags : std::uint32_t {
     contact_ahead = 1u << 21,    // the shapes come together fast: solved harder
     contact_untold = 1u << 22,   // made so far ahead that it is not said to touch before it does
     contact_sharers_shift = 23,  // 2 bits: in how many other contacts with nearly its normal its two moving bodies touch, at most 3
+    contact_rolls = 1u << 25,    // a round shape rolls: the manifold was made for the middle of the step, and is not recycled
 };
 inline constexpr std::uint32_t no_color = 0xff;
 
@@ -216,7 +217,7 @@ struct ManifoldWith {
         flags = (flags & ~(3u << contact_sharers_shift)) | others << contact_sharers_shift;
     }
     void forget_points() {  // and made anew in the next step
-        flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead);
+        flags &= ~(std::uint32_t{3} << contact_count_shift | contact_posed | contact_ahead | contact_rolls);
         separation[0] = separation[1] = 0;
     }
     void forget_impulses() { normal_impulse[0] = normal_impulse[1] = tangent_impulse[0] = tangent_impulse[1] = rolling_impulse = 0; }

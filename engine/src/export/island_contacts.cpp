@@ -34,7 +34,7 @@ void add_contact_rows(IslandRows& to, std::uint32_t contact) {
         IslandRow row = row_along(RowKind::normal, i, n);
         row.bias += max(m.separation[i] + dot(n, slip_of(m, i, a, b)), 0.0f) * to.inv_h;
         normal_row[i] = to.add(row, 0, infinity, m.normal_impulse[i]);
-        pressed += to.warm * m.normal_impulse[i];
+        pressed += to.contact_warm * m.normal_impulse[i];
     }
     for (std::uint32_t i = 0; i < m.count(); ++i) {
         IslandRow row = row_along(RowKind::friction, i, t);

@@ -54,7 +54,7 @@ float q_of(const IslandRow& row, span<const IslandBody> bodies) {
 // By which impulses that the last substep left are scaled to one of length h. From one that was nothing beside this one they say nothing.
 float warm_factor(const State& state, float h) {
     const float factor = state.last_substep > 0 ? h / state.last_substep : 1.0f;
-    return factor <= 1.0e6f ? min(factor, most_swept_warm) : 0.0f;
+    return factor <= 1.0e6f ? factor : 0.0f;
 }
 
 void write_problem(IslandRows& rows, const IslandConstraints& constraints, const Sizes& sizes, std::byte* memory, IslandProblem& out) {
@@ -104,6 +104,7 @@ std::size_t World::export_island(BodyId id, float h, span<std::byte> memory, Isl
     const IslandMembers members = find_island(c, body, arena);
     IslandRows rows{c, members, h};
     rows.warm = warm_factor(*c.state, h);
+    rows.contact_warm = min(rows.warm, most_swept_warm);
     const IslandConstraints constraints = list_constraints(rows, arena);
     constexpr std::uint64_t most = 0xffffffffu;
     const Sizes sizes{members.body_count, rows.count, count_entries(constraints, most)};

@@ -24,7 +24,7 @@ struct IslandRows {
     const IslandMembers& members;
     float h;  // s
     float inv_h = 1.0f / h;
-    float warm = 0;  // by which the stored impulses are scaled
+    float warm = 0, contact_warm = 0;  // by which the stored impulses of joints and of contacts are scaled
 
     // Where to; all null while rows are counted.
     IslandRow* rows = nullptr;

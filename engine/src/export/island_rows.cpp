@@ -66,7 +66,8 @@ std::uint32_t IslandRows::add(const IslandRow& row, float low, float high, float
         rows[count] = row;
         lo[count] = low;
         hi[count] = high;
-        impulses[count] = warm * impulse;
+        const bool of_contact = row.kind == RowKind::normal || row.kind == RowKind::friction || row.kind == RowKind::rolling;
+        impulses[count] = (of_contact ? contact_warm : warm) * impulse;
         friction[count] = friction_of;
     }
     return count++;

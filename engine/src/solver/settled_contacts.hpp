@@ -25,7 +25,7 @@ struct LoadRate {
 
 /// The flags of a contact that may be settled; what else is among `asked_flags` keeps it from that. So do all of `pose_unsettled`, of either body.
 inline constexpr std::uint32_t settled_flags = contact_touching | contact_posed;
-inline constexpr std::uint32_t asked_flags = settled_flags | contact_sensor | contact_asks | contact_one_way | contact_ahead | contact_untold;
+inline constexpr std::uint32_t asked_flags = settled_flags | contact_sensor | contact_asks | contact_one_way | contact_ahead | contact_untold | contact_rolls;
 inline constexpr std::uint32_t pose_unsettled = pose_moved | pose_fast | pose_learns;
 
 template <class F>

@@ -84,7 +84,7 @@ const char* fault_in_numbers(const Geometry& g) {
 const char* fault_in_numbers(const ImageManifold& m) {
     constexpr std::uint32_t known = contact_touching | contact_posed | contact_special | contact_bouncy | 3u << contact_count_shift | contact_sensor |
                                     contact_overlap | contact_hits | contact_asks | contact_one_way | contact_passes | contact_dropped | contact_ahead |
-                                    contact_untold | 3u << contact_sharers_shift | 0xffu << contact_color_shift;
+                                    contact_untold | 3u << contact_sharers_shift | contact_rolls | 0xffu << contact_color_shift;
     if ((m.flags & ~known) != 0 || m.count() > 2) return "a contact's flags are none";
     if (m.color() != no_color && m.color() >= color_count) return "a contact has a colour that is none";
     if (!floats_are_finite(m, offsetof(ImageManifold, normal), sizeof m)) return "a contact's numbers are not finite";

@@ -61,13 +61,15 @@ Manifold manifold_at(const Core& core, const Contact& c, const ContactManifold& 
     return dispatch(core.geometries[core.shapes[c.shape_a].geometry], core.geometries[core.shapes[c.shape_b].geometry], b_in_a, margin);
 }
 
+// m that points may be apart which meet in the rest of a step. (It lasts at most a second, and no body moves faster, whatever velocity it was given.)
+float margin_ahead(const Approach& approach, float rest = 1) { return speculative_distance + 2.0f * rest * min(approach.most(), max_speed_limit); }
+
 // Makes the manifold with which two shapes will touch in this step. If they are about to meet, it is made as they will stand at the time of impact; the motion
 // until then is treated as slip. (A plane through the points that are nearest now would throw back a shape that is about to pass.) After the first point has
 // met, another one comes down up to twice as fast, as the body turns about the first.
 Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifold& m, const Approach& approach, float dt, Stand& stand, float& margin,
                         Transform& b_in_a) {
-    const float most = min(approach.most(), max_speed_limit);  // m: a step lasts at most a second, and no body moves faster, whatever velocity it was given
-    margin = speculative_distance + 2.0f * most;
+    margin = margin_ahead(approach);
     const Manifold now = manifold_at(core, c, m, stand, margin, b_in_a);
     // Where the body is now, a chain segment may leave the contact to its neighbour although the body will come to that segment.
     const bool is_link = kind_of(core.geometries[core.shapes[c.shape_a].geometry]) == ShapeKind::front;
@@ -83,11 +85,44 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
     const float t = time_to_touch(core, c.shape_a, a, c.shape_b, b);
     if (!(t > 0 && t < 1)) return {};
     stand = {center_at(b, t) - center_at(a, t), rotation_at(a, t), rotation_at(b, t)};
-    margin = speculative_distance + 2.0f * (1.0f - t) * most;
+    margin = margin_ahead(approach, 1.0f - t);
     return manifold_at(core, c, m, stand, margin, b_in_a);
 }
 
+// How far apart the two shapes are now at the contact's points.
+float separation_now(const Core& core, const ContactManifold& m) {
+    float least = 3.0e38f;
+    for (std::uint32_t i = 0; i < m.count(); ++i)
+        least = min(least, m.separation[i] + dot(m.normal, slip_of(m, i, core.poses[m.body_a], core.poses[m.body_b])));
+    return least;
+}
+
+// True if a round shape rolls at the contact. (Where shock propagation takes bodies for lighter than they are, piles of balls and boxes would not rest.)
+ISLET_PART bool rolls(const Core& core, const Contact& c, const ContactManifold& m, float dt) {
+    const float spin = abs(core.motions[m.body_b].w - core.motions[m.body_a].w);
+    if (m.count() != 1 || !(spin > roll_rate && spin * dt < most_roll) || has_shock(core.state->solver)) return false;
+    const auto is_round = [&](std::uint32_t shape) {
+        const ShapeType type = core.geometries[core.shapes[shape].geometry].shape_type();
+        return type == ShapeType::circle || type == ShapeType::capsule;
+    };
+    return (is_round(c.shape_a) || is_round(c.shape_b)) && separation_now(core, m) <= speculative_distance;
+}
+
+// How the two bodies of a contact will stand in the middle of the step.
+ISLET_PART Stand stand_midway(const Core& core, const ContactManifold& m, float dt) {
+    const Pose& a = core.poses[m.body_a];
+    const Pose& b = core.poses[m.body_b];
+    const Motion &of_a = core.motions[m.body_a], &of_b = core.motions[m.body_b];
+    const float half = 0.5f * dt;
+    const auto turned = [&](const Pose& pose, const Motion& motion) { return integrate(pose.q, within_bounds(half * motion.w, 0.25f * pi)); };
+    return {b.center - a.center + half * (of_b.v - of_a.v), turned(a, of_a), turned(b, of_b)};
+}
+
 // Makes the manifold anew. Points whose features the old manifold had keep their impulses.
+//
+// Where a round shape rolls, the contact point moves. One that stood where it was when the step began, or when a kept manifold was made, would lag, and push
+// what rocks the way that it goes: a roly-poly swung itself up until it fell over, and a board on a ball until it fell off. So the manifold is made for the
+// middle of the step, and in each step anew.
 ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approach, float dt) {
     const Contact& c = core.contacts[index];
     ContactManifold& m = core.manifolds[index];
@@ -95,8 +130,12 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
     const Vec2 center_a = core.bodies[m.body_a].local_center;
     Transform b_in_a;
     float margin = speculative_distance;
-    Manifold fresh = is_continuous(core) && comes_fast(approach) ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a)
-                                                                 : manifold_at(core, c, m, stand, margin, b_in_a);
+    const bool fast = is_continuous(core) && comes_fast(approach), rolling = rolls(core, c, m, dt);
+    if (rolling) {
+        stand = stand_midway(core, m, dt);
+        if (fast) margin = margin_ahead(approach);
+    }
+    Manifold fresh = fast && !rolling ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a) : manifold_at(core, c, m, stand, margin, b_in_a);
     const bool has_pieces = (core.bodies[m.body_a].shape_count | core.bodies[m.body_b].shape_count) > 1;
     if (fresh.count > 0 && (has_pieces || has_floor(core.poses[m.body_a], core.poses[m.body_b]))) mend_inner_edges(core, c, b_in_a, margin, fresh);
 
@@ -128,8 +167,8 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
         m.normal_impulse[i] = normal_impulse[i];
         m.tangent_impulse[i] = tangent_impulse[i];
     }
-    m.flags = (m.flags & ~(3u << contact_count_shift | contact_ahead)) | fresh.count << contact_count_shift | contact_posed |
-              (lands ? std::uint32_t{contact_ahead} : 0u);
+    m.flags = (m.flags & ~(3u << contact_count_shift | contact_ahead | contact_rolls)) | fresh.count << contact_count_shift | contact_posed |
+              (lands ? std::uint32_t{contact_ahead} : 0u) | (rolling ? std::uint32_t{contact_rolls} : 0u);
 }
 
 // True if a body has sunk into a floor by more than contacts commonly do. (Lanes leave those to be looked at one by one.)
@@ -188,7 +227,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     const bool fast = ((a.flags | b.flags) & pose_fast) != 0 && (calm || has_floor(a, b));
     Approach approach;
     if (fast && m.count() == 0) approach = approach_to(core, m, dt, fall);
-    if ((m.flags & (contact_posed | contact_ahead)) == contact_posed && m.count() != 0) turn_along(core, m, a, b);
+    if (may_recycle(m) && m.count() != 0) turn_along(core, m, a, b);
     if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
         ++kept.manifolds;
     } else {
@@ -200,14 +239,6 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if ((m.flags & contact_untold) != 0 || (is_continuous(core) && is_deep(core, m))) return Change::changes;
     if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // perhaps: the hook has not decided yet
     return is == ((m.flags & contact_touching) != 0) ? Change::none : Change::changes;
-}
-
-// How far apart the two shapes are now at the contact's points.
-float separation_now(const Core& core, const ContactManifold& m) {
-    float least = 3.0e38f;
-    for (std::uint32_t i = 0; i < m.count(); ++i)
-        least = min(least, m.separation[i] + dot(m.normal, slip_of(m, i, core.poses[m.body_a], core.poses[m.body_b])));
-    return least;
 }
 
 void tell_touch(Core& core, std::uint32_t index) {

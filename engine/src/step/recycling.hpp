@@ -35,6 +35,8 @@ inline constexpr float most_creep = 15.0f * linear_slop;     // m that faces of 
 inline constexpr float creep_share = 0.15f;                  // the same as a share of the smaller body's size, but recycle_distance at least
 inline constexpr float sticking_share = 0.9f;                // of the friction that there may be: what sticks needs less
 inline constexpr float turn_alike = 0.1f;                    // share of their rates by which two bodies on a level face may differ
+inline constexpr float roll_rate = 0.05f;                    // rad/s of two bodies against each other from which on a round shape rolls
+inline constexpr float most_roll = 0.04f;                    // rad in a step; faster, a ball of 100 links' mass opens its chain's hinges by 0.1 m
 inline constexpr float level_face = 0.3f;                    // tangent of the angle between gravity and the normal of a level face, at most
 
 // How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load. But when an
@@ -128,8 +130,11 @@ ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a
     m.rotation_b = normalize(turn * m.rotation_b);
 }
 
+/// True if the manifold was made for where the bodies stood.
+ISLET_PART bool may_recycle(const ContactManifold& m) { return (m.flags & (contact_posed | contact_ahead | contact_rolls)) == contact_posed; }
+
 inline bool can_recycle(const Core& core, const ContactManifold& m, const Pose& a, const Pose& b) {
-    if ((m.flags & (contact_posed | contact_ahead)) != contact_posed) return false;
+    if (!may_recycle(m)) return false;
     const Rot turn_a = inv_mul(m.rotation_a, a.q);
     const Rot turn_b = inv_mul(m.rotation_b, b.q);
     if (!have_turned_little(turn_a, turn_b)) return false;
