@@ -13,7 +13,8 @@ const char* describe(Error e) {
         case Error::out_of_range: return "A number is outside its range: the comment on the field or function gives the range.";
         case Error::bad_time_step: return "The time step must be from a microsecond to a second: 1/60 is usual.";
         case Error::bad_geometry:
-            return "The geometry breaks its rules (size above 0, convex, counter-clockwise): make polygons with make_polygon or make_box.";
+            return "The geometry breaks its rules: sizes are above 0, polygons convex with 3 to 8 corners, not in one line (make_polygon, make_box), and boxes have "
+                   "lower <= upper.";
         case Error::bad_chain: return "A chain needs at least 2 points (3 for a loop), neighbours more than 0.005 m apart.";
         case Error::bodies_full: return "No room for another body: raise Capacity::bodies.";
         case Error::shapes_full: return "No room for another shape: raise Capacity::shapes.";
@@ -39,8 +40,8 @@ const char* describe(Error e) {
         case Error::image_too_large: return "The world is too small for the image: read_snapshot says which capacity it needs.";
         case Error::wrong_delta: return "The delta does not start from the image given: apply it to the one it was made from.";
         case Error::feature_cut:
-            return "This program's engine has no such part: build it without the switch that leaves it out (islet/config.hpp), or call the function that links "
-                   "it.";
+            return "This program lacks a part of the engine that the call needs. In the small profile, ISLET_WITH puts it back; elsewhere, take it out of "
+                   "ISLET_WITHOUT, or link it (World::load links joints).";
         case Error::not_a_sensor: return "The shape is no sensor: ShapeDef::sensor makes one.";
         case Error::recording_full: return "The memory for the recording is used up: it holds everything before this call. Give more, or move it in time.";
         case Error::not_a_recording: return "These bytes are no recording, or nothing is being recorded: start_recording begins one.";
