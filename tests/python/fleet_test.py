@@ -93,26 +93,35 @@ class Fleets(unittest.TestCase):
         self.assertEqual(caught.exception.code, code)
         self.assertEqual(fleet.hashes().tolist(), before)
 
+    def refused_by_python(self, error, fleet, call, *values, **named):
+        """With a sentence about the array alone."""
+        before = fleet.hashes().tolist()
+        with self.assertRaisesRegex(error, "^(actions|mask|out) must be a C-contiguous array of .* of shape [^:]*$") as caught:
+            call(*values, **named)
+        self.assertNotIsInstance(caught.exception, islet.Error)
+        self.assertEqual(fleet.hashes().tolist(), before)
+
     def test_bad_arrays_are_refused_and_change_nothing(self):
         fleet, _, _ = make_fleet(4)
         good = pushes(4)
-        wrong = [pushes(5), good[:, 0], good.astype(float), good.astype(numpy.int32), numpy.zeros((4, 2), numpy.float32), good.tolist(),
-                 numpy.zeros((8, 1), numpy.float32)[::2], good.astype(">f4")]
-        for actions in wrong:
-            self.refused(fleet, fleet.step, actions)
+        for actions in (good.astype(float), good.astype(numpy.int32), good.tolist(), good.astype(">f4")):
+            self.refused_by_python(TypeError, fleet, fleet.step, actions)
+        for actions in (pushes(5), good[:, 0], numpy.zeros((4, 2), numpy.float32), numpy.zeros((8, 1), numpy.float32)[::2]):
+            self.refused_by_python(ValueError, fleet, fleet.step, actions)
         for value in (math.nan, math.inf):
             bad = good.copy()
             bad[3, 0] = value
             self.refused(fleet, fleet.step, bad, code=islet.ErrorCode.not_finite)
         self.refused(fleet, fleet.step, good, dt=0, code=islet.ErrorCode.bad_time_step)
         self.refused(fleet, fleet.step, good, repeat=0)
-        self.refused(fleet, fleet.step, good, mask=numpy.ones(3, bool))
-        self.refused(fleet, fleet.step, good, mask=numpy.ones(4, float))
-        for out in (numpy.zeros((4, 4), numpy.float32), numpy.zeros((4, 5)), numpy.zeros((5, 4), numpy.float32).T):
-            self.refused(fleet, fleet.step, good, out=out)
+        self.refused_by_python(ValueError, fleet, fleet.step, good, mask=numpy.ones(3, bool))
+        self.refused_by_python(TypeError, fleet, fleet.step, good, mask=numpy.ones(4, float))
+        for out in (numpy.zeros((4, 4), numpy.float32), numpy.zeros((5, 4), numpy.float32).T):
+            self.refused_by_python(ValueError, fleet, fleet.step, good, out=out)
+        self.refused_by_python(TypeError, fleet, fleet.step, good, out=numpy.zeros((4, 5)))
         frozen = numpy.zeros((4, 5), numpy.float32)
         frozen.flags.writeable = False
-        self.refused(fleet, fleet.step, good, out=frozen)
+        self.refused_by_python(ValueError, fleet, fleet.step, good, out=frozen)
         self.refused(fleet, fleet.fork, [1, 0, 2, 3])
         self.refused(fleet, fleet.fork, [0, 1])
         self.refused(fleet, fleet.fork, [0, 0, 0, -1])
@@ -131,6 +140,22 @@ class Fleets(unittest.TestCase):
         self.refused(fleet, fleet.reset, 0, prototype.save()[:-8], code=islet.ErrorCode.truncated_image)
         self.refused(fleet, fleet.reset, 0, prototype.save(), 1, [{"body": cart, "angle": -1}])
         self.refused(fleet, fleet.reset, 0, prototype.save(), 1, [{"body": cart, "angle": math.nan}], code=islet.ErrorCode.not_finite)
+
+    def test_a_column_without_its_body_or_joint_is_refused(self):
+        fleet, world, (cart, _, hinge) = make_fleet(2)
+        wrong = [("drives", islet.Drive("force_x"), r"drives\[1\]\.body of kind force_x"), ("drives", {"kind": "motor_speed", "body": cart}, r"drives\[1\]\.joint"),
+                 ("senses", islet.Sense("joint", body=cart), r"senses\[1\]\.joint"), ("senses", {"kind": "ray", "joint": hinge}, r"senses\[1\]\.body of kind ray")]
+        for name, column, words in wrong:
+            with self.subTest(words):
+                before = getattr(fleet, name)
+                with self.assertRaisesRegex(islet.Error, words) as caught:
+                    setattr(fleet, name, [before[0], column])
+                self.assertEqual(caught.exception.code, islet.ErrorCode.null_id)
+                self.assertEqual(getattr(fleet, name), before)
+                with self.assertRaisesRegex(islet.Error, words):
+                    islet.Fleet(world, 2, **{name: [before[0], column]})
+        fleet[0].destroy_body(cart)  # what is gone from a world is another matter
+        fleet.step(pushes(2))
 
     def test_sizes_are_checked(self):
         world, _, _, _ = cart_and_pole()

@@ -230,6 +230,12 @@ TEST(Fleet, RefusesWhatIsWrongAndChangesNothing) {
     const Sense no_sense[] = {{.kind = static_cast<SenseKind>(99)}}, no_ray[] = {{.kind = SenseKind::ray, .translation = {not_a_number, 0}}};
     expect(Error::out_of_range, {.senses = no_sense});
     expect(Error::not_finite, {.senses = no_ray, .observations = span<float>(seen).first(2)});
+    const Drive bodiless[] = {{.kind = DriveKind::torque, .joint = yard.hinge}}, jointless[] = {{.kind = DriveKind::motor_force, .body = yard.cart}};
+    expect(Error::null_id, {.drives = bodiless, .actions = two});
+    expect(Error::null_id, {.drives = jointless, .actions = two});
+    const Sense of_nobody[] = {{.kind = SenseKind::touching, .joint = yard.hinge}}, of_no_joint[] = {{.kind = SenseKind::joint, .body = yard.cart}};
+    expect(Error::null_id, {.senses = of_nobody, .observations = span<float>(seen).first(2)});
+    expect(Error::null_id, {.senses = of_no_joint, .observations = span<float>(seen).first(4)});
     EXPECT_EQ(fleet->observe(senses, {}), Error::out_of_range);
     EXPECT_EQ(fleet->copy(0, 2), Error::out_of_range);
     EXPECT_EQ(fleet->copy(2, 0), Error::out_of_range);

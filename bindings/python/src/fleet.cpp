@@ -1,6 +1,8 @@
 // Fleets: actions and observations are numpy's arrays, which the engine reads and writes where they are.
 #include <cstring>
 #include <new>
+#include <string>
+#include <type_traits>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -43,19 +45,22 @@ void check(Error error, const char* detail = "") {
 std::string shape_of(const std::vector<py::ssize_t>& shape) { return py::cast<std::string>(py::str(py::tuple(py::cast(shape)))); }
 
 /// An array of the caller's as the engine reads it: of this type and shape, in a row. It stays the caller's; nothing is copied.
+/// Raises TypeError for another type, and ValueError for another shape or layout.
 template <class T>
 T* array_of(py::handle given, const std::vector<py::ssize_t>& shape, const char* name, bool writes) {
-    const auto complain = [&](const std::string& what) {
-        refuse(Error::out_of_range, std::string(name) + " must be a C-contiguous array of " + py::cast<std::string>(py::str(py::dtype::of<T>())) +
-                                        " of shape " + shape_of(shape) + ", not " + what);
+    const auto complaint = [&](const std::string& what) {
+        return std::string(name) + " must be a C-contiguous array of " + py::cast<std::string>(py::str(py::dtype::of<T>())) + " of shape " + shape_of(shape) +
+               ", not " + what;
     };
-    if (!py::isinstance<py::array>(given)) complain(py::cast<std::string>(py::str(py::type::handle_of(given))));
+    if (!py::isinstance<py::array>(given)) throw py::type_error(complaint(py::cast<std::string>(py::str(py::type::handle_of(given)))));
     auto array = py::reinterpret_borrow<py::array>(given);
     const std::vector<py::ssize_t> is(array.shape(), array.shape() + array.ndim());
-    if (!py::isinstance<py::array_t<T>>(given) || is != shape) complain(py::cast<std::string>(py::str(array.dtype())) + " of shape " + shape_of(is));
-    if ((array.flags() & py::array::c_style) == 0) complain("one with gaps or another order");
-    if (reinterpret_cast<std::uintptr_t>(array.data()) % alignof(T) != 0) complain("one that is not aligned");
-    if (writes && !array.writeable()) complain("a read-only one");
+    const std::string kind = py::cast<std::string>(py::str(array.dtype())) + " of shape " + shape_of(is);
+    if (!py::isinstance<py::array_t<T>>(given)) throw py::type_error(complaint(kind));
+    if (is != shape) throw py::value_error(complaint(kind));
+    if ((array.flags() & py::array::c_style) == 0) throw py::value_error(complaint("one with gaps or another order"));
+    if (reinterpret_cast<std::uintptr_t>(array.data()) % alignof(T) != 0) throw py::value_error(complaint("one that is not aligned"));
+    if (writes && !array.writeable()) throw py::value_error(complaint("a read-only one"));
     return const_cast<T*>(static_cast<const T*>(array.data()));
 }
 
@@ -122,11 +127,11 @@ py::object step_fleet(PyFleet& f, py::handle actions, float dt, std::uint32_t re
     py::object observations = py::none();
     if (!f.senses.empty()) {
         observations = observations_for(f, out);
-        if (overlap(out, actions) || overlap(out, mask)) refuse(Error::out_of_range, "out must share no memory with actions and mask");
+        if (overlap(out, actions) || overlap(out, mask)) throw py::value_error("out must share no memory with actions and mask");
         what.senses = f.senses;
         what.observations = floats(observations);
     } else if (!out.is_none()) {
-        refuse(Error::out_of_range, "out without senses");
+        throw py::value_error("out needs a fleet with senses");
     }
     Error error = Error::none;
     {
@@ -141,7 +146,7 @@ py::object step_fleet(PyFleet& f, py::handle actions, float dt, std::uint32_t re
 py::object observe(PyFleet& f, py::handle mask, py::handle out) {
     idle(f);
     py::object observations = observations_for(f, out);
-    if (overlap(out, mask)) refuse(Error::out_of_range, "out must share no memory with mask");
+    if (overlap(out, mask)) throw py::value_error("out must share no memory with mask");
     check(f.fleet->observe(f.senses, floats(observations), mask_of(f, mask)));
     return observations;
 }
@@ -160,10 +165,26 @@ std::vector<T> list_of(py::handle values) {
     return all;
 }
 
+bool is_of_joint(const Drive& drive) { return drive.kind >= DriveKind::joint_torque; }
+bool is_of_joint(const Sense& sense) { return sense.kind == SenseKind::joint; }
+
+/// Drives or senses. Each names the body or joint that its kind needs: a step would refuse it, too, but could not say which one it is.
+template <class T>
+std::vector<T> columns_of(py::handle values) {
+    std::vector<T> all = list_of<T>(values);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool of_joint = is_of_joint(all[i]);
+        if ((of_joint ? all[i].joint.index1 : all[i].body.index1) != 0) continue;
+        const std::string kind = py::cast<std::string>(py::cast(all[i].kind).attr("name"));
+        refuse(Error::null_id, (std::is_same_v<T, Drive> ? "drives[" : "senses[") + std::to_string(i) + (of_joint ? "].joint" : "].body") + " of kind " + kind);
+    }
+    return all;
+}
+
 /// Sets drives or senses.
 template <class T>
 void set_columns(PyFleet& f, std::vector<T>& columns, py::handle values) {
-    std::vector<T> made = list_of<T>(values);
+    std::vector<T> made = columns_of<T>(values);
     idle(f);
     columns = std::move(made);
 }
@@ -203,8 +224,8 @@ void fork(PyFleet& f, py::handle parents) {
 Shared make(const PyWorld& prototype, std::uint32_t worlds, std::uint32_t workers, py::handle drives, py::handle senses) {
     idle_owner_of(prototype);
     auto made = std::make_shared<PyFleet>(*prototype.world, worlds, workers);
-    made->drives = list_of<Drive>(drives);
-    made->senses = list_of<Sense>(senses);
+    made->drives = columns_of<Drive>(drives);
+    made->senses = columns_of<Sense>(senses);
     return made;
 }
 

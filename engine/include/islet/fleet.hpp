@@ -123,7 +123,7 @@ public:
 
     /// In each world that the mask names: applies the actions and steps, `repeat` times, then observes. An action or a sense whose body or joint is gone from a
     /// world, or is of the wrong type, does nothing there, or reads 0. Errors: bad_time_step; out_of_range (repeat, an unknown kind, spans of other sizes);
-    /// not_finite (an action, a scale or a ray).
+    /// not_finite (an action, a scale or a ray); null_id (of the body or joint that a kind needs).
     Error step(const FleetStep& what);
 
     /// Observes without a step. Errors as in step.

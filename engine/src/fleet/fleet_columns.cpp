@@ -15,6 +15,8 @@ namespace {
 
 bool drives_joint(DriveKind kind) { return kind >= DriveKind::joint_torque; }
 
+Error check_ids(bool of_joint, BodyId body, JointId joint) { return (of_joint ? joint.index1 : body.index1) != 0 ? Error::none : Error::null_id; }
+
 void drive_body(World& world, const Drive& drive, float value) {
     if (!world.is_valid(drive.body)) return;
     if (drive.kind == DriveKind::force_x) world.apply_force_to_center(drive.body, {value, 0});
@@ -114,12 +116,13 @@ std::uint32_t columns_of(SenseKind kind) {
 
 Error check_drive(const Drive& drive) {
     if (drive.kind > DriveKind::target_y) return Error::out_of_range;
-    return is_finite(drive.scale) ? Error::none : Error::not_finite;
+    return is_finite(drive.scale) ? check_ids(drives_joint(drive.kind), drive.body, drive.joint) : Error::not_finite;
 }
 
 Error check_sense(const Sense& sense) {
     if (columns_of(sense.kind) == 0) return Error::out_of_range;
-    return is_finite(sense.origin) && is_finite(sense.translation) ? Error::none : Error::not_finite;
+    if (!is_finite(sense.origin) || !is_finite(sense.translation)) return Error::not_finite;
+    return check_ids(sense.kind == SenseKind::joint, sense.body, sense.joint);
 }
 
 void act(World& world, span<const Drive> drives, const float* actions) {

@@ -8,7 +8,7 @@ namespace islet::detail {
 /// Columns that a sense fills; 0 if its kind is unknown.
 std::uint32_t columns_of(SenseKind kind);
 
-/// Whether kind and numbers are as they must be.
+/// Whether kind, numbers and ids are as they must be. Whether an id's object is there, each world asks.
 Error check_drive(const Drive& drive);
 Error check_sense(const Sense& sense);
 
