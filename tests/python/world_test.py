@@ -67,6 +67,18 @@ class Objects(unittest.TestCase):
         self.assertTrue(islet.WheelJointDef().spring.enable)
         self.assertEqual(islet.Filter().mask, 0xFFFFFFFF)
 
+    def test_there_is_room_for_a_joint_a_body_unless_something_else_is_said(self):
+        self.assertEqual(islet.World().capacity().joints, 256)
+        self.assertEqual(islet.World(bodies=7, shapes=20).capacity().joints, 7)
+        self.assertEqual(islet.World(bodies=7, joints=0).capacity().joints, 0)
+        self.assertEqual(islet.World(bodies=7, joints=2).capacity().joints, 2)
+        given = islet.World(bodies=7, joints=0).capacity()
+        self.assertEqual(islet.World(capacity=given).capacity(), given)
+        world = islet.World(bodies=2)
+        a, b = world.create_body(), world.create_body(type="dynamic", position=(1, 0))
+        world.create_revolute_joint(body_a=a, body_b=b)
+        self.assertEqual(world.joint_count(), 1)
+
     def test_unknown_fields_and_names_are_refused(self):
         world = islet.World(bodies=2)
         with self.assertRaisesRegex(TypeError, "BodyDef has no field colour"):

@@ -47,9 +47,11 @@ class Error(ValueError):
 
 class World:
     """A world: one block of memory that holds bodies, shapes and joints, and steps them."""
-    def __init__(self, *, bodies: int = 256, shapes: int = ..., contacts: int = ..., joints: int = 0, geometries: int = 0, hits: int = 0,
+    def __init__(self, *, bodies: int = 256, shapes: int = ..., contacts: int = ..., joints: int = ..., geometries: int = 0, hits: int = 0,
                  capacity: Capacity = ..., workers: int = 1, **options: WorldDef) -> None:
-        """A world with room for so many objects. Without `shapes` and `contacts`, there is room for a shape a body and 5 contacts a shape."""
+        """A world with room for so many objects. Without `shapes`, `joints` and `contacts`, there is room for a shape and a joint a body, and for 5 contacts
+        a shape. A `capacity` says how many joints there are.
+        """
     @property
     def workers(self) -> int:
         """Threads that step the world."""

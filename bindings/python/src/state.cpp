@@ -17,9 +17,11 @@ std::uint32_t checked_workers(std::uint32_t workers) {
     return workers;
 }
 
+constexpr std::uint32_t usual_bodies = 256;
+
 /// What is not said of a capacity follows from the bodies.
 Capacity whole(Capacity c) {
-    if (c.bodies == 0) c.bodies = 256;
+    if (c.bodies == 0) c.bodies = usual_bodies;
     if (c.shapes == 0) c.shapes = c.bodies;
     if (c.contacts == 0) c.contacts = 5 * c.shapes;
     return c;
@@ -30,8 +32,10 @@ PyWorld make(const py::kwargs& named) {
     WorldDef def;
     std::uint32_t workers = 1;
     py::dict of_capacity, of_def;
+    bool said_of_joints = false;  // 0 joints may be meant
     for (const auto& [name, value] : named) {
         const auto is = [name = name](const char* text) { return PyUnicode_CompareWithASCIIString(name.ptr(), text) == 0; };
+        said_of_joints |= is("joints") || is("capacity");
         if (is("workers"))
             workers = py::cast<std::uint32_t>(value);
         else if (is("capacity"))
@@ -40,6 +44,7 @@ PyWorld make(const py::kwargs& named) {
             (find_field(record_of<Capacity>(), name) != nullptr ? of_capacity : of_def)[name] = value;
     }
     fill_record(&capacity, record_of<Capacity>(), py::tuple(), of_capacity);
+    if (!said_of_joints) capacity.joints = capacity.bodies == 0 ? usual_bodies : capacity.bodies;
     fill_record(&def, record_of<WorldDef>(), py::tuple(), of_def);
     PyWorld w;
     w.owner = make_world(whole(capacity), def, workers, w.world);
