@@ -61,10 +61,16 @@ try() {
     # tools/footprint.sh builds the firmware like that, and tests/determinism/by_hand.sh the engine.
     'cmake -S samples/firmware'*) [ -e "$(sed -n 's/.*toolchain "$PWD\/\([^"]*\)".*/\1/p' <<<"$command")" ] ;;
     'cmake --build build/m4'*) ;;
+    # All files take a minute.
+    flags=*) ;;
+    'arm-none-eabi-g++ '*)
+        ! command -v arm-none-eabi-g++ ||
+            { eval "$(grep '^flags=' "$root/docs/microcontrollers.md")" && eval "${command/-c engine\/src\/\*/-fsyntax-only engine\/src\/world}"; }
+        ;;
     'emcmake cmake -S engine'*) grep -q 'em++' "$root/tests/determinism/targets.sh" ;; # where there is Emscripten
     # The build of the wheel takes minutes; tests/python tries what it holds, and tests/python/manual_test.py the page's examples.
     'sudo apt-get install '*pybind11*) grep -q 'find_package(pybind11' "$root/bindings/python/CMakeLists.txt" ;;
-    'python3 -m venv'*'pip install ./bindings/python') [ -e bindings/python/pyproject.toml ] ;;
+    '/usr/bin/python3 -m venv'*'pip install ./bindings/python') [ -e bindings/python/pyproject.toml ] ;;
     # Building the package takes minutes; tests/python/envs_test.py learns with the same program.
     './bindings/python/run.sh '*) has_options bindings/python/run.sh && [ -x "${words[1]}" ] && python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "${words[1]}" ;;
     # tests/package/install_test.sh does that.
