@@ -71,9 +71,9 @@ class ObjectsThatWereNotMade(unittest.TestCase):
 
 class Arrays(unittest.TestCase):
     def refused(self, call, *values, **named):
-        with self.assertRaises(islet.Error) as caught:
+        with self.assertRaises(ValueError) as caught:
             call(*values, **named)
-        self.assertEqual(caught.exception.code, islet.ErrorCode.out_of_range)
+        self.assertNotIsInstance(caught.exception, islet.Error)
         return str(caught.exception)
 
     def test_arrays_that_are_not_aligned(self):

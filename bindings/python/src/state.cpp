@@ -88,11 +88,12 @@ PyWorld from_state(const Capacity& capacity, std::uint32_t workers, py::handle b
 py::array_t<float> rows_for(const World& world, py::handle out, py::ssize_t columns) {
     const auto bodies = static_cast<py::ssize_t>(world.capacity().bodies);
     if (out.is_none()) return py::array_t<float>(std::vector<py::ssize_t>{bodies, columns});
-    if (!py::isinstance<py::array_t<float, py::array::c_style>>(out)) refuse(Error::out_of_range, "out must be a C-contiguous array of float32");
+    if (!py::isinstance<py::array_t<float>>(out)) throw py::type_error("out must be a C-contiguous array of float32");
+    if (!py::isinstance<py::array_t<float, py::array::c_style>>(out)) throw py::value_error("out must be a C-contiguous array of float32");
     auto rows = py::reinterpret_borrow<py::array_t<float>>(out);
-    if (reinterpret_cast<std::uintptr_t>(rows.data()) % alignof(float) != 0) refuse(Error::out_of_range, "out must be an aligned array of float32");
+    if (reinterpret_cast<std::uintptr_t>(rows.data()) % alignof(float) != 0) throw py::value_error("out must be an aligned array of float32");
     if (rows.ndim() != 2 || rows.shape(0) != bodies || rows.shape(1) != columns || !rows.writeable())
-        refuse(Error::out_of_range, "out must be a writable array of shape (" + std::to_string(bodies) + ", " + std::to_string(columns) + ")");
+        throw py::value_error("out must be a writable array of shape (" + std::to_string(bodies) + ", " + std::to_string(columns) + ")");
     return rows;
 }
 
