@@ -270,7 +270,7 @@ class State(unittest.TestCase):
         self.assertIs(world.poses(out), out)
         self.assertTrue((out == poses).all())
         for wrong in (numpy.empty((5, 3), numpy.float32), numpy.empty((5, 4)), numpy.empty((4, 5), numpy.float32).T, [0]):
-            with self.assertRaises(islet.Error):
+            with self.assertRaisesRegex((TypeError, ValueError), "^out must be a [^:]*$"):
                 world.poses(wrong)
 
     def test_recordings_can_be_made(self):

@@ -14,8 +14,7 @@ const char* describe(Error e) {
         case Error::bad_time_step: return "The time step must be from a microsecond to a second: 1/60 is usual.";
         case Error::bad_geometry:
             return "The geometry breaks its rules: sizes are above 0, polygons convex with 3 to 8 corners, not in one line (make_polygon, make_box), and boxes "
-                   "have "
-                   "lower <= upper.";
+                   "have lower <= upper.";
         case Error::bad_chain: return "A chain needs at least 2 points (3 for a loop), neighbours more than 0.005 m apart.";
         case Error::bodies_full: return "No room for another body: raise Capacity::bodies.";
         case Error::shapes_full: return "No room for another shape: raise Capacity::shapes.";
