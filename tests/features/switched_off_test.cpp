@@ -112,7 +112,7 @@ TEST(SmallProfile, RefusesWhatItLeavesOut) {
         if (name == "shortcuts" || name == "exact_angles") continue;  // no call asks for these
         if (name == "bullets") continue;                              // nor for this without continuous collision
         const std::string printed = run("islet_without_small", listed(cut, name));
-        EXPECT_NE(printed.find("no such part"), std::string::npos) << name << ": " << printed;
+        EXPECT_NE(printed.find("lacks a part"), std::string::npos) << name << ": " << printed;
     }
 }
 

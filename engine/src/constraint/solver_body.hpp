@@ -52,10 +52,11 @@ static_assert(sizeof(SolverBody) == solver_body_bytes && sizeof(SolverMotion) ==
 /// together (the largest float here, a speck of dust there) can overflow in a solve. Bodies have limits of their own (solver.cpp).
 inline constexpr float unsound_impulse = 1.0e28f;
 
-/// Impulses grow with the substep, so those of the last step are scaled to this substep's length. Those of what is swept are doubled at most: what a short
+/// Impulses grow with the substep, so those of the last step are scaled to this substep's length. Those of what is swept grow by this at most: what a short
 /// substep pushed apart or stopped need not be pushed or stopped in a long one. (Where steps of 1/30 s and 1/240 s take turns, eightfold impulses throw columns
-/// into the air; where those of 1/30 s and 1/120 s do, fourfold ones make arms of three bars on strong motors flail at 45 m/s.)
-inline constexpr float most_swept_warm = 2;
+/// into the air. Where frame times jump between 1/30 s and 1/120 s, fourfold ones make three bars on strong motors flail at 57 m/s, 2.8-fold ones at 4 m/s, and
+/// 2.2-fold ones move them at less than 2 m/s. With less, what motors hold sinks faster.)
+inline constexpr float most_swept_warm = 2.2f;
 
 /// Constants of one solve.
 struct StepNumbers {

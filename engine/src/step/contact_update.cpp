@@ -97,32 +97,45 @@ float separation_now(const Core& core, const ContactManifold& m) {
     return least;
 }
 
-// True if a round shape rolls at the contact. (Where shock propagation takes bodies for lighter than they are, piles of balls and boxes would not rest.)
+// True if a round shape rolls at the contact, and moves the contact point of a body along that body's surface, or about its centre. The contact of a ball does
+// not move about the centre of the ball. Between moving bodies that others are at, too, the
+// manifold is kept: heaps rest the better for it, and heavy balls lie on capsules.
 ISLET_PART bool rolls(const Core& core, const Contact& c, const ContactManifold& m, float dt) {
     const float spin = abs(core.motions[m.body_b].w - core.motions[m.body_a].w);
-    if (m.count() != 1 || !(spin > roll_rate && spin * dt < most_roll) || has_shock(core.state->solver)) return false;
+    if (m.count() != 1 || !(spin > roll_rate && spin * dt < most_roll)) return false;
+    const bool in_heap = !has_floor(core.poses[m.body_a], core.poses[m.body_b]) && is_between_others(core, m);
+    if (in_heap || has_shock(core.state->solver)) return false;
+    const auto geometry_of = [&](std::uint32_t shape) -> const Geometry& { return core.geometries[core.shapes[shape].geometry]; };
     const auto is_round = [&](std::uint32_t shape) {
-        const ShapeType type = core.geometries[core.shapes[shape].geometry].shape_type();
+        const ShapeType type = geometry_of(shape).shape_type();
         return type == ShapeType::circle || type == ShapeType::capsule;
     };
-    return (is_round(c.shape_a) || is_round(c.shape_b)) && separation_now(core, m) <= speculative_distance;
+    const auto is_ball = [&](std::uint32_t shape, std::uint32_t body) {
+        const Geometry& g = geometry_of(shape);
+        return g.shape_type() == ShapeType::circle && distance_squared(g.circle.center, core.bodies[body].local_center) < linear_slop * linear_slop;
+    };
+    const auto moves_about = [&](std::uint32_t shape, std::uint32_t body) { return core.is_dynamic(body) && !is_ball(shape, body); };
+    return (is_round(c.shape_a) || is_round(c.shape_b)) && (moves_about(c.shape_a, m.body_a) || moves_about(c.shape_b, m.body_b)) &&
+           separation_now(core, m) <= speculative_distance;
 }
 
-// How the two bodies of a contact will stand in the middle of the step.
+// How the two bodies of a contact will stand in the middle of the step, if the shapes come no nearer at the contact point.
 ISLET_PART Stand stand_midway(const Core& core, const ContactManifold& m, float dt) {
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
     const Motion &of_a = core.motions[m.body_a], &of_b = core.motions[m.body_b];
     const float half = 0.5f * dt;
+    const Vec2 way = of_b.v - of_a.v, arm = m.anchors[0];
+    const float nearer = dot(m.normal, way + cross(of_b.w, arm - m.offset) - cross(of_a.w, arm));
     const auto turned = [&](const Pose& pose, const Motion& motion) { return integrate(pose.q, within_bounds(half * motion.w, 0.25f * pi)); };
-    return {b.center - a.center + half * (of_b.v - of_a.v), turned(a, of_a), turned(b, of_b)};
+    return {b.center - a.center + half * (way - nearer * m.normal), turned(a, of_a), turned(b, of_b)};
 }
 
 // Makes the manifold anew. Points whose features the old manifold had keep their impulses.
 //
 // Where a round shape rolls, the contact point moves. One that stood where it was when the step began, or when a kept manifold was made, would lag, and push
 // what rocks the way that it goes: a roly-poly swung itself up until it fell over, and a board on a ball until it fell off. So the manifold is made for the
-// middle of the step, and in each step anew.
+// middle of the step, and in each step anew. If there is none then, as at the end of a piece of floor, it is made for now.
 ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approach, float dt) {
     const Contact& c = core.contacts[index];
     ContactManifold& m = core.manifolds[index];
@@ -130,12 +143,18 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
     const Vec2 center_a = core.bodies[m.body_a].local_center;
     Transform b_in_a;
     float margin = speculative_distance;
-    const bool fast = is_continuous(core) && comes_fast(approach), rolling = rolls(core, c, m, dt);
+    Manifold fresh;
+    bool rolling = rolls(core, c, m, dt);
     if (rolling) {
+        if (is_continuous(core) && comes_fast(approach)) margin = margin_ahead(approach);
         stand = stand_midway(core, m, dt);
-        if (fast) margin = margin_ahead(approach);
+        fresh = manifold_at(core, c, m, stand, margin, b_in_a);
+        rolling = fresh.count > 0;
+        if (!rolling) stand = stand_now(core, m.body_a, m.body_b);
     }
-    Manifold fresh = fast && !rolling ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a) : manifold_at(core, c, m, stand, margin, b_in_a);
+    if (!rolling)
+        fresh = is_continuous(core) && comes_fast(approach) ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a)
+                                                            : manifold_at(core, c, m, stand, margin, b_in_a);
     const bool has_pieces = (core.bodies[m.body_a].shape_count | core.bodies[m.body_b].shape_count) > 1;
     if (fresh.count > 0 && (has_pieces || has_floor(core.poses[m.body_a], core.poses[m.body_b]))) mend_inner_edges(core, c, b_in_a, margin, fresh);
 

@@ -36,7 +36,7 @@ inline constexpr float creep_share = 0.15f;                  // the same as a sh
 inline constexpr float sticking_share = 0.9f;                // of the friction that there may be: what sticks needs less
 inline constexpr float turn_alike = 0.1f;                    // share of their rates by which two bodies on a level face may differ
 inline constexpr float roll_rate = 0.05f;                    // rad/s of two bodies against each other from which on a round shape rolls
-inline constexpr float most_roll = 0.04f;                    // rad in a step; faster, a ball of 100 links' mass opens its chain's hinges by 0.1 m
+inline constexpr float most_roll = 0.1f;                     // rad in a step; faster things are not followed: bridges that roll at their banks would be thrown
 inline constexpr float level_face = 0.3f;                    // tangent of the angle between gravity and the normal of a level face, at most
 
 // How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load. But when an
