@@ -24,6 +24,7 @@ BY_HAND = set(
     "islet_create_world islet_world_last_error islet_world_clear_error islet_describe islet_world_save islet_delta islet_apply "
     "islet_world_start_recording islet_world_stop_recording islet_world_set_hooks islet_world_hooks islet_read_snapshot islet_read_recording".split())
 AS_THE_REST = {"islet_separation"}  # by hand in C, but not here
+UNUSED = {"islet_world_hooks", "islet_world_last_error", "islet_world_clear_error"}  # of BY_HAND: calls throw their errors
 # What JavaScript does not have: why.
 LEFT_OUT = {
     r"islet_(vec2|rot|transform|aabb)_|islet_(inv_)?transform_point|islet_make_rot|islet_atan2|islet_rot_": "JavaScript programs have a vector library of theirs",
@@ -44,6 +45,9 @@ HOOKS = {"filter": 0, "pre_solve": 1, "mix_friction": 2, "mix_restitution": 3}  
 CALLBACKS = {"CastVisitor": 5, "OverlapVisitor": 6, "MoverFilter": 7}
 SIZES = {"float": 4, "bool": 1, "uint8_t": 1, "uint32_t": 4, "int32_t": 4, "uint64_t": 8, "size_t": 4, "void *": 4, "const char *": 4, "function": 4, "DrawColor": 4}
 IDS = {"BodyId", "ShapeId", "JointId"}
+VECTORS = {"Vec2": "{x: 0, y: 0}", "Rot": "{c: 1, s: 0}"}  # and what they are where a definition leaves them out
+OF_VECTORS = {"Transform", "Aabb"}  # whose parts must all be given
+WHOLE_NUMBERS = 2**53 - 1  # the largest that JavaScript counts up to
 
 
 def camel(name):
@@ -134,8 +138,8 @@ class Js:
 
     # -- calls.js: structs ------------------------------------------------------------------------------------------------------------
 
-    def put_value(self, cpp, at, value, shift=2):
-        """A statement that writes a value. `at` is an expression of bytes."""
+    def put_value(self, cpp, at, value, name=""):
+        """A statement that writes a value. `at` is an expression of bytes, and `name` what errors call the value."""
         if cpp == "float":
             return f"F32[{at} >> 2] = {value}"
         if cpp in ("uint32_t", "int32_t", "size_t", "void *", "DrawColor"):
@@ -148,7 +152,7 @@ class Js:
             return f"U8[{at}] = code({cpp}, {value}, '{cpp}')"
         if cpp in IDS:
             return f"putId({at}, {value})"
-        return f"put{cpp}({at}, {value})"
+        return f"put{cpp}({at}, {value}{f', {name}' if cpp in VECTORS else ''})"
 
     def get_value(self, cpp, at, old="undefined", name=""):
         if cpp == "float":
@@ -176,7 +180,7 @@ class Js:
             return f"'{camel(name)}'"
         if isinstance(value, bool):
             return "true" if value else "false"
-        return repr(value)
+        return repr(min(value, WHOLE_NUMBERS) if cpp == "uint64_t" else value)
 
     def default_of(self, struct, field, given):
         """The default of a field of a struct, where the struct itself has the default `given` in another."""
@@ -207,7 +211,8 @@ class Js:
             elif array:
                 inner, count = array.group(1), self.length(array.group(2))
                 step = self.size_and_alignment(inner)[0]
-                out.append(f"if ({js} !== undefined) for (let i = 0; i < {count} && i < {js}.length; ++i) {self.put_value(inner, f'{place} + {step} * i', f'{js}[i]')}")
+                put = self.put_value(inner, f"{place} + {step} * i", f"{js}[i]", f"'{camel(f['name'])}', i")
+                out.append(f"if ({js} !== undefined) for (let i = 0; i < {count} && i < {js}.length; ++i) {put}")
             elif cpp == "function":
                 out.append(f"U32[{place} >> 2] = typeof {js} === 'function' ? callback({HOOKS[f['name']]}) : 0")
             elif cpp in self.api.callbacks:
@@ -217,10 +222,11 @@ class Js:
                 after += self.room(cpp)
             elif cpp in self.api.structs and cpp not in IDS:
                 default = self.default_of(struct, f, given)
-                if default in (None, {}, []):
-                    out.append(f"put{cpp}({place}, {js} ?? none)")
-                else:  # a part with defaults of its own
-                    out.append(f"put{cpp}({place}, {js} ?? {self.object(cpp, default)})")
+                if struct in OF_VECTORS:
+                    out.append(self.put_value(cpp, place, js, f"'{struct}.{camel(f['name'])}'"))
+                    continue
+                part = "none" if default in (None, {}, []) else self.object(cpp, default)  # of a part with defaults of its own
+                out.append(self.put_value(cpp, place, f"{js} ?? {part}", f"'{camel(f['name'])}'"))
             else:
                 default = self.default_of(struct, f, given)
                 default = 0 if cpp in IDS or default is None else default
@@ -251,9 +257,11 @@ class Js:
         out = []
         flat = [g for f, _ in fields for g in (self.api.structs["JointBase"]["fields"] if f["type"] == "JointBase" else [f])]
         keys = ", ".join(f"{camel(f['name'])}: 1" for f in flat if f["name"] not in SKIPPED_FIELDS)
-        if name in ("Vec2", "Rot"):  # in every call: what is missing is NaN, which the engine refuses
-            x, y, none = ("x", "y", "0") if name == "Vec2" else ("c", "s", "1")
-            out += [f"export function put{name}(p, v) {{", f"    F32[p >> 2] = v === none ? {none} : v.{x};", f"    F32[p + 4 >> 2] = v === none ? 0 : v.{y};", "}"]
+        if name in VECTORS:  # in every call
+            x, y = ("x", "y") if name == "Vec2" else ("c", "s")
+            out += [f"const left_out_{name} = Object.freeze({VECTORS[name]});", f"export function put{name}(p, v, name, index) {{",
+                    f"    if (typeof v?.{x} !== 'number' || typeof v.{y} !== 'number') v = leftOut(v, left_out_{name}, name, index);",
+                    f"    F32[p >> 2] = v.{x};", f"    F32[p + 4 >> 2] = v.{y};", "}"]
             return out + [f"export function get{name}(p, out = {{{x}: NaN, {y}: NaN}}) {{", f"    out.{x} = F32[p >> 2];", f"    out.{y} = F32[p + 4 >> 2];", "    return out;", "}"]
         out.append(f"const fieldsOf{name} = {{__proto__: null, {keys}}};")
         out.append(f"export function put{name}(p, v) {{")
@@ -341,7 +349,7 @@ class Js:
                 before.append(f"const {n}Place = putBytes({n}, 1);")
                 arguments += [f"{n}Place", f"{n}.length"]
             elif found and found.group(1):
-                before.append(f"const {n}Place = putArray({n}, {self.size_and_alignment(found.group(2))[0]}, put{found.group(2)});")
+                before.append(f"const {n}Place = putArray({n}, {self.size_and_alignment(found.group(2))[0]}, put{found.group(2)}, '{n}');")
                 arguments += [f"{n}Place", f"{n}.length"]
             elif found:
                 listed.pop()
@@ -370,7 +378,7 @@ class Js:
                 arguments.append("0")
             elif cpp in api.structs:
                 at = take(self.layout(cpp)[0])
-                before.append(self.put_value(cpp, at, n) + ";")
+                before.append(self.put_value(cpp, at, n, f"'{n}'") + ";")
                 arguments.append(at)
             elif cpp in api.enum_types:
                 arguments.append(f"code({cpp}, {n}, '{cpp}')")
@@ -389,7 +397,7 @@ class Js:
             sys.exit(f"{name}: too much for a frame of arguments")
         # Definitions may be left out; what a function fills in may be given, so that nothing new is made.
         optional = {p["name"]: "{}" for p in parameters if re.fullmatch(r"const (\w+) &", p["type"]) and p["type"][6:-2] in c.GROWS and not c.has_default(p)}
-        optional.update({p["name"]: self.literal("bool", p["default"]) for p in parameters if self.is_flag_with_default(p)})
+        optional.update({p["name"]: self.literal(p["type"], p["default"]) for p in parameters if self.has_plain_default(p)})
         listed = [n + "".join(f" = {value}" for k, value in optional.items() if camel(k) == n) for n in listed]
         call = f"wasm.{name}({', '.join(arguments)})"
         check = "check();"
@@ -438,6 +446,8 @@ class Js:
             body = ["visitors.push(def.collides);", "try {"] + ["    " + line for line in body] + ["} finally {", "    visitors.pop();", "}"]
         head = f"    {js}({', '.join(listed)}) {{" if has_world else f"export function {js}({', '.join(listed)}) {{"
         indent = "        " if has_world else "    "
+        if self.needed(f) > 0:
+            body.insert(0, f"takes('{js}', {self.needed(f)}, arguments.length);")
         if not has_world:
             body.insert(0, "mustBeLoaded();")
         out = [head] + [indent + line for line in body] + ["    }" if has_world else "}"]
@@ -447,13 +457,22 @@ class Js:
         """Whether a parameter of C is what a function looks for: here it is the result, or undefined."""
         return f["returns"] == "bool" and f.get("const", False) and re.fullmatch(r"\w+ &", p["type"]) is not None
 
+    def is_taken(self, p):
+        """Whether a parameter of C is one in JavaScript: lists that a function fills in are its result."""
+        return p["type"] != "void *" and not re.fullmatch(r"span<(?!const )\w+>", p["type"])
+
+    def needed(self, f):
+        """How many arguments a function must be called with: up to the last that cannot be left out."""
+        left_out = [self.may_be_left_out(p) or self.is_found(f, p) for p in c.world_of(f)[2] if self.is_taken(p)]
+        return max((i + 1 for i, may_be in enumerate(left_out) if not may_be), default=0)
+
     def leaves(self, struct):
         return sum(self.leaves(f["type"]) if f["type"] in self.api.structs else 2 if "[" in f["type"] else 1 for f in self.api.structs[struct]["fields"])
 
     def calls(self):
         out = ["// Made by bindings/js/generate.py from bindings/api.json: the structs of the engine in its memory, and its functions.",
-               "import {A, F32, U32, U8, callback, check, checkFields, code, context, errorName, getArray, getId, getWide, getWideBits, listOf, mustBeLoaded,",
-               "    none, putArray, putBytes, putId, putWide, reserve, room, sentence, visitors, wasm, wide} from './memory.js';", ""]
+               "import {A, F32, U32, U8, callback, check, checkFields, code, context, errorName, getArray, getId, getWide, getWideBits, leftOut, listOf,",
+               "    mustBeLoaded, none, putArray, putBytes, putId, putWide, reserve, room, sentence, takes, visitors, wasm, wide} from './memory.js';", ""]
         for e in self.api.enums:
             if e["name"] == "Error":
                 continue
@@ -561,9 +580,7 @@ class Js:
             has_world, changes, parameters = c.world_of(f)
             _, extra, kind = c.returns_of(self.api, f, changes)
             listed, list_of, found_one = [], None, None
-            optional_after = [i for i, p in enumerate(parameters) if not self.may_be_left_out(p)]
-            last_needed = optional_after[-1] if optional_after else -1
-            for i, p in enumerate(parameters):
+            for p in parameters:
                 cpp = p["type"]
                 span = re.fullmatch(r"span<(const )?(\w+)>", cpp)
                 if span and not span.group(1):
@@ -584,7 +601,7 @@ class Js:
                 else:
                     kind_of = self.ts_type(re.sub(r"^const | &$", "", cpp), cpp.startswith("const") or cpp in self.api.structs)
                 if self.may_be_left_out(p):
-                    listed.append(f"{camel(p['name'])}?: {kind_of}" if i > last_needed else f"{camel(p['name'])}: {kind_of} | undefined")
+                    listed.append(f"{camel(p['name'])}?: {kind_of}" if len(listed) >= self.needed(f) else f"{camel(p['name'])}: {kind_of} | undefined")
                 else:
                     listed.append(f"{camel(p['name'])}: {kind_of}")
             inner = re.sub(r"^const | [&*]$", "", f["returns"])
@@ -612,12 +629,13 @@ class Js:
                 free += self.doc(f) + ["export declare function " + line]
         return "\n".join(out + ["}", ""] + free + [""])
 
-    def is_flag_with_default(self, p):
-        return p["type"] == "bool" and "default" in p
+    def has_plain_default(self, p):
+        """Whether a number, a flag or an enumerator has a default."""
+        return "default" in p and (p["type"] in ("float", "bool", "uint32_t", "int32_t", "uint64_t") or p["type"] in self.api.enum_types)
 
     def may_be_left_out(self, p):
         match = re.fullmatch(r"const (\w+) &", p["type"])
-        return self.is_flag_with_default(p) or (bool(match) and (c.has_default(p) or match.group(1) in c.GROWS))
+        return self.has_plain_default(p) or (bool(match) and (c.has_default(p) or match.group(1) in c.GROWS))
 
     # -- what WebAssembly is made with ------------------------------------------------------------------------------------------------
 
@@ -630,7 +648,7 @@ class Js:
         return "\n".join(out + [""])
 
     def exports(self):
-        return "\n".join([name for _, name in self.functions] + sorted(BY_HAND - {"islet_world_hooks"}) + [
+        return "\n".join([name for _, name in self.functions] + sorted(BY_HAND - UNUSED) + [
             "islet_world_recorded_bytes", "islet_world_snapshot_bytes", "islet_max_delta_bytes", "islet_world_set_clock", "islet_world_move_recording",
             "islet_js_callback", "islet_js_poses", "malloc", "free"]) + "\n"
 

@@ -1,4 +1,4 @@
-import type {BodyId, Calls, Capacity, ErrorCode, Hooks, RecordingInfo, ReplayResult, SnapshotInfo, WorldDef} from './types.js';
+import type {BodyId, Calls, Capacity, ErrorCode, Hooks, RecordingInfo, SnapshotInfo, WorldDef} from './types.js';
 
 export * from './types.js';
 
@@ -82,8 +82,6 @@ export declare class World extends Calls {
      * same WebAssembly makes.
      */
     growRecording(): number;
-    /** Repeats a recording, at most so many steps. The world needs the capacity that readRecording() names. */
-    replay(recording: Uint8Array, steps?: number, out?: ReplayResult): ReplayResult;
 }
 
 /** The slot of a body, shape or joint, from 0 on: its place in World.readPoses(). */

@@ -1,7 +1,7 @@
 // @islet/engine: worlds, and what has no function of its own in calls.js. The comments of all functions are in islet.d.ts.
 import * as calls from './calls.js';
 import {A, IsletError, U32, U8, allocate, callback, check, getId, inFrame, makeError, mustBeLoaded, putBytes, remember, reserve, room, setContext, setWasm,
-    visitors, wasm} from './memory.js';
+    takes, visitors, wasm} from './memory.js';
 
 export {IsletError, slotOf} from './memory.js';
 export * from './functions.js';
@@ -240,10 +240,6 @@ export class World extends calls.Calls {
         check();
         return used;
     }
-
-    replay(recording, steps = Number.MAX_SAFE_INTEGER, out = undefined) {
-        return super.replay(recording, steps, out);
-    }
 }
 
 function image(bytes, write) {
@@ -257,12 +253,14 @@ function image(bytes, write) {
 
 export function delta(from, to) {
     mustBeLoaded();
+    takes('delta', 2, arguments.length);
     const a = putBytes(from, 1), b = putBytes(to, 2);
     return image(wasm.islet_max_delta_bytes(to.length), (out, bytes) => wasm.islet_delta(a, from.length, b, to.length, out, bytes, A));
 }
 
 export function apply(from, changes) {
     mustBeLoaded();
+    takes('apply', 2, arguments.length);
     const a = putBytes(from, 1), b = putBytes(changes, 2);
     // As much as the image that the delta leads to says in its header, which the engine checks.
     let bytes = 2 * from.length + 4 * changes.length + 4096;
@@ -278,6 +276,7 @@ export function apply(from, changes) {
 
 export function readSnapshot(bytes) {
     mustBeLoaded();
+    takes('readSnapshot', 1, arguments.length);
     const at = putBytes(bytes, 1);
     calls.expectSnapshotInfo(A);
     const error = wasm.islet_read_snapshot(at, bytes.length, A);
@@ -287,6 +286,7 @@ export function readSnapshot(bytes) {
 
 export function readRecording(bytes) {
     mustBeLoaded();
+    takes('readRecording', 1, arguments.length);
     const at = putBytes(bytes, 1);
     calls.expectRecordingInfo(A);
     const error = wasm.islet_read_recording(at, bytes.length, A);

@@ -70,6 +70,11 @@ function fail() {
     throw makeError(error);
 }
 
+/** A call without an argument that it needs would go on with 0, false or NaN. */
+export function takes(name, count, given) {
+    if (given < count) throw new TypeError(`${name} takes ${count} argument${count === 1 ? '' : 's'}, not ${given}`);
+}
+
 export function mustBeLoaded() {
     if (wasm === undefined) throw new IsletError('notLoaded', 'The engine is not loaded yet: await load() or createWorld() first.');
 }
@@ -137,6 +142,7 @@ export function getId(at) {
 }
 /** The slot of a body, shape or joint, from 0 on: its place in World.poses. */
 export function slotOf(id) {
+    takes('slotOf', 1, arguments.length);
     return id % slots - 1;
 }
 
@@ -175,6 +181,21 @@ export function checkFields(value, fields, type) {
     }
 }
 
+/** What stands for a vector that has not all of its numbers: the default, if a definition leaves the vector out. `index` is its place in a list. */
+export function leftOut(vector, otherwise, name, index) {
+    if (vector === none) return otherwise;
+    const fields = Object.keys(otherwise);
+    if (index !== undefined) name += `[${index}]`;
+    let value = vector ?? undefined;
+    if (value !== undefined) {
+        const field = fields.find((key) => typeof vector[key] !== 'number');
+        name += `.${field}`;
+        value = vector[field];
+    }
+    const fault = value === undefined ? 'missing' : `${JSON.stringify(value)}, no number`;
+    throw new TypeError(`${name} is ${fault}: give an object with ${fields.join(', ')}`);
+}
+
 // -- lists ----------------------------------------------------------------------------------------------------------------------------
 
 function grow(place, bytes) {
@@ -200,10 +221,10 @@ export function getArray(at, count, step, out, get) {
 }
 
 /** Writes a list where the engine can read it; returns where. */
-export function putArray(list, step, put) {
+export function putArray(list, step, put, name) {
     if (typeof list?.length !== 'number') throw new TypeError(`${list} is no array`);
     grow(given[0], list.length * step);
-    for (let i = 0; i < list.length; ++i) put(given[0].at + i * step, list[i]);
+    for (let i = 0; i < list.length; ++i) put(given[0].at + i * step, list[i], name, i);
     return given[0].at;
 }
 

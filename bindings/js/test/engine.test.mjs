@@ -5,6 +5,7 @@ import {test} from 'node:test';
 import {Worker} from 'node:worker_threads';
 import {brotliCompressSync} from 'node:zlib';
 import Islet, {IsletError, constants, slotOf, version} from '@islet/engine';
+import {functions, methods} from './signatures.mjs';
 import {goldenHash, hex, makeHello, makePyramid} from './worlds.mjs';
 
 const dist = new URL('../dist/', import.meta.url);
@@ -93,7 +94,6 @@ test('errors say what to do, and change nothing', async () => {
     const before = world.hash();
     throwsError(() => world.step(0), 'badTimeStep');
     throwsError(() => world.createBody({position: {x: NaN, y: 0}}), 'notFinite');
-    throwsError(() => world.createBody({position: {x: 1}}), 'notFinite');
     throwsError(() => world.createCircle(crate, {center: {x: 0, y: 0}, radius: -1}), 'badGeometry');
     throwsError(() => world.bodyPosition(0), 'nullId');
     throwsError(() => world.bodyPosition(undefined), 'nullId');
@@ -115,6 +115,81 @@ test('errors say what to do, and change nothing', async () => {
     small.destroy();
     throwsError(() => small.step(), 'nullPointer');
     throwsError(() => small.hash(), 'nullPointer');
+    world.destroy();
+});
+
+test('arguments that are left out have the defaults of the engine', async () => {
+    const {world, crate} = await makeHello(Islet);
+    const points = [{x: 0, y: 0}, {x: 1, y: 0}, {x: 0, y: 1}], pose = {p: {x: 1, y: 0}, q: {c: 1, s: 0}};
+    const hull = Islet.computeHull(points);
+    for (const [short, whole] of [
+        [Islet.makePolygon(hull), Islet.makePolygon(hull, 0)],
+        [Islet.makeOffsetBox(1, 2, pose), Islet.makeOffsetBox(1, 2, pose, 0)],
+        [Islet.makeProxy(points), Islet.makeProxy(points, 0)],
+    ]) {
+        assert.ok(short.count >= 3, `${short.count} corners`);
+        assert.deepEqual(short, whole);
+    }
+    assert.ok(world.createPolygon(crate, Islet.makePolygon(hull)) !== 0);
+    assert.equal(world.createChain(world.createBody(), points, true).length, 3);
+    world.startRecording();
+    world.step();
+    const recording = world.stopRecording();
+    const all = world.replay(recording), some = {};
+    assert.equal(all.steps, 1);
+    assert.equal(world.replay(recording, 0, some), some);
+    assert.equal(some.steps, 0);
+    world.destroy();
+});
+
+test('a call with too few arguments says how many there are, and changes nothing', async () => {
+    const {world, crate} = await makeHello(Islet);
+    const before = world.hash();
+    let tried = 0;
+    for (const [of, known] of [[world, methods], [Islet, functions]]) {
+        for (const [name, {needed}] of known) {
+            if (typeof of[name] !== 'function') continue;
+            for (let given = 0; given < needed; ++given) {
+                const message = `${name} takes ${needed} argument${needed === 1 ? '' : 's'}, not ${given}`;
+                assert.throws(() => of[name](...Array(given).fill(crate)), (error) => error instanceof TypeError && error.message === message, message);
+                ++tried;
+            }
+        }
+    }
+    assert.ok(tried > 300, `${tried} calls`);
+    assert.equal(world.hash(), before);
+    assert.throws(() => world.bodySetEnabled(crate), /^TypeError: bodySetEnabled takes 2 arguments, not 1$/);
+    assert.throws(() => world.bodySetTransform(crate, {x: 1, y: 1}), /^TypeError: bodySetTransform takes 3 arguments, not 2$/);
+    assert.ok(world.bodyIsEnabled(crate));
+    world.destroy();
+});
+
+test('a vector without all of its numbers is refused by name', async () => {
+    const {world, crate} = await makeHello(Islet);
+    const before = world.hash();
+    const unturned = {c: 1, s: 0}, origin = {x: 0, y: 0};
+    for (const [call, message] of [
+        [() => world.createBody({position: {x: 1}}), 'position.y is missing: give an object with x, y'],
+        [() => world.createBody({position: [1, 2]}), 'position.x is missing: give an object with x, y'],
+        [() => world.createBody({position: {x: 1, y: '2'}}), 'position.y is "2", no number: give an object with x, y'],
+        [() => world.bodySetLinearVelocity(crate, undefined), 'velocity is missing: give an object with x, y'],
+        [() => world.bodySetLinearVelocity(crate, 3), 'velocity.x is missing: give an object with x, y'],
+        [() => world.bodySetPose(crate, {p: origin}), 'Transform.q is missing: give an object with c, s'],
+        [() => world.bodySetPose(crate, {p: {x: 1}, q: unturned}), 'Transform.p.y is missing: give an object with x, y'],
+        [() => world.bodySetPose(crate, {p: origin, q: {c: 1}}), 'Transform.q.s is missing: give an object with c, s'],
+        [() => world.overlapBox({lower: origin}), 'Aabb.upper is missing: give an object with x, y'],
+        [() => world.createChain(crate, [origin, {x: 1, y: 0}, {y: 1}], true), 'points[2].x is missing: give an object with x, y'],
+        [() => world.createRevoluteJoint({bodyA: crate, frameB: {position: {y: 1}}}), 'position.x is missing: give an object with x, y'],
+    ]) assert.throws(call, (error) => error instanceof TypeError && error.message === message, message);
+    assert.equal(world.hash(), before);
+    await assert.rejects(Islet.createWorld({gravity: {y: -10}}), /gravity\.x is missing/);
+    // Vectors may be of classes, and have more than their numbers.
+    class Point {
+        get x() { return 3; }
+        get y() { return 4; }
+    }
+    assert.deepEqual(world.bodyPosition(world.createBody({position: new Point()})), {x: 3, y: 4});
+    assert.deepEqual(world.bodyPosition(world.createBody({position: {x: 1, y: 2, z: 3}})), {x: 1, y: 2});
     world.destroy();
 });
 
