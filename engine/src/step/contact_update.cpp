@@ -69,7 +69,6 @@ float margin_ahead(const Approach& approach, float rest = 1) { return speculativ
 // met, another one comes down up to twice as fast, as the body turns about the first.
 Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifold& m, const Approach& approach, float dt, Stand& stand, float& margin,
                         Transform& b_in_a) {
-    margin = margin_ahead(approach);
     const Manifold now = manifold_at(core, c, m, stand, margin, b_in_a);
     // Where the body is now, a chain segment may leave the contact to its neighbour although the body will come to that segment.
     const bool is_link = kind_of(core.geometries[core.shapes[c.shape_a].geometry]) == ShapeKind::front;
@@ -89,80 +88,81 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
     return manifold_at(core, c, m, stand, margin, b_in_a);
 }
 
-// How far apart the two shapes are now at the contact's points.
-float separation_now(const Core& core, const ContactManifold& m) {
-    float least = 3.0e38f;
-    for (std::uint32_t i = 0; i < m.count(); ++i)
-        least = min(least, m.separation[i] + dot(m.normal, slip_of(m, i, core.poses[m.body_a], core.poses[m.body_b])));
-    return least;
-}
-
 // True if a round shape rolls at the contact, and moves the contact point of a body along that body's surface, or about its centre. The contact of a ball does
 // not move about the centre of the ball. Between moving bodies that others are at, too, the
 // manifold is kept: heaps rest the better for it, and heavy balls lie on capsules.
-ISLET_PART bool rolls(const Core& core, const Contact& c, const ContactManifold& m, float dt) {
-    const float spin = abs(core.motions[m.body_b].w - core.motions[m.body_a].w);
-    if (m.count() != 1 || !(spin > roll_rate && spin * dt < most_roll)) return false;
-    const bool in_heap = !has_floor(core.poses[m.body_a], core.poses[m.body_b]) && is_between_others(core, m);
-    if (in_heap || has_shock(core.state->solver)) return false;
-    const auto geometry_of = [&](std::uint32_t shape) -> const Geometry& { return core.geometries[core.shapes[shape].geometry]; };
-    const auto is_round = [&](std::uint32_t shape) {
-        const ShapeType type = geometry_of(shape).shape_type();
-        return type == ShapeType::circle || type == ShapeType::capsule;
-    };
-    const auto is_ball = [&](std::uint32_t shape, std::uint32_t body) {
-        const Geometry& g = geometry_of(shape);
-        return g.shape_type() == ShapeType::circle && distance_squared(g.circle.center, core.bodies[body].local_center) < linear_slop * linear_slop;
-    };
-    const auto moves_about = [&](std::uint32_t shape, std::uint32_t body) { return core.is_dynamic(body) && !is_ball(shape, body); };
-    return (is_round(c.shape_a) || is_round(c.shape_b)) && (moves_about(c.shape_a, m.body_a) || moves_about(c.shape_b, m.body_b)) &&
-           separation_now(core, m) <= speculative_distance;
+ISLET_APART bool rolls(const Core& core, const Contact& c, const ContactManifold& m, float dt) {
+    const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, spin = abs(wb - wa);
+    if (m.count() != 1 || !(spin > roll_rate && spin * dt < most_roll && abs(wa) * dt < 1) || m.separation[0] > speculative_distance) return false;
+    if (has_shock(core.state->solver) || (!has_floor(core.poses[m.body_a], core.poses[m.body_b]) && is_between_others(core, m))) return false;
+    bool round = false, moves_about = false;
+    for (const bool is_a : {true, false}) {
+        const std::uint32_t body = is_a ? m.body_a : m.body_b;
+        const Geometry& g = core.geometries[core.shapes[is_a ? c.shape_a : c.shape_b].geometry];
+        const bool is_circle = g.shape_type() == ShapeType::circle;
+        const bool is_ball = is_circle && distance_squared(g.circle.center, core.bodies[body].local_center) < linear_slop * linear_slop;
+        round = round || is_circle || g.shape_type() == ShapeType::capsule;
+        moves_about = moves_about || (core.is_dynamic(body) && !is_ball);
+    }
+    return round && moves_about;
 }
 
 // How the two bodies of a contact will stand in the middle of the step, if the shapes come no nearer at the contact point.
-ISLET_PART Stand stand_midway(const Core& core, const ContactManifold& m, float dt) {
-    const Pose& a = core.poses[m.body_a];
-    const Pose& b = core.poses[m.body_b];
+Stand stand_midway(const Core& core, const ContactManifold& m, float dt) {
+    const Stand now = stand_now(core, m.body_a, m.body_b);
     const Motion &of_a = core.motions[m.body_a], &of_b = core.motions[m.body_b];
     const float half = 0.5f * dt;
     const Vec2 way = of_b.v - of_a.v, arm = m.anchors[0];
     const float nearer = dot(m.normal, way + cross(of_b.w, arm - m.offset) - cross(of_a.w, arm));
-    const auto turned = [&](const Pose& pose, const Motion& motion) { return integrate(pose.q, within_bounds(half * motion.w, 0.25f * pi)); };
-    return {b.center - a.center + half * (way - nearer * m.normal), turned(a, of_a), turned(b, of_b)};
+    return {now.offset + half * (way - nearer * m.normal), integrate(now.a, half * of_a.w), integrate(now.b, half * of_b.w)};
 }
 
-// Makes the manifold anew. Points whose features the old manifold had keep their impulses.
-//
+// A manifold, and what it was made for.
+struct MadeFor {
+    Manifold fresh;
+    Transform b_in_a;
+    float margin;  // m
+    bool rolling;  // for a round shape that rolls
+};
+
 // Where a round shape rolls, the contact point moves. One that stood where it was when the step began, or when a kept manifold was made, would lag, and push
 // what rocks the way that it goes: a roly-poly swung itself up until it fell over, and a board on a ball until it fell off. So the manifold is made for the
-// middle of the step, and in each step anew. If there is none then, as at the end of a piece of floor, it is made for now.
-ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approach, float dt) {
+// middle of the step, and in each step anew. If there is none then, as at the end of a piece of floor, it is made for now. The contact notes how the bodies
+// stand in it.
+ISLET_APART MadeFor make_manifold(const Core& core, std::uint32_t index, const Approach& approach, float dt) {
     const Contact& c = core.contacts[index];
     ContactManifold& m = core.manifolds[index];
-    Stand stand = stand_now(core, m.body_a, m.body_b);
-    const Vec2 center_a = core.bodies[m.body_a].local_center;
-    Transform b_in_a;
-    float margin = speculative_distance;
-    Manifold fresh;
-    bool rolling = rolls(core, c, m, dt);
-    if (rolling) {
-        if (is_continuous(core) && comes_fast(approach)) margin = margin_ahead(approach);
-        stand = stand_midway(core, m, dt);
-        fresh = manifold_at(core, c, m, stand, margin, b_in_a);
-        rolling = fresh.count > 0;
-        if (!rolling) stand = stand_now(core, m.body_a, m.body_b);
+    const bool fast = is_continuous(core) && comes_fast(approach);
+    MadeFor made;
+    made.margin = fast ? margin_ahead(approach) : speculative_distance;
+    made.rolling = rolls(core, c, m, dt);
+    Stand stand = made.rolling ? stand_midway(core, m, dt) : stand_now(core, m.body_a, m.body_b);
+    if (made.rolling) {
+        made.fresh = manifold_at(core, c, m, stand, made.margin, made.b_in_a);
+        made.rolling = made.fresh.count > 0;
+        if (!made.rolling) stand = stand_now(core, m.body_a, m.body_b);
     }
-    if (!rolling)
-        fresh = is_continuous(core) && comes_fast(approach) ? manifold_ahead(core, c, m, approach, dt, stand, margin, b_in_a)
-                                                            : manifold_at(core, c, m, stand, margin, b_in_a);
-    const bool has_pieces = (core.bodies[m.body_a].shape_count | core.bodies[m.body_b].shape_count) > 1;
-    if (fresh.count > 0 && (has_pieces || has_floor(core.poses[m.body_a], core.poses[m.body_b]))) mend_inner_edges(core, c, b_in_a, margin, fresh);
-
-    m.normal = rotate(stand.a, fresh.normal);
-    const bool lands = fresh.count > 0 && approach.turn - dot(m.normal, approach.way) > 2.0f * speculative_distance;
+    if (!made.rolling)
+        made.fresh =
+            fast ? manifold_ahead(core, c, m, approach, dt, stand, made.margin, made.b_in_a) : manifold_at(core, c, m, stand, made.margin, made.b_in_a);
     m.offset = stand.offset;
     m.rotation_a = stand.a;
     m.rotation_b = stand.b;
+    return made;
+}
+
+// Makes the manifold anew. Points whose features the old manifold had keep their impulses.
+ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approach, float dt) {
+    const Contact& c = core.contacts[index];
+    ContactManifold& m = core.manifolds[index];
+    const Vec2 center_a = core.bodies[m.body_a].local_center;
+    MadeFor made = make_manifold(core, index, approach, dt);
+    Manifold& fresh = made.fresh;
+    const bool has_pieces = (core.bodies[m.body_a].shape_count | core.bodies[m.body_b].shape_count) > 1;
+    if (fresh.count > 0 && (has_pieces || has_floor(core.poses[m.body_a], core.poses[m.body_b]))) mend_inner_edges(core, c, made.b_in_a, made.margin, fresh);
+
+    m.normal = rotate(m.rotation_a, fresh.normal);
+    const bool lands = fresh.count > 0 && approach.turn - dot(m.normal, approach.way) > 2.0f * speculative_distance;
     if (fresh.count == 0) m.rolling_impulse = 0;
     const std::uint32_t known = (m.flags & contact_ahead) == 0 ? m.count() : 0;  // the impulses of a blow are no warm start
     std::uint32_t ids = 0;
@@ -172,7 +172,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
         m.separation[i] = 0;
         if (i >= fresh.count) continue;
         const ManifoldPoint& point = fresh.points[i];
-        m.anchors[i] = rotate(stand.a, point.point - center_a);
+        m.anchors[i] = rotate(m.rotation_a, point.point - center_a);
         m.separation[i] = point.separation;
         ids |= static_cast<std::uint32_t>(point.id) << (16 * i);
         for (std::uint32_t j = 0; j < known; ++j) {
@@ -187,7 +187,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
         m.tangent_impulse[i] = tangent_impulse[i];
     }
     m.flags = (m.flags & ~(3u << contact_count_shift | contact_ahead | contact_rolls)) | fresh.count << contact_count_shift | contact_posed |
-              (lands ? std::uint32_t{contact_ahead} : 0u) | (rolling ? std::uint32_t{contact_rolls} : 0u);
+              (lands ? std::uint32_t{contact_ahead} : 0u) | (made.rolling ? std::uint32_t{contact_rolls} : 0u);
 }
 
 // True if a body has sunk into a floor by more than contacts commonly do. (Lanes leave those to be looked at one by one.)
@@ -258,6 +258,14 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if ((m.flags & contact_untold) != 0 || (is_continuous(core) && is_deep(core, m))) return Change::changes;
     if (has_hooks && (m.flags & contact_asks) != 0 && is) return Change::changes;  // perhaps: the hook has not decided yet
     return is == ((m.flags & contact_touching) != 0) ? Change::none : Change::changes;
+}
+
+// How far apart the two shapes are now at the contact's points.
+float separation_now(const Core& core, const ContactManifold& m) {
+    float least = 3.0e38f;
+    for (std::uint32_t i = 0; i < m.count(); ++i)
+        least = min(least, m.separation[i] + dot(m.normal, slip_of(m, i, core.poses[m.body_a], core.poses[m.body_b])));
+    return least;
 }
 
 void tell_touch(Core& core, std::uint32_t index) {
