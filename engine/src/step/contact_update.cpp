@@ -89,8 +89,8 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
 }
 
 // True if a round shape rolls at the contact, and moves the contact point of a body along that body's surface, or about its centre. The contact of a ball does
-// not move about the centre of the ball. Between moving bodies that others are at, too, the
-// manifold is kept: heaps rest the better for it, and heavy balls lie on capsules.
+// not move about the centre of the ball. Between moving bodies that others are at, too, the manifold is kept: heaps rest the better for it, and heavy balls lie
+// on capsules. (Where shock propagation takes bodies for lighter than they are, piles of balls and boxes would not rest.)
 ISLET_APART bool rolls(const Core& core, const Contact& c, const ContactManifold& m, float dt) {
     const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, spin = abs(wb - wa);
     if (m.count() != 1 || !(spin > roll_rate && spin * dt < most_roll && abs(wa) * dt < 1) || m.separation[0] > speculative_distance) return false;
