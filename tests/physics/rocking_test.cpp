@@ -10,11 +10,11 @@
 namespace islet::test {
 namespace {
 
-// A body that rests upright on something round, and where its centre of mass lies above the point about which it begins to turn, m.
+// A body that rests on something round, or is round below.
 struct Rocker {
     const char* name;
     std::function<BodyId(TestWorld&)> build;
-    double height;
+    double height;  // m, of its centre of mass above the contact point, about which it begins to turn; 0: as it lies on the ground
 };
 
 BodyId roly_poly(TestWorld& w, const Polygon* weight) {

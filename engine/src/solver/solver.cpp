@@ -46,8 +46,8 @@ struct BatchSolve {
     /// Of a narrow batch without joints, bits of the colours at which a piece begins: blocks that lie side by side and are solved alike, and so in one go,
     /// whatever their colours. 0: all blocks are solved colour by colour.
     std::uint32_t piece_colors = 0;
-    ContactKinds has = {};                                    // of the batch
-    bool bounces = false;                                     // any contact does
+    ContactKinds has = {};                                    // contacts of these kinds
+    bool bounces = false;                                     // a contact was given its rebound
     bool is_idle = false;                                     // sweeps would change nothing
     std::uint32_t landing_end[W > 1 ? color_count : 1] = {};  // of the colours' blocks with contacts that land, in landing()
 
