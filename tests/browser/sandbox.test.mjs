@@ -52,10 +52,11 @@ test('opens moving, from few files and bytes, even where the processor is slow',
     await session.send('Emulation.setCPUThrottlingRate', {rate: 4});
     await page.goto(server.address);
     await reach(page, 3);
-    const loaded = await page.evaluate(() => performance.getEntriesByType('resource').map(({name, decodedBodySize: bytes}) => ({name, bytes})));
-    const files = loaded.filter(({name}) => !name.endsWith('icon.svg'));
-    assert.deepEqual(files.map(({name}) => name.split('.').pop()).sort(), ['css', 'js', 'wasm']);
-    const bytes = files.reduce((sum, file) => sum + file.bytes, 0);
+    const loaded = await page.evaluate(() => performance.getEntriesByType('resource').map(({name, decodedBodySize: bytes}) => [name, bytes]));
+    // The engine is read a second time, from the browser's own cache (offline.ts): that is no other file.
+    const files = [...new Map(loaded.reverse())].filter(([name]) => !name.endsWith('icon.svg'));
+    assert.deepEqual(files.map(([name]) => name.split('.').pop()).sort(), ['css', 'js', 'wasm']);
+    const bytes = files.reduce((sum, [, size]) => sum + size, 0);
     assert.ok(bytes < 2e6, `${bytes} bytes`); // 4 s at 4 Mbit/s, uncompressed
     const picture = await pictureOf(page);
     await settle(page);
