@@ -30,7 +30,7 @@ ISLET_LANE std::uint32_t scan_columns(const Columns& c, std::uint32_t first, con
     for (std::uint32_t j = first;; j += L::width) {
         const std::uint32_t begun = L::bits(L::load(c.lower + j) <= upper);
         const std::uint32_t across = L::bits((L::load(c.lower2 + j) <= upper2) & (L::load(c.upper2 + j) >= lower2));
-        for (std::uint32_t bits = begun & across; bits != 0; bits &= bits - 1) out[count++] = j + trailing_zeros(bits);
+        count += L::list(begun & across, j, out + count);
         if (begun != all) return count;
     }
 }

@@ -152,12 +152,14 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     const KeyedItem* sorted =
         sorts_by_digits && cut.count > 1 && has_many_workers(core) ? sort_by_parts(core, cut, keys, spare, n, counts) : sort_by_key(keys, spare, n, counts);
 
-    Moving c{core, take_columns(arena, n), take_columns(arena, n), shapes, sorted, along_x, dt, fall_in(core, dt)};
+    MovingShape* const in_order = max_lanes > 1 ? arena.take<MovingShape>(n) : shapes;
+    Moving c{core, take_columns(arena, n), take_columns(arena, n), in_order, sorted, along_x, dt, fall_in(core, dt)};
     std::uint32_t moved[BoxCut::room] = {};  // boxes of each part that changed; then the place of the first
     for_ranges(core, n, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
         std::uint32_t count = 0;
         for (std::uint32_t i = first; i < end; ++i) {
             const MovingShape& moving_shape = shapes[number_of(sorted[i])];
+            if constexpr (max_lanes > 1) in_order[i] = moving_shape;
             const Aabb box = box_along_way(core, moving_shape);
             const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
             const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};

@@ -51,12 +51,12 @@ struct Moving {
     const Core& core;
     Columns all;
     Columns moved;
-    const MovingShape* shapes;
-    const KeyedItem* order;  // by place in `all`: which shape in motion
+    const MovingShape* shapes;  // where processors have caches, in the order of places; otherwise `order` tells which one is at a place
+    const KeyedItem* order;
     bool along_x;
     float dt, fall;
 
-    const MovingShape& in_place(std::uint32_t place) const { return shapes[number_of(order[place])]; }
+    const MovingShape& in_place(std::uint32_t place) const { return shapes[max_lanes > 1 ? place : number_of(order[place])]; }
 
     // For bodies that move together, an overlap of the boxes of their ways means little.
     bool may_meet(std::uint32_t place_1, std::uint32_t place_2) const {

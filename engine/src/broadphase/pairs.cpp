@@ -83,7 +83,7 @@ struct PairBuffer {
 
 struct Scan {
     std::uint32_t lanes = 1;         // of the world
-    std::uint32_t* found = nullptr;  // room for as many indices as there are boxes; a build for one lane needs none
+    std::uint32_t* found = nullptr;  // room for as many indices as there are boxes, and a block more; a build for one lane needs none
 };
 
 // Calls visit(index) for the boxes from `first` on that overlap box i of `from`, in order.
@@ -259,7 +259,7 @@ inline constexpr std::uint32_t least_ranges = 16;      // of each part, so that 
 
 // Workers search the ranges; then the contacts are made in order. False if there is no room in scratch memory for that.
 bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena arena) {
-    const std::size_t bytes_of_range = sizeof(SearchRange) + align_up(sizeof(std::uint32_t[2]) * SearchRange::room) + align_up(m.all.count * std::size_t{4});
+    const std::size_t bytes_of_range = sizeof(SearchRange) + align_up(sizeof(std::uint32_t[2]) * SearchRange::room) + align_up((m.all.count + max_block_lanes) * std::size_t{4});
     const std::size_t fitting = arena.room() <= line_bytes ? 0 : (arena.room() - line_bytes) / (search_parts * bytes_of_range);
     const std::uint32_t shared = ranges_per_worker * worker_count(core), wanted = shared < least_ranges ? least_ranges : shared;
     const std::uint32_t ranges_of_part = fitting < wanted ? static_cast<std::uint32_t>(fitting) : wanted;
@@ -274,7 +274,7 @@ bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena ar
         range.begin = static_cast<std::uint32_t>(items * i / ranges_of_part);
         range.end = static_cast<std::uint32_t>(items * (i + 1) / ranges_of_part);
         range.pairs = arena.take<std::uint32_t[2]>(SearchRange::room);
-        range.found = arena.take<std::uint32_t>(m.all.count);
+        range.found = arena.take<std::uint32_t>(m.all.count + max_block_lanes);
     }
     for_ranges(core, count, 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t k = first; k < end; ++k) {
@@ -301,7 +301,7 @@ ISLET_APART void find_pairs_of(Core& core, const Moving& moving, Arena& arena, f
     const Tree tree{&core.state->tree, core.tree};
     PairBuffer<ContactMaker> out({core, dt});
     if (!has_workers(core) || moving.all.count < least_searched || !search_by_workers(core, moving, out.sink, arena)) {
-        const Scan how{core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count) : nullptr};
+        const Scan how{core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count + max_block_lanes) : nullptr};
         for (std::uint32_t part = 0; part < search_parts; ++part) search(out, how, moving, part, 0, items_of(moving, part));
     }
 

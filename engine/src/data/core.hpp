@@ -42,7 +42,7 @@ struct TimesOfCore<false> {
 template <bool is_there = keeps_plan>
 struct KeptOfCore {
     Plan* plan = nullptr;                // at the end of scratch, if the next step would make the same one
-    std::uint32_t settled_contacts = 0;  // how many lanes kept, or would have (solver/settled_contacts.hpp)
+    std::uint32_t settled_contacts = 0;  // how many lanes kept, or about how many they would have kept (solver/settled_contacts.hpp)
 
     void keep(Plan* made) { plan = made; }
     void forget() { plan = nullptr; }

@@ -156,6 +156,12 @@ struct Lane4 {
             if ((bits >> i & 1u) != 0) store4(base + std::size_t{stride} * index[i], r[i]);
     }
     ISLET_LANE static std::uint32_t bits(i4 mask) { return mask_bits(mask); }
+    /// Writes the numbers of the set bits, counted from `first`, in order. Returns how many there are.
+    ISLET_LANE static std::uint32_t list(std::uint32_t bits, std::uint32_t first, std::uint32_t* out) {
+        std::uint32_t count = 0;
+        for (; bits != 0; bits &= bits - 1) out[count++] = first + trailing_zeros(bits);
+        return count;
+    }
     ISLET_LANE static std::uint32_t positive(F a) { return bits(a > F{}); }
 };
 
@@ -167,6 +173,18 @@ typedef int i8 __attribute__((vector_size(32)));
 ISLET_LANE f8 select(i8 mask, f8 a, f8 b) { return _mm256_blendv_ps(b, a, reinterpret_cast<f8>(mask)); }
 ISLET_LANE f8 min(f8 a, f8 b) { return _mm256_min_ps(a, b); }
 ISLET_LANE f8 max(f8 a, f8 b) { return _mm256_max_ps(a, b); }
+
+/// Of each byte: the places of the bits that are set in it, in order.
+struct SetBits {
+    std::uint8_t places[256][8] = {};
+
+    constexpr SetBits() {
+        for (std::uint32_t byte = 0; byte < 256; ++byte)
+            for (std::uint32_t place = 0, count = 0; place < 8; ++place)
+                if ((byte >> place & 1u) != 0) places[byte][count++] = static_cast<std::uint8_t>(place);
+    }
+};
+inline constexpr SetBits set_bits;
 
 struct Lane8 {
     using F = f8;
@@ -212,6 +230,13 @@ struct Lane8 {
             if ((bits >> i & 1u) != 0) _mm_storeu_ps(base + std::size_t{stride} * index[i], _mm256_castps256_ps128(r[i]));
             if ((bits >> i & 16u) != 0) _mm_storeu_ps(base + std::size_t{stride} * index[i + 4], _mm256_extractf128_ps(r[i], 1));
         }
+    }
+    /// Without a branch for each bit. `out` has room for eight numbers, whatever the bits.
+    ISLET_LANE static std::uint32_t list(std::uint32_t bits, std::uint32_t first, std::uint32_t* out) {
+        const __m128i places = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(set_bits.places[bits]));
+        const __m256i numbers = _mm256_add_epi32(_mm256_cvtepu8_epi32(places), _mm256_set1_epi32(static_cast<int>(first)));
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), numbers);
+        return static_cast<std::uint32_t>(__builtin_popcount(bits));
     }
     ISLET_LANE static std::uint32_t bits(i8 mask) { return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<f8>(mask))); }
     ISLET_LANE static std::uint32_t positive(F a) { return bits(a > F{}); }

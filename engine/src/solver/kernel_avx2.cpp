@@ -16,9 +16,7 @@ template struct ContactKernel<8>;
 ContactKinds LoneKernel8::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { return prepare_blocks<1>(in, rows, count); }
 void LoneKernel8::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) { solve_blocks<1>(bodies, rows, count, numbers); }
 
-std::uint32_t keep_settled_8(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep) {
-    return keep_settled<Lane8>(manifolds, poses, contact, rate, follows_deep);
-}
+std::uint32_t keep_settled_8(const ContactsToKeep& in, const std::uint32_t* contact) { return keep_settled<Lane8>(in, contact); }
 
 template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 

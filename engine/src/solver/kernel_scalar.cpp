@@ -12,9 +12,7 @@ namespace islet::detail {
 template struct ContactKernel<1>;
 #if ISLET_MAX_LANES >= 4
 template struct ContactKernel<4>;
-std::uint32_t keep_settled_4(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep) {
-    return keep_settled<Lane4>(manifolds, poses, contact, rate, follows_deep);
-}
+std::uint32_t keep_settled_4(const ContactsToKeep& in, const std::uint32_t* contact) { return keep_settled<Lane4>(in, contact); }
 template void solve_joints<4>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 #endif
 

@@ -23,10 +23,20 @@ struct LoadRate {
     float gain = 0;  // 1/s, of the impulses of the last substep
 };
 
-/// The flags of a contact that may be settled; what else is among `asked_flags` keeps it from that. So do all of `pose_unsettled`, of either body.
+/// The flags of a contact that may be settled; what else is among `asked_flags` keeps it from that. So does `pose_learns`, of either body.
 inline constexpr std::uint32_t settled_flags = contact_touching | contact_posed;
 inline constexpr std::uint32_t asked_flags = settled_flags | contact_sensor | contact_asks | contact_one_way | contact_ahead | contact_untold | contact_rolls;
-inline constexpr std::uint32_t pose_unsettled = pose_moved | pose_fast | pose_learns;
+
+/// Where the contacts of a world and their bodies are, and how they are kept.
+struct ContactsToKeep {
+    ContactManifold* manifolds;
+    const Contact* contacts;
+    const Pose* poses;
+    const Aabb* boxes;  // by shape
+    float widest_box;   // m; a shape with a wider one may be endless
+    LoadRate rate;
+    bool follows_deep;
+};
 
 template <class F>
 ISLET_LANE LaneVec<F> turned_in_lanes(LaneVec<F> q, LaneVec<F> v) {  // q: cosine, sine
@@ -45,11 +55,28 @@ ISLET_LANE std::uint32_t slips_little(LaneVec<F> anchor, LaneVec<F> normal, Lane
     return L::bits(way <= most) | (pressed & L::bits(way - sunk * sunk <= most));
 }
 
-/// Keeps those contacts that are settled, as many as there are lanes: their loads follow. Returns a bit for each that is kept. None is that has rolling
-/// resistance or a tangent speed, or, if `follows_deep`, that has sunk deep into a floor.
+/// A bit for each contact whose boxes meet, and are none of an endless shape.
 template <class L>
-ISLET_LANE std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep) {
+ISLET_LANE std::uint32_t boxes_meet(const ContactsToKeep& in, const std::uint32_t* contact) {
+    std::uint32_t shape_a[L::width], shape_b[L::width];
+    for (std::uint32_t i = 0; i < L::width; ++i) {
+        shape_a[i] = in.contacts[contact[i]].shape_a;
+        shape_b[i] = in.contacts[contact[i]].shape_b;
+    }
+    typename L::template Columns<4> a, b;  // lower, upper
+    L::template gather4<sizeof(Aabb) / 4>(reinterpret_cast<const float*>(in.boxes), shape_a, a);
+    L::template gather4<sizeof(Aabb) / 4>(reinterpret_cast<const float*>(in.boxes), shape_b, b);
+    return L::bits(a[0] <= b[2]) & L::bits(b[0] <= a[2]) & L::bits(a[1] <= b[3]) & L::bits(b[1] <= a[3]) &
+           L::bits(a[2] - a[0] <= L::splat(in.widest_box));
+}
+
+/// Keeps those contacts that are settled, as many as there are lanes: their loads follow. Returns a bit for each that is kept. None is that has rolling
+/// resistance or a tangent speed, whose boxes changed and meet no more, or, if `follows_deep`, that has sunk deep into a floor.
+template <class L>
+ISLET_LANE std::uint32_t keep_settled(const ContactsToKeep& in, const std::uint32_t* contact) {
     constexpr std::uint32_t W = L::width;
+    ContactManifold* const manifolds = in.manifolds;
+    const Pose* const poses = in.poses;
     using F = typename L::F;
     using I = decltype(F{} < F{});
     using Vec = LaneVec<F>;
@@ -71,7 +98,10 @@ ISLET_LANE std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* po
     L::template gather8<manifold_stride>(words + 4, contact, frame);
     L::template gather8<manifold_stride>(words + 12, contact, points);
     L::template gather4<manifold_stride>(words + 20, contact, surface);
-    kept &= L::bits(((reinterpret_cast<I>(a[7]) | reinterpret_cast<I>(b[7])) & static_cast<std::int32_t>(pose_unsettled)) == 0);
+    const I states = reinterpret_cast<I>(a[7]) | reinterpret_cast<I>(b[7]);
+    kept &= L::bits((states & static_cast<std::int32_t>(pose_learns)) == 0);
+    const std::uint32_t moved = kept & L::bits((states & static_cast<std::int32_t>(pose_moved)) != 0);
+    if (moved != 0) kept &= boxes_meet<L>(in, contact) | ~moved;
 
     const Vec turn_a = turn_between(Vec{frame[4], frame[5]}, Vec{a[2], a[3]}), turn_b = turn_between(Vec{frame[6], frame[7]}, Vec{b[2], b[3]});
     kept &= L::bits(L::abs(turn_a.y) <= L::splat(least_lag)) & L::bits(min(turn_a.x, turn_b.x) >= L::splat(0)) &
@@ -87,9 +117,9 @@ ISLET_LANE std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* po
     const std::uint32_t pressed = two & moving;  // faces of moving bodies
     kept &= slips_little<L>(Vec{points[0], points[1]}, normal, shift, apart, size, most, pressed) &
             (slips_little<L>(Vec{points[2], points[3]}, normal, shift, apart, size, most, pressed) | ~two);
-    if (follows_deep) kept &= moving | L::bits(min(surface[1], surface[2]) >= L::splat(sunk_from));
+    if (in.follows_deep) kept &= moving | L::bits(min(surface[1], surface[2]) >= L::splat(sunk_from));
 
-    const F load = L::splat(rate.keep) * surface[0] + L::splat(rate.gain) * (points[4] + points[5]);
+    const F load = L::splat(in.rate.keep) * surface[0] + L::splat(in.rate.gain) * (points[4] + points[5]);
     const F followed = select((load >= L::splat(0)) & (load < L::splat(most_load)), load, L::splat(0));
     float loads[W];
     L::store(loads, followed);
@@ -99,7 +129,7 @@ ISLET_LANE std::uint32_t keep_settled(ContactManifold* manifolds, const Pose* po
 }
 
 /// The same of four contacts (kernel_scalar.cpp), and of eight (kernel_avx2.cpp), for processors with AVX2 alone.
-std::uint32_t keep_settled_4(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep);
-std::uint32_t keep_settled_8(ContactManifold* manifolds, const Pose* poses, const std::uint32_t* contact, LoadRate rate, bool follows_deep);
+std::uint32_t keep_settled_4(const ContactsToKeep& in, const std::uint32_t* contact);
+std::uint32_t keep_settled_8(const ContactsToKeep& in, const std::uint32_t* contact);
 
 }  // namespace islet::detail

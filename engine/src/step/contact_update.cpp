@@ -151,6 +151,21 @@ ISLET_APART MadeFor make_manifold(const Core& core, std::uint32_t index, const A
     return made;
 }
 
+// True if the circles around two bodies are farther apart than points of a manifold may be: of many contacts between bodies that pass each other that tells that
+// they have no points. (The circles are taken a little larger, so that rounding cannot hide a point.)
+ISLET_SHARED bool are_far_apart(const Pose& a, const Pose& b, const Approach& approach) {
+    const float most = margin_ahead(approach) + linear_slop + (1 + 1e-5f) * (a.max_extent + b.max_extent);
+    return length_squared(b.center - a.center) > most * most;
+}
+
+// Notes that a contact without points has none, as the bodies stand now.
+ISLET_SHARED void note_apart(ContactManifold& m, const Pose& a, const Pose& b) {
+    m.offset = b.center - a.center;
+    m.rotation_a = a.q;
+    m.rotation_b = b.q;
+    m.flags = (m.flags & ~(contact_ahead | contact_rolls)) | contact_posed;
+}
+
 // Makes the manifold anew. Points whose features the old manifold had keep their impulses.
 ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approach, float dt) {
     const Contact& c = core.contacts[index];
@@ -161,7 +176,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
     const bool has_pieces = (core.bodies[m.body_a].shape_count | core.bodies[m.body_b].shape_count) > 1;
     if (fresh.count > 0 && (has_pieces || has_floor(core.poses[m.body_a], core.poses[m.body_b]))) mend_inner_edges(core, c, made.b_in_a, made.margin, fresh);
 
-    m.normal = rotate(m.rotation_a, fresh.normal);
+    m.normal = fresh.count > 0 ? rotate(m.rotation_a, fresh.normal) : Vec2{0, 0};
     const bool lands = fresh.count > 0 && approach.turn - dot(m.normal, approach.way) > 2.0f * speculative_distance;
     if (fresh.count == 0) m.rolling_impulse = 0;
     const std::uint32_t known = (m.flags & contact_ahead) == 0 ? m.count() : 0;  // the impulses of a blow are no warm start
@@ -217,7 +232,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     ContactManifold& m = core.manifolds[index];
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
-    if (!short_loops && looks_settled && is_settled(m, a, b)) {
+    if (!short_loops && looks_settled && ((a.flags | b.flags) & pose_moved) == 0 && is_settled(m, a, b)) {
         loads.follow(m);
         ++kept.manifolds;
         const bool sunk = is_continuous(core) && has_sunk(core, m);
@@ -246,9 +261,13 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     const bool fast = ((a.flags | b.flags) & pose_fast) != 0 && (calm || has_floor(a, b));
     Approach approach;
     if (fast && m.count() == 0) approach = approach_to(core, m, dt, fall);
+    const bool lags = abs(inv_mul(m.rotation_a, a.q).s) > least_lag;
     if (may_recycle(m) && m.count() != 0) turn_along(core, m, a, b);
     if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
         ++kept.manifolds;
+        if (max_lanes > 1 && !lags && (m.flags & (asked_flags | contact_special)) == settled_flags) ++kept.settled;
+    } else if (m.count() == 0 && !one_way && are_far_apart(a, b, approach)) {
+        note_apart(m, a, b);
     } else {
         if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);
         remake(core, index, approach, dt);
@@ -325,6 +344,7 @@ void commit(Core& core, std::uint32_t index, BitSet to_wake) {
 // Keeps the settled contacts of a word of awake ones, W at a time, and counts them. Returns the bits of the others.
 template <std::uint32_t W>
 std::uint64_t keep_settled_of(const Core& core, std::uint32_t word, LoadRate rate, KeptCount& kept) {
+    const ContactsToKeep in{core.manifolds, core.contacts, core.poses, core.boxes, widest_box, rate, is_continuous(core)};
     std::uint64_t bits = core.awake_contacts.words[word], others = 0;
     while (bits != 0) {
         std::uint32_t contact[W], count = 0;
@@ -336,9 +356,9 @@ std::uint64_t keep_settled_of(const Core& core, std::uint32_t word, LoadRate rat
         for (std::uint32_t i = count; i < W; ++i) contact[i] = contact[0];
         std::uint32_t settled;
         if constexpr (W == 8) {
-            settled = keep_settled_8(core.manifolds, core.poses, contact, rate, is_continuous(core));
+            settled = keep_settled_8(in, contact);
         } else {
-            settled = keep_settled_4(core.manifolds, core.poses, contact, rate, is_continuous(core));
+            settled = keep_settled_4(in, contact);
         }
         for (std::uint32_t left = ~settled & ((1u << count) - 1); left != 0; left &= left - 1, --count) others |= bit[trailing_zeros(left)];
         kept.manifolds += count;
@@ -385,17 +405,17 @@ void update_contacts(Core& core, float dt) {
     const LoadFollower loads(*core.state, dt);
     const std::uint32_t words = core.awake_contacts.word_count;
     KeptCount* const kept_in = arena.take<KeptCount>(range_count(words, update_grain));
-    const bool most_settled = max_lanes > 1 && core.lanes > 1 && 4 * core.kept.settled_contacts > 3 * core.awake_contacts.count();  // in the last step
-    const BitSet open = most_settled ? take_bits(core.capacity.contacts) : core.awake_contacts;  // to be looked at one by one
+    const bool many_settled = max_lanes > 1 && core.lanes > 1 && 4 * core.kept.settled_contacts > core.awake_contacts.count();  // in the last step
+    const BitSet open = many_settled ? take_bits(core.capacity.contacts) : core.awake_contacts;  // to be looked at one by one
     std::memset(static_cast<void*>(kept_in), 0, range_count(words, update_grain) * sizeof(KeptCount));
     for_ranges(core, words, update_grain, [&](std::uint32_t first, std::uint32_t end) {
         KeptCount kept;
         if constexpr (max_lanes > 1) {
-            for (std::uint32_t w = first; most_settled && w < end; ++w)
+            for (std::uint32_t w = first; many_settled && w < end; ++w)
                 open.words[w] = core.lanes >= 8 ? keep_settled_of<max_block_lanes>(core, w, loads.rate, kept) : keep_settled_of<4>(core, w, loads.rate, kept);
         }
         open.for_each_in(first, end, [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
-            const Change change = update(core, i, dt, fall, loads, kept, max_lanes == 1 || !most_settled);
+            const Change change = update(core, i, dt, fall, loads, kept, max_lanes == 1 || !many_settled);
             if (change == Change::none) return;
             changed.set(i);
             if (change == Change::parts) parted.set(i);

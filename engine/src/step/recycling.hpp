@@ -157,11 +157,11 @@ inline bool can_recycle(const Core& core, const ContactManifold& m, const Pose& 
 
 // True if nothing but how the bodies have moved can keep the contact from being settled.
 ISLET_PART bool may_be_settled(const ContactManifold& m, const Pose& a, const Pose& b) {
-    return (m.flags & asked_flags) == settled_flags && ((a.flags | b.flags) & pose_unsettled) == 0 && m.count() != 0;
+    return (m.flags & asked_flags) == settled_flags && ((a.flags | b.flags) & pose_learns) == 0 && m.count() != 0;
 }
 
-// True if the contact touches as before, and all that an update does is to keep its manifold. Of most contacts of a pile two tests tell that. (False says
-// nothing.)
+// True if the contact touches as before, and all that an update does is to keep its manifold, if the boxes of its shapes still meet. Of most contacts of a pile
+// two tests tell that. (False says nothing.)
 ISLET_PART bool is_settled(const ContactManifold& m, const Pose& a, const Pose& b) {
     if (!may_be_settled(m, a, b)) return false;
     const std::uint32_t count = m.count();
