@@ -76,6 +76,7 @@ inline constexpr std::uint32_t box_grain = 512;  // boxes that are worth a task
 struct ListPart {
     std::uint32_t first = 0;  // place of its first shape
     std::uint32_t count = 0;  // shapes
+    std::uint32_t moved = 0;  // of them, those whose boxes changed
     FilterSum filters;
     Aabb changed{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};  // box around those of its boxes that changed
 };
@@ -83,9 +84,15 @@ struct ListPart {
 inline constexpr std::uint32_t list_grain = 8;  // words of 64 bodies that are worth a task
 using ListCut = RangeCut<64>;
 
-// Lists the shapes of awake bodies that may be part of a new pair, in the order of the bodies. Returns how many; `changed` becomes the box around those of
-// their boxes that changed.
-ISLET_APART std::uint32_t list_moving(const Core& core, const BitSet& bodies, MovingShape* shapes, Aabb& changed, float dt) {
+/// What list_moving found.
+struct ListedShapes {
+    std::uint32_t count = 0;
+    std::uint32_t moved = 0;                                 // of them, those whose boxes changed
+    Aabb changed{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};  // around all boxes that changed
+};
+
+// Lists the shapes of awake bodies that may be part of a new pair, in the order of the bodies.
+ISLET_APART ListedShapes list_moving(const Core& core, const BitSet& bodies, MovingShape* shapes, float dt) {
     const std::uint32_t words = bodies.word_count;
     const ListCut cut(core, words, list_grain);
     ListPart parts[ListCut::room];
@@ -109,19 +116,23 @@ ISLET_APART std::uint32_t list_moving(const Core& core, const BitSet& bodies, Mo
             const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
             const Way way = leaves ? way_of(core, body, dt) : Way{};
             for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-                if (core.moved_shapes.test(s)) part.changed = both(part.changed, core.boxes[s]);
+                const bool moved = core.moved_shapes.test(s);
+                if (moved) part.changed = both(part.changed, core.boxes[s]);
                 const MovingShape shape = {core.boxes[s], way, body, s, leaves};
-                if (filters.may_agree(core.shapes[s].filter) || is_near_rest(core, shape)) shapes[part.first + part.count++] = shape;
+                if (!filters.may_agree(core.shapes[s].filter) && !is_near_rest(core, shape)) continue;
+                shapes[part.first + part.count++] = shape;
+                part.moved += moved ? 1u : 0u;
             }
         });
     });
-    std::uint32_t n = 0;
+    ListedShapes listed;
     for (std::uint32_t p = 0; p < cut.count; ++p) {
-        if (n != parts[p].first) std::memmove(shapes + n, shapes + parts[p].first, parts[p].count * sizeof *shapes);
-        n += parts[p].count;
-        changed = both(changed, parts[p].changed);
+        if (listed.count != parts[p].first) std::memmove(shapes + listed.count, shapes + parts[p].first, parts[p].count * sizeof *shapes);
+        listed.count += parts[p].count;
+        listed.moved += parts[p].moved;
+        listed.changed = both(listed.changed, parts[p].changed);
     }
-    return n;
+    return listed;
 }
 
 }  // namespace
@@ -129,16 +140,18 @@ ISLET_APART std::uint32_t list_moving(const Core& core, const BitSet& bodies, Mo
 Moving sorted_columns(Core& core, Arena& arena, float dt) {
     const std::uint32_t room = core.state->shape_pool.count;
     MovingShape* shapes = arena.take<MovingShape>(room);
-    Aabb bounds{{3.0e38f, 3.0e38f}, {-3.0e38f, -3.0e38f}};
     BitSet bodies = core.awake_bodies;
     if constexpr (has_shortcuts) {
         const BitSet near_changed{arena.take<std::uint64_t>(bodies.word_count), bodies.word_count};
         if (find_near_changed(core, dt, near_changed)) bodies = near_changed;
     }
-    const std::uint32_t n = list_moving(core, bodies, shapes, bounds, dt);
+    const ListedShapes listed = list_moving(core, bodies, shapes, dt);
+    const std::uint32_t n = listed.count;
+    const bool all_moved = listed.moved == n;
 
     // The boxes are sorted along the longer side of the box around those that changed, whichever others are sorted with them.
-    const bool along_x = bounds.upper.x - bounds.lower.x >= bounds.upper.y - bounds.lower.y;
+    const Vec2 size = listed.changed.upper - listed.changed.lower;
+    const bool along_x = size.x >= size.y;
     KeyedItem* keys = arena.take<KeyedItem>(n);
     KeyedItem* spare = sorts_by_digits ? arena.take<KeyedItem>(n) : nullptr;
     std::uint32_t* counts = sorts_by_digits ? arena.take<std::uint32_t>(sort_digits) : nullptr;
@@ -164,7 +177,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
             const Vec2 x = along_x ? Vec2{box.lower.x, box.upper.x} : Vec2{box.lower.y, box.upper.y};
             const Vec2 y = along_x ? Vec2{box.lower.y, box.upper.y} : Vec2{box.lower.x, box.upper.x};
             set_box(c.all, i, x.x, x.y, y.x, y.y, moving_shape.shape, i);
-            if (!core.moved_shapes.test(moving_shape.shape)) continue;
+            if (all_moved || !core.moved_shapes.test(moving_shape.shape)) continue;
             if (cut.count == 1) {
                 push_box(c.moved, x.x, x.y, y.x, y.y, moving_shape.shape, i);
             } else {
@@ -174,7 +187,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
         moved[cut.of(first)] = count;
     });
     c.all.count = n;
-    if (cut.count > 1) {
+    if (cut.count > 1 && !all_moved) {
         for (std::uint32_t p = 0; p < cut.count; ++p) {
             const std::uint32_t count = moved[p];
             moved[p] = c.moved.count;
@@ -188,7 +201,11 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
         });
     }
     close_columns(c.all);
-    close_columns(c.moved);
+    if (all_moved) {
+        c.moved = c.all;
+    } else {
+        close_columns(c.moved);
+    }
     return c;
 }
 
