@@ -130,9 +130,9 @@ inline constexpr std::uint32_t joint_kernel_count = 0 ISLET_JOINT_KERNELS(ISLET_
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t tree_link_bytes = 184;  // per link of a joint tree
 inline constexpr std::size_t batch_bytes = ISLET_SMALL ? 92 : 168;
-inline constexpr std::size_t plan_bytes = 160;                                 // of the plan itself, without its arrays
+inline constexpr std::size_t plan_bytes = 168;                                 // of the plan itself, without its arrays
 inline constexpr std::uint32_t max_plan_parts = 8;                             // that the touching contacts are cut into while they are planned
-inline constexpr std::size_t sweep_bytes = layout_lanes > 1 ? 148 : 108;          // per shape, while pairs are found by sorting
+inline constexpr std::size_t sweep_bytes = layout_lanes > 1 ? 148 : 108;       // per shape, while pairs are found by sorting
 inline constexpr std::uint32_t sort_digits = layout_lanes > 1 ? 1u << 11 : 0;  // counted by the sort; 0: where memory is small it counts none
 inline constexpr std::uint32_t color_count = 32;                               // constraint colours: bits of a body's mask
 inline constexpr std::uint32_t batch_bodies = 704;  // a batch is full from so many bodies on: with their rows they fit a core's own cache
@@ -160,6 +160,10 @@ constexpr std::uint32_t event_capacity(const Capacity& c) { return c.events != 0
 
 /// Batches that the islands of a world can make, at most.
 constexpr std::uint32_t batch_capacity(const Capacity& c) { return c.bodies / batch_bodies + 2; }
+
+/// Places of batches, and of the halves of one that has so many bodies that two workers may share it.
+inline constexpr std::uint32_t halved_bodies = 768;
+constexpr std::uint32_t place_capacity(const Capacity& c) { return batch_capacity(c) + (layout_lanes > 1 && c.bodies >= halved_bodies ? 2 : 0); }
 
 /// Parts that the touching contacts are cut into while they are planned. Small worlds are not cut.
 constexpr std::uint32_t plan_parts(const Capacity& c) { return c.contacts < 2048 ? 1 : max_plan_parts; }
@@ -307,11 +311,11 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     const std::size_t exporting = align_up(words_for(c.contacts) * 8) + align_up(words_for(c.joints) * 8) + 2 * align_up(c.bodies * std::size_t{4}) +
                                   2 * align_up((constraints + 1) * 4) + 2 * align_up(ends * 4) + align_up((bodies + 1) * 4);
     const std::size_t plan = align_up(c.bodies * place_bytes) + align_up(bodies * place_bytes) * (keeps_islands ? 2 : 1) + align_up(c.bodies * tuned_bytes) +
-                             align_up(batch_capacity(c) * batch_bytes) + align_up(row_capacity(c) * place_bytes) + align_up(joint_row_capacity(c) * 4) +
+                             align_up(place_capacity(c) * batch_bytes) + align_up(row_capacity(c) * place_bytes) + align_up(joint_row_capacity(c) * 4) +
                              align_up(joint_run_capacity(c) * joint_run_bytes) + align_up(tree_capacity(c) * std::size_t{8}) +
                              align_up(tree_capacity(c) * std::size_t{4});
     const std::size_t kinds = plan_parts(c) + (c.joints != 0 ? joint_kernel_count : 0);
-    const std::size_t tables = std::size_t{batch_capacity(c)} * (color_count + 1) * kinds * 4 + 5 * line_bytes;
+    const std::size_t tables = std::size_t{place_capacity(c)} * (color_count + 1) * kinds * 4 + 5 * line_bytes;
     const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * line_bytes;
     const std::size_t planning = bodies * 4 * 4 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 6 * line_bytes + max_of(tables, trees);
     const std::size_t rows = align_up(bodies * solver_motion_bytes) + align_up(row_capacity(c) * row_bytes) + line_bytes +

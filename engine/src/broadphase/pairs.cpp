@@ -260,7 +260,8 @@ inline constexpr std::uint32_t least_ranges = 16;      // of each part, so that 
 
 // Workers search the ranges; then the contacts are made in order. False if there is no room in scratch memory for that.
 bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena arena) {
-    const std::size_t bytes_of_range = sizeof(SearchRange) + align_up(sizeof(std::uint32_t[2]) * SearchRange::room) + align_up((m.all.count + max_block_lanes) * std::size_t{4});
+    const std::size_t bytes_of_range =
+        sizeof(SearchRange) + align_up(sizeof(std::uint32_t[2]) * SearchRange::room) + align_up((m.all.count + max_block_lanes) * std::size_t{4});
     const std::size_t fitting = arena.room() <= line_bytes ? 0 : (arena.room() - line_bytes) / (search_parts * bytes_of_range);
     const std::uint32_t shared = ranges_per_worker * worker_count(core), wanted = shared < least_ranges ? least_ranges : shared;
     const std::uint32_t ranges_of_part = fitting < wanted ? static_cast<std::uint32_t>(fitting) : wanted;

@@ -5,6 +5,7 @@
 #include "../constraint/joint_runs.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
+#include "../island/halves.hpp"
 #include "../island/height_order.hpp"
 #include "../island/joint_trees.hpp"
 #include "../island/union_find.hpp"
@@ -50,61 +51,13 @@ struct ConnectedBodies : UnionFind {
 #endif
 };
 
-inline constexpr std::uint32_t word_grain = 16;      // words of 64 bodies that are worth a task
-inline constexpr std::uint32_t listed_grain = 4;     // words of 64 joints
-inline constexpr std::uint32_t part_contacts = 256;  // that are worth a task
-
-// A listed contact's colour has a flag above it if the contact lands, and so has its place once it is counted. Among contacts of one colour these come first:
-// a block in which one lane lands is solved again as a whole. Rows by themselves have no use for that.
-inline constexpr std::uint32_t listed_landing = max_lanes > 1 ? 1u << 31 : 0;
+inline constexpr std::uint32_t word_grain = 16;   // words of 64 bodies that are worth a task
+inline constexpr std::uint32_t listed_grain = 4;  // words of 64 joints
 
 // A listed joint's colour has its kernel and two flags above it.
 inline constexpr std::uint32_t listed_kernel_shift = 8;
 inline constexpr std::uint32_t listed_exact = 1u << 30;
 inline constexpr std::uint32_t listed_gear = 1u << 31;
-
-/// In a counting sort: turns the number of a place's items into the index of its first, `start`, and returns where the items end.
-ISLET_PART std::uint32_t lay_out(std::uint32_t& place, std::uint32_t start) {
-    const std::uint32_t items = place;
-    place = start;
-    return start + items;
-}
-
-// The touching contacts, cut into parts that are planned side by side: workers list each part in its own piece of the array, count its contacts by place, and
-// put them where the counts of all parts say. The plan is the same however the contacts are cut.
-struct ContactList {
-    PlannedConstraint* contacts = nullptr;
-    std::uint32_t parts_with_threads = 1;
-    std::uint32_t end_word[max_plan_parts] = {};  // of each part, in the set of awake contacts
-    std::uint32_t first[max_plan_parts] = {};     // contact of each part
-    std::uint32_t end[max_plan_parts] = {};
-    std::uint32_t colors[max_plan_parts] = {};  // bits of those that a part's contacts may have
-    bool lands[max_plan_parts] = {};            // whether any of the part does
-
-    std::uint32_t parts() const { return has_threads ? parts_with_threads : 1; }
-    std::uint32_t first_word(std::uint32_t part) const { return part == 0 ? 0 : end_word[part - 1]; }
-
-    /// Cuts the awake contacts into at most `most` parts, each with about as many as the others.
-    void cut(BitSet awake, std::uint32_t most) {
-        const std::uint32_t total = awake.count();
-        const std::uint32_t wanted = total < 2 * part_contacts ? 1 : total / part_contacts < most ? total / part_contacts : most;
-        std::uint32_t part = 0, listed = 0;
-        for (std::uint32_t w = 0; w < awake.word_count && part + 1 < wanted; ++w) {
-            listed += BitSet::bits_of(awake.words[w]);
-            if (listed < std::uint64_t{total} * (part + 1) / wanted) continue;
-            end_word[part++] = w + 1;
-            first[part] = listed;
-        }
-        end_word[part] = awake.word_count;
-        parts_with_threads = part + 1;
-    }
-
-    template <class Visit>
-    ISLET_ALWAYS_INLINE void for_each(Visit&& visit) const {
-        for (std::uint32_t p = 0; p < parts(); ++p)
-            for (std::uint32_t k = first[p]; k < end[p]; ++k) visit(contacts[k]);
-    }
-};
 
 // Marks the awake bodies of joint trees, by a slot that is not 0, until they are given their own. Returns whether there are any.
 bool mark_trees(const Core& core, Plan& plan) {
@@ -172,7 +125,8 @@ template <class BatchOf>
 void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchOf&& batch_of, Arena temporary) {
     constexpr std::uint32_t places = color_count + 1;  // per batch, the last for contacts without a colour
     const std::uint32_t lanes = core.block_lanes();
-    const std::size_t part_size = std::size_t{plan.batch_count} * places;
+    const std::uint32_t batches = plan.batch_count + plan.half_count();
+    const std::size_t part_size = std::size_t{batches} * places;
     std::uint32_t* next =
         temporary.take<std::uint32_t>(part_size * list.parts());  // by part and place: how many there are; once laid out, the next one's index
     for_ranges(core, list.parts(), 1, [&](std::uint32_t first, std::uint32_t end) {
@@ -181,8 +135,10 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
             std::memset(count, 0, part_size * 4);
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
                 PlannedConstraint& c = list.contacts[k];
-                const std::uint32_t color = c.color & ~listed_landing, lands = c.color & listed_landing;
-                const std::uint32_t place = batch_of(c) * places + (color == no_color ? color_count : color);
+                const std::uint32_t color = c.color & 0xffu, lands = c.color & listed_landing;
+                const std::uint32_t half = has_halves ? (c.color & ~listed_landing) >> listed_half_shift : 0;
+                const std::uint32_t batch = half == 0 ? batch_of(c) : plan.batch_count + half - 1;
+                const std::uint32_t place = batch * places + (color == no_color ? color_count : color);
                 c.place = place | lands;
                 ++count[place];
             }
@@ -197,13 +153,13 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
         for (std::uint32_t p = 0; p < list.parts(); ++p) start = lay_out(next[p * part_size + place], start);
         return start;
     };
-    for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
+    for (std::uint32_t b = 0; b < batches; ++b) {
         Batch& batch = plan.batches[b];
         std::uint32_t next_color = 0;
         const auto begin_up_to = [&](std::uint32_t color) {
             for (; next_color <= color; ++next_color) batch.first_block[next_color] = static_cast<PlanIndex>(block);
         };
-        for (std::uint32_t left = batch.body_count != 0 ? colors : 0; left != 0; left &= left - 1) {
+        for (std::uint32_t left = batch.body_count != 0 || b >= plan.batch_count ? colors : 0; left != 0; left &= left - 1) {
             const auto c = trailing_zeros(left);
             begin_up_to(c);
             const std::uint32_t end = lay_out_parts(std::size_t{b} * places + c, block * lanes);
@@ -289,7 +245,7 @@ Plan take_plan(const Core& core, Arena& arena) {
     plan.slot_of = arena.take_last<PlanIndex>(bodies);
     plan.body_of = arena.take_last<PlanIndex>(bodies + 1);
     if (keeps_islands) plan.island_of = arena.take_last<PlanIndex>(bodies + 1);
-    plan.batches = arena.take_last<Batch>(batch_capacity(core.capacity));
+    plan.batches = arena.take_last<Batch>(place_capacity(core.capacity));
     plan.contacts = arena.take_last<PlanIndex>(row_capacity(core.capacity));
     plan.joints = arena.take_last<std::uint32_t>(joint_row_capacity(core.capacity));
     plan.runs = arena.take_last<JointRun>(joint_run_capacity(core.capacity));
@@ -491,30 +447,47 @@ void fill_batches(Plan& plan, const Islands& found) {
 }
 
 // Gives the batches' slots to their bodies, in the order of the bodies.
-void give_slots(const Core& core, Plan& plan, const Islands& found, Arena temporary) {
+void give_slots(const Core& core, Plan& plan, const Islands& found, const BodyHalves& halves, Arena temporary) {
     const BitSet awake = core.awake_bodies;
     const auto words = static_cast<std::uint32_t>(words_for(core.state->body_pool.high_water));
     const RangeCut<max_plan_parts> parts(core, words, word_grain);
-    std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{plan.batch_count} * parts.count);  // slot, by part and batch
-    const auto batch_of = [&](std::uint32_t island) { return island != null_index ? found.islands[island].batch : kinematic_batch; };
-    if (parts.count > 1) {
+    const std::uint32_t batches = plan.batch_count + plan.half_count();
+    std::uint32_t* next = temporary.take<std::uint32_t>(std::size_t{batches} * parts.count);  // slot, by part and batch, or half
+    const auto batch_of = [&](std::uint32_t body) {
+        const std::uint32_t island = found.island_of[body], batch = island != null_index ? found.islands[island].batch : kinematic_batch;
+        return has_halves && batch == halves.batch ? halves.place_of(plan, body) : batch;
+    };
+    if (parts.count > 1 || plan.half_count() != 0) {
         for_ranges(core, words, parts.grain, [&](std::uint32_t first, std::uint32_t end) {
-            std::uint32_t* const count = next + parts.of(first) * plan.batch_count;
-            std::memset(count, 0, plan.batch_count * 4);
-            awake.for_each_in(first, end, [&](std::uint32_t body) { ++count[batch_of(found.island_of[body])]; });
+            std::uint32_t* const count = next + parts.of(first) * batches;
+            std::memset(count, 0, batches * 4);
+            awake.for_each_in(first, end, [&](std::uint32_t body) { ++count[batch_of(body)]; });
         });
+        const auto lay_out_parts = [&](std::uint32_t b, std::uint32_t slot) {
+            for (std::uint32_t p = 0; p < parts.count; ++p) slot = lay_out(next[p * batches + b], slot);
+            return slot;
+        };
         for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
             std::uint32_t slot = plan.batches[b].first_slot;
-            for (std::uint32_t p = 0; p < parts.count; ++p) slot = lay_out(next[p * plan.batch_count + b], slot);
+            if (!has_halves || b != halves.batch) {
+                lay_out_parts(b, slot);
+                continue;
+            }
+            for (std::uint32_t place = plan.batch_count; place < batches; ++place) {
+                Batch& half = plan.batches[place];
+                half.first_slot = static_cast<PlanIndex>(slot);
+                slot = lay_out_parts(place, slot);
+                half.body_count = static_cast<PlanIndex>(slot - half.first_slot);
+            }
         }
     } else {
         for (std::uint32_t b = 0; b < plan.batch_count; ++b) next[b] = plan.batches[b].first_slot;
     }
     plan.body_of[0] = no_plan_index;
     for_ranges(core, words, parts.grain, [&](std::uint32_t first, std::uint32_t end) {
-        std::uint32_t* const at = next + parts.of(first) * plan.batch_count;
+        std::uint32_t* const at = next + parts.of(first) * batches;
         awake.for_each_in(first, end, [&](std::uint32_t body) {
-            const std::uint32_t island = found.island_of[body], slot = at[batch_of(island)]++;
+            const std::uint32_t island = found.island_of[body], slot = at[batch_of(body)]++;
             plan.body_of[slot] = static_cast<PlanIndex>(body);
             if (keeps_islands) plan.island_of[slot] = static_cast<PlanIndex>(island);
             plan.slot_of[body] = static_cast<PlanIndex>(slot);
@@ -535,13 +508,17 @@ Plan make_plan(const Core& core, Arena& arena) {
 
     const Islands islands = number_islands(core, plan, sets, temporary);
     fill_batches(plan, islands);
-    give_slots(core, plan, islands, temporary);
+    BodyHalves halves;
+    if constexpr (has_halves) halves = cut_in_halves(core, plan, islands, temporary);
+    give_slots(core, plan, islands, halves, temporary);
 
     // At least one body of a constraint can be pushed; its batch is the constraint's.
     const bool one_batch = plan.batch_count == kinematic_batch + 2 && plan.batches[kinematic_batch].body_count == 0;
     const auto batch_of = [&](const PlannedConstraint& c) {
         return one_batch ? kinematic_batch + 1 : islands.batch_of(sets.parent_of(c.body_a) != null_index ? c.body_a : c.body_b);
     };
+    if constexpr (has_halves)
+        if (plan.half_count() != 0) halve_contacts(core, plan, halves, contacts, joints, temporary);
     plan_contacts(core, plan, contacts, batch_of, temporary);
     plan_joints(core, plan, joints, batch_of, temporary);
     if (plan.has_trees) plan_links(core, plan, islands, temporary);

@@ -12,11 +12,12 @@
 
 #include "../constraint/joint_rows.hpp"
 #include "../data/core.hpp"
+#include "../data/parallel.hpp"
 #include "../island/joint_trees.hpp"
 
 namespace islet::detail {
 
-/// A run of islands solved together. Offsets are in blocks of Core::block_lanes contacts; overflow in contacts.
+/// A run of islands solved together, or a half of one. Offsets are in blocks of Core::block_lanes contacts; overflow in contacts.
 struct Batch {
     PlanIndex first_slot = 0, body_count = 0;  // slots of its bodies
     PlanIndex first_block[color_count + 1] = {};
@@ -40,6 +41,9 @@ struct JointRun {
 static_assert(std::size_t{max_bodies / batch_bodies + 2} * (color_count + 1) * joint_kernel_count <= no_plan_index, "runs of joints have no places");
 static_assert(sizeof(Batch) == batch_bytes && sizeof(JointRun) == joint_run_bytes);
 
+/// Whether a batch may be cut into halves for two workers.
+inline constexpr bool has_halves = has_threads && max_lanes > 1;
+
 /// The plan of one solve, in scratch.
 struct Plan {
     std::uint32_t slot_count = 0;    // slot 0 included
@@ -49,7 +53,8 @@ struct Plan {
     std::uint32_t island_count = 0;
     Batch* batches = nullptr;
     std::uint32_t batch_count = 0;
-    PlanIndex* contacts = nullptr;  // by row: blocks first, then overflow; no_plan_index in the padding
+    std::uint32_t halved_batch = null_index;  // whose two halves, with some of its contacts, follow the batches (halves.hpp); null_index: none has halves
+    PlanIndex* contacts = nullptr;            // by row: blocks first, then overflow; no_plan_index in the padding
     std::uint32_t block_count = 0;
     std::uint32_t overflow_count = 0;
     std::uint32_t* joints = nullptr;  // run by run; null_index in the padding
@@ -65,6 +70,8 @@ struct Plan {
     float* lightness = nullptr;  // by body: the solve takes its mass for so many times smaller (shock propagation); null: all masses as they are
     std::uint32_t colors = 0;    // bits of the colours in use
     std::uint32_t touching_count = 0;
+
+    std::uint32_t half_count() const { return has_halves && halved_batch != null_index ? 2 : 0; }
 };
 
 static_assert(sizeof(Plan) <= plan_bytes);

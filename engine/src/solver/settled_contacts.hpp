@@ -66,8 +66,7 @@ ISLET_LANE std::uint32_t boxes_meet(const ContactsToKeep& in, const std::uint32_
     typename L::template Columns<4> a, b;  // lower, upper
     L::template gather4<sizeof(Aabb) / 4>(reinterpret_cast<const float*>(in.boxes), shape_a, a);
     L::template gather4<sizeof(Aabb) / 4>(reinterpret_cast<const float*>(in.boxes), shape_b, b);
-    return L::bits(a[0] <= b[2]) & L::bits(b[0] <= a[2]) & L::bits(a[1] <= b[3]) & L::bits(b[1] <= a[3]) &
-           L::bits(a[2] - a[0] <= L::splat(in.widest_box));
+    return L::bits(a[0] <= b[2]) & L::bits(b[0] <= a[2]) & L::bits(a[1] <= b[3]) & L::bits(b[1] <= a[3]) & L::bits(a[2] - a[0] <= L::splat(in.widest_box));
 }
 
 /// Keeps those contacts that are settled, as many as there are lanes: their loads follow. Returns a bit for each that is kept. None is that has rolling

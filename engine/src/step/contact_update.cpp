@@ -158,11 +158,12 @@ ISLET_SHARED bool are_far_apart(const Pose& a, const Pose& b, const Approach& ap
     return length_squared(b.center - a.center) > most * most;
 }
 
-// Notes that a contact without points has none, as the bodies stand now.
+// Notes that a contact without points has none, as the bodies stand now: what `remake` would note.
 ISLET_SHARED void note_apart(ContactManifold& m, const Pose& a, const Pose& b) {
     m.offset = b.center - a.center;
     m.rotation_a = a.q;
     m.rotation_b = b.q;
+    m.normal = rotate(a.q, {0, 0});  // zeros with the same signs
     m.flags = (m.flags & ~(contact_ahead | contact_rolls)) | contact_posed;
 }
 
@@ -176,7 +177,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
     const bool has_pieces = (core.bodies[m.body_a].shape_count | core.bodies[m.body_b].shape_count) > 1;
     if (fresh.count > 0 && (has_pieces || has_floor(core.poses[m.body_a], core.poses[m.body_b]))) mend_inner_edges(core, c, made.b_in_a, made.margin, fresh);
 
-    m.normal = fresh.count > 0 ? rotate(m.rotation_a, fresh.normal) : Vec2{0, 0};
+    m.normal = rotate(m.rotation_a, fresh.normal);
     const bool lands = fresh.count > 0 && approach.turn - dot(m.normal, approach.way) > 2.0f * speculative_distance;
     if (fresh.count == 0) m.rolling_impulse = 0;
     const std::uint32_t known = (m.flags & contact_ahead) == 0 ? m.count() : 0;  // the impulses of a blow are no warm start
@@ -406,7 +407,7 @@ void update_contacts(Core& core, float dt) {
     const std::uint32_t words = core.awake_contacts.word_count;
     KeptCount* const kept_in = arena.take<KeptCount>(range_count(words, update_grain));
     const bool many_settled = max_lanes > 1 && core.lanes > 1 && 4 * core.kept.settled_contacts > core.awake_contacts.count();  // in the last step
-    const BitSet open = many_settled ? take_bits(core.capacity.contacts) : core.awake_contacts;  // to be looked at one by one
+    const BitSet open = many_settled ? take_bits(core.capacity.contacts) : core.awake_contacts;                                 // to be looked at one by one
     std::memset(static_cast<void*>(kept_in), 0, range_count(words, update_grain) * sizeof(KeptCount));
     for_ranges(core, words, update_grain, [&](std::uint32_t first, std::uint32_t end) {
         KeptCount kept;
