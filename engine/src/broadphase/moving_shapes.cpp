@@ -121,7 +121,7 @@ ISLET_APART ListedShapes list_moving(const Core& core, const BitSet& bodies, Mov
                 const MovingShape shape = {core.boxes[s], way, body, s, leaves};
                 if (!filters.may_agree(core.shapes[s].filter) && !is_near_rest(core, shape)) continue;
                 shapes[part.first + part.count++] = shape;
-                part.moved += moved ? 1u : 0u;
+                if (max_lanes > 1 && moved) ++part.moved;
             }
         });
     });
@@ -147,7 +147,7 @@ Moving sorted_columns(Core& core, Arena& arena, float dt) {
     }
     const ListedShapes listed = list_moving(core, bodies, shapes, dt);
     const std::uint32_t n = listed.count;
-    const bool all_moved = listed.moved == n;
+    const bool all_moved = max_lanes > 1 && listed.moved == n;
 
     // The boxes are sorted along the longer side of the box around those that changed, whichever others are sorted with them.
     const Vec2 size = listed.changed.upper - listed.changed.lower;

@@ -116,7 +116,7 @@ template <class Out>
 void scan_others(Out& out, const Scan& how, const Moving& m, std::uint32_t begin, std::uint32_t end) {
     const Columns& all = m.all;
     const Columns& moved = m.moved;
-    if (moved.count == all.count) return;
+    if (max_lanes > 1 && moved.count == all.count) return;
     std::uint32_t first = 0;  // of the changed boxes behind box i
     for (std::uint32_t above = begin == 0 ? 0 : moved.count; first < above;) {
         const std::uint32_t middle = first + (above - first) / 2;

@@ -3,9 +3,9 @@
 
 #include "../constraint/kernels.hpp"
 #include "../data/parallel.hpp"
+#include "../island/contact_names.hpp"
 #include "../math/lanes.hpp"
 #include "../math/scalar.hpp"
-#include "../solver/contact_names.hpp"
 #include "../solver/hits.hpp"
 #include "../solver/joint_solve.hpp"
 #include "../solver/ordered_sweep.hpp"

@@ -151,15 +151,15 @@ ISLET_APART MadeFor make_manifold(const Core& core, std::uint32_t index, const A
     return made;
 }
 
-// True if the circles around two bodies are farther apart than points of a manifold may be: of many contacts between bodies that pass each other that tells that
-// they have no points. (The circles are taken a little larger, so that rounding cannot hide a point.)
-ISLET_SHARED bool are_far_apart(const Pose& a, const Pose& b, const Approach& approach) {
+// True if the circles around two bodies are farther apart than points of a manifold may be. That tells of many contacts between bodies that pass each other
+// that they have no points. (The circles are taken a little larger, so that rounding cannot hide a point. Builds for one lane, which may be small, do without.)
+[[maybe_unused]] ISLET_SHARED bool are_far_apart(const Pose& a, const Pose& b, const Approach& approach) {
     const float most = margin_ahead(approach) + linear_slop + (1 + 1e-5f) * (a.max_extent + b.max_extent);
     return length_squared(b.center - a.center) > most * most;
 }
 
 // Notes that a contact without points has none, as the bodies stand now: what `remake` would note.
-ISLET_SHARED void note_apart(ContactManifold& m, const Pose& a, const Pose& b) {
+[[maybe_unused]] ISLET_SHARED void note_apart(ContactManifold& m, const Pose& a, const Pose& b) {
     m.offset = b.center - a.center;
     m.rotation_a = a.q;
     m.rotation_b = b.q;
@@ -267,7 +267,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
         ++kept.manifolds;
         if (max_lanes > 1 && !lags && (m.flags & (asked_flags | contact_special)) == settled_flags) ++kept.settled;
-    } else if (m.count() == 0 && !one_way && are_far_apart(a, b, approach)) {
+    } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(a, b, approach)) {
         note_apart(m, a, b);
     } else {
         if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);
