@@ -64,6 +64,9 @@ Manifold manifold_at(const Core& core, const Contact& c, const ContactManifold& 
 // m that points may be apart which meet in the rest of a step. (It lasts at most a second, and no body moves faster, whatever velocity it was given.)
 float margin_ahead(const Approach& approach, float rest = 1) { return speculative_distance + 2.0f * rest * min(approach.most(), max_speed_limit); }
 
+// True if shape A is a piece of a chain.
+bool is_link(const Core& core, const Contact& c) { return kind_of(core.geometries[core.shapes[c.shape_a].geometry]) == ShapeKind::front; }
+
 // Makes the manifold with which two shapes will touch in this step. If they are about to meet, it is made as they will stand at the time of impact; the motion
 // until then is treated as slip. (A plane through the points that are nearest now would throw back a shape that is about to pass.) After the first point has
 // met, another one comes down up to twice as fast, as the body turns about the first.
@@ -71,13 +74,13 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
                         Transform& b_in_a) {
     const Manifold now = manifold_at(core, c, m, stand, margin, b_in_a);
     // Where the body is now, a chain segment may leave the contact to its neighbour although the body will come to that segment.
-    const bool is_link = kind_of(core.geometries[core.shapes[c.shape_a].geometry]) == ShapeKind::front;
-    if (now.count == 0 && !is_link) return now;
+    const bool to_link = is_link(core, c);
+    if (now.count == 0 && !to_link) return now;
     if (now.count != 0) {
         const float apart = least_separation(now);
         if (apart <= speculative_distance) return now;
         // They may end the step as near as those that touch, and a little nearer by rounding.
-        if (!is_link && apart + dot(rotate(stand.a, now.normal), approach.way) > approach.turn + 1.1f * touch_gap) return {};
+        if (!to_link && apart + dot(rotate(stand.a, now.normal), approach.way) > approach.turn + 1.1f * touch_gap) return {};
     }
     const bool held = !has_floor(core.poses[m.body_a], core.poses[m.body_b]);
     const BodyPath a = path_ahead(core, m.body_a, dt, held), b = path_ahead(core, m.body_b, dt, held);
@@ -151,11 +154,12 @@ ISLET_APART MadeFor make_manifold(const Core& core, std::uint32_t index, const A
     return made;
 }
 
-// True if the circles around two bodies are farther apart than points of a manifold may be. That tells of many contacts between bodies that pass each other
-// that they have no points. (The circles are taken a little larger, so that rounding cannot hide a point. Builds for one lane, which may be small, do without.)
-[[maybe_unused]] ISLET_SHARED bool are_far_apart(const Pose& a, const Pose& b, const Approach& approach) {
+// True if the circles around two bodies are farther apart than points of a manifold may be, so that `remake` would find none. That is so of many contacts
+// between bodies that pass each other. (The circles are taken a little larger, so that rounding cannot hide a point. What comes fast to a link is looked at
+// again where it may touch. Builds for one lane, which may be small, do without.)
+[[maybe_unused]] ISLET_SHARED bool are_far_apart(const Core& core, const Contact& c, const Pose& a, const Pose& b, const Approach& approach) {
     const float most = margin_ahead(approach) + linear_slop + (1 + 1e-5f) * (a.max_extent + b.max_extent);
-    return length_squared(b.center - a.center) > most * most;
+    return length_squared(b.center - a.center) > most * most && !(comes_fast(approach) && is_link(core, c));
 }
 
 // Notes that a contact without points has none, as the bodies stand now: what `remake` would note.
@@ -267,7 +271,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
         ++kept.manifolds;
         if (max_lanes > 1 && !lags && (m.flags & (asked_flags | contact_special)) == settled_flags) ++kept.settled;
-    } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(a, b, approach)) {
+    } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(core, core.contacts[index], a, b, approach)) {
         note_apart(m, a, b);
     } else {
         if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);
