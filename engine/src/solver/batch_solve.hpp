@@ -3,6 +3,7 @@
 
 #include "../constraint/kernels.hpp"
 #include "../data/parallel.hpp"
+#include "../graph/colors.hpp"
 #include "../island/contact_names.hpp"
 #include "../math/lanes.hpp"
 #include "../math/scalar.hpp"

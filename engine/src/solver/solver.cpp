@@ -3,7 +3,6 @@
 #include "../solver/solver.hpp"
 
 #include "../data/parallel.hpp"
-#include "../graph/colors.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../island/height_order.hpp"
 #include "../solver/batch_solve.hpp"
