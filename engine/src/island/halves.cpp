@@ -7,6 +7,8 @@
 #include "../data/parallel.hpp"
 #include "../math/key_sort.hpp"
 
+#if ISLET_THREADS && ISLET_MAX_LANES > 1  // as has_halves; a build that keeps all functions does without these
+
 namespace islet::detail {
 
 namespace {
@@ -132,3 +134,5 @@ void halve_contacts(const Core& core, const Plan& plan, const BodyHalves& halves
 }
 
 }  // namespace islet::detail
+
+#endif
