@@ -47,7 +47,7 @@ ISLET_SHARED Approach approach_of(const Pose& a, const Pose& b, const Motion& ma
 inline float fall_in(const Core& core, float dt) { return pull_share * dt * dt * (abs(core.state->gravity.x) + abs(core.state->gravity.y)); }
 
 /// False if a shape with this fat box has an end. One without reaches endless_reach to at least one side, and no less than -max_position to the other.
-inline constexpr float widest_box = 0.5f * endless_reach;
+inline constexpr float widest_box = 0.5f * endless_reach;  // m
 inline bool may_be_endless(const Aabb& box) { return has_endless && box.upper.x - box.lower.x > widest_box; }
 
 /// True if shape A has no end, and B's fat box, moved on by its way within dt, does not come near it: they need no contact, though their boxes meet.

@@ -47,8 +47,8 @@ struct BatchSolve {
     bool bounces = false;                                     // a contact was given its rebound
     bool is_idle = false;                                     // sweeps would change nothing
     std::uint32_t landing_end[W > 1 ? color_count : 1] = {};  // of the colours' blocks with contacts that land, in landing()
-
-    BatchSolve* halves = nullptr;  // two, or none: each has some of the contacts, and all bodies (island/halves.hpp)
+    /// Two, or null: together they have all bodies, and the contacts that do not wait. The batch itself has the other constraints (island/halves.hpp).
+    BatchSolve* halves = nullptr;
 
     bool has_halves() const { return W > 1 && detail::has_halves && halves != nullptr; }
     /// Calls work(half) for the batch's halves, if it has any.
@@ -265,6 +265,7 @@ ISLET_NEVER_INLINE void BatchSolve<lanes>::land(const SweepNumbers& dynamic, con
     }
 }
 
+// One sweep over those with a colour.
 template <std::uint32_t lanes>
 void BatchSolve<lanes>::land_colors(const SweepNumbers& dynamic, const SweepNumbers& ground) {
     for (std::uint32_t left = s.plan.colors; left != 0; left &= left - 1) {
@@ -286,6 +287,7 @@ void BatchSolve<lanes>::land_colors(const SweepNumbers& dynamic, const SweepNumb
     }
 }
 
+// Makes the rows of contacts; all bodies of the batch must be gathered.
 template <std::uint32_t lanes>
 void BatchSolve<lanes>::prepare_contacts() {
     const PrepareInput in = s.input();
