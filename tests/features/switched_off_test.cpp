@@ -59,6 +59,13 @@ TEST(PairsOfAll, ACrowdSortedInPartHasTheHashOfOneSortedWhole) {
     EXPECT_EQ(run("islet_without_shortcuts", "--crowd"), whole);
 }
 
+// An engine with lanes takes a short way where two bodies are clearly apart. That of one lane makes each manifold.
+TEST(PairsOfAll, BodiesThatPartHaveOneHashWithAndWithoutLanes) {
+    const std::string whole = run("islet_with_all", "--apart");
+    EXPECT_NE(whole.find("No error."), std::string::npos) << whole;
+    EXPECT_EQ(run("islet_without_shortcuts", "--apart"), whole);
+}
+
 // What the small profile leaves out. The engine of these tests puts back hinges, sliders and rods.
 std::vector<std::string> cut_from_small() {
     constexpr bool small = false, hinges = false, full = true;

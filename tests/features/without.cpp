@@ -6,6 +6,7 @@
 //   without --switch NAME... FILE    sleep and continuous collision are switched off after a second; the world is saved then
 //   without --load FILE              goes on from there
 //   without --crowd                  another world: a crowd of which few move
+//   without --apart                  another world: bodies that part
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -157,6 +158,51 @@ int run_crowd() {
     return 0;
 }
 
+// Pairs of balls and of boxes that part while their fat boxes still meet, after a hook or a one-way shape has taken the points of their contact away; and
+// boxes, balls and capsules side by side whose shapes are up to 1000 km from where their bodies are placed, so that their places are rounded by centimetres.
+// Prints the sum of all steps' hashes.
+int run_apart() {
+    static StaticWorld<Capacity{.bodies = 240, .shapes = 240, .contacts = 2000}> room;
+    World& world = room.create({.gravity = {0, 0}, .enable_sleep = false, .error_hook = note_error});
+    world.set_hooks({.pre_solve = [](PreSolve& contact, void*) { contact.enabled = false; }});
+    constexpr int pairs = 30;
+    ShapeId first[pairs];
+    BodyId bodies[2 * pairs];
+    const auto speed = [](int pair) { return 1.0f + 0.4f * static_cast<float>(pair); };
+    for (int i = 0; i < pairs; ++i) {
+        const Vec2 at = {10 * static_cast<float>(i), 0};
+        const bool asks = i % 2 == 0;  // the hook, and bounces
+        const float v = asks ? speed(i) : 0;
+        bodies[2 * i] = add_body(world, at);
+        bodies[2 * i + 1] = add_body(world, at + Vec2{0.66f, 0.66f}, {v, v});
+        const ShapeDef def{.restitution = 0.5f, .pre_solve = asks};
+        for (const int k : {2 * i + 1, 2 * i})
+            first[i] = i % 4 < 2 ? world.create_shape(bodies[k], Circle{{}, 0.5f}, def) : world.create_shape(bodies[k], make_box(0.4f, 0.4f), def);
+    }
+    for (int i = 0; i < 160; ++i) {
+        const float far = 1000.0f * static_cast<float>(1 << i % 11), place = static_cast<float>(i / 16 * 20), turned = 0.3f * static_cast<float>(i % 5);
+        const Vec2 center = {i % 2 == 0 ? far : -far, i % 3 == 0 ? far : 0.5f * far};
+        const Vec2 at = {place + 1.03f * static_cast<float>(i % 4), 50 + 1.02f * static_cast<float>(i / 4 % 4)};
+        const BodyId body = world.create_body({.type = BodyType::dynamic, .position = at - rotate(make_rot(turned), center), .angle = turned});
+        if (i % 7 < 3) world.create_shape(body, Circle{center, 0.5f});
+        if (i % 7 == 3 || i % 7 == 4) world.create_shape(body, Capsule{center - Vec2{0.25f, 0}, center + Vec2{0.25f, 0}, 0.25f});
+        if (i % 7 > 4) world.create_shape(body, make_offset_box(0.36f, 0.36f, {center, make_rot(0)}));
+    }
+    std::uint64_t sum = 0;
+    for (int step = 0; step < 40; ++step) {
+        for (int i = 1; i < pairs; i += 2) {
+            if (step == 1) world.set_one_way(first[i], {-1, -1});
+            if (step == 1) world.set_linear_velocity(bodies[2 * i], {-speed(i), -speed(i)});
+            if (step == 1) world.set_linear_velocity(bodies[2 * i + 1], {speed(i), speed(i)});
+            if (step == 2) world.set_one_way(first[i], {});
+        }
+        world.step(dt);
+        sum = 31 * sum + world.hash();
+    }
+    std::printf("%016llx %s\n", static_cast<unsigned long long>(sum), describe(first_error));
+    return 0;
+}
+
 /// What a program does between two steps.
 struct Player {
     MoverState hero{.position = {9, 0.5f}};
@@ -180,6 +226,7 @@ int main(int count, char** words) {
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
         if (word == "--crowd") return run_crowd();
+        if (word == "--apart") return run_apart();
         if (word == "--save" || word == "--switch")
             saves = true, switches = word == "--switch";
         else if (word == "--load")

@@ -155,20 +155,28 @@ ISLET_APART MadeFor make_manifold(const Core& core, std::uint32_t index, const A
 }
 
 // True if the circles around two bodies are farther apart than points of a manifold may be, so that `remake` would find none. That is so of many contacts
-// between bodies that pass each other. (The circles are taken a little larger, so that rounding cannot hide a point. What comes fast to a link is looked at
-// again where it may touch. Builds for one lane, which may be small, do without.)
-[[maybe_unused]] ISLET_SHARED bool are_far_apart(const Core& core, const Contact& c, const Pose& a, const Pose& b, const Approach& approach) {
-    const float most = margin_ahead(approach) + linear_slop + (1 + 1e-5f) * (a.max_extent + b.max_extent);
+// between bodies that pass each other. (The circles are taken a little larger, so that rounding cannot hide a point: neither that of the circles, nor that of
+// shapes far from where their bodies are placed. What comes fast to a link is looked at again where it may touch. Builds for one lane, which may be small, do
+// without.)
+[[maybe_unused]] ISLET_SHARED bool are_far_apart(const Core& core, const Contact& c, const ContactManifold& m, const Pose& a, const Pose& b,
+                                                 const Approach& approach) {
+    const Vec2 of_a = core.bodies[m.body_a].local_center, of_b = core.bodies[m.body_b].local_center;
+    const float sizes = a.max_extent + b.max_extent, inexact = 1e-5f * (sizes + abs(of_a.x) + abs(of_a.y) + abs(of_b.x) + abs(of_b.y));
+    const float most = margin_ahead(approach) + linear_slop + sizes + inexact;
     return length_squared(b.center - a.center) > most * most && !(comes_fast(approach) && is_link(core, c));
 }
 
 // Notes that a contact without points has none, as the bodies stand now: what `remake` would note.
 [[maybe_unused]] ISLET_SHARED void note_apart(ContactManifold& m, const Pose& a, const Pose& b) {
+    m.forget_points();
+    m.forget_impulses();
+    m.ids = 0;
+    m.anchors[0] = m.anchors[1] = {0, 0};
     m.offset = b.center - a.center;
     m.rotation_a = a.q;
     m.rotation_b = b.q;
     m.normal = rotate(a.q, {0, 0});  // zeros with the same signs
-    m.flags = (m.flags & ~(contact_ahead | contact_rolls)) | contact_posed;
+    m.flags |= contact_posed;
 }
 
 // Makes the manifold anew. Points whose features the old manifold had keep their impulses.
@@ -271,7 +279,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
         ++kept.manifolds;
         if (max_lanes > 1 && !lags && (m.flags & (asked_flags | contact_special)) == settled_flags) ++kept.settled;
-    } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(core, core.contacts[index], a, b, approach)) {
+    } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(core, core.contacts[index], m, a, b, approach)) {
         note_apart(m, a, b);
     } else {
         if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);
