@@ -137,5 +137,34 @@ TEST_F(Halves, HoldMostContactsAndOnlySuchAsComeBeforeAllThatWait) {
     EXPECT_GT(2 * std::min(in_half[0], in_half[1]), std::max(in_half[0], in_half[1])) << "the halves are no halves";
 }
 
+// A block in which one contact lands is solved again as a whole, so these stand together, also where several workers list the contacts part by part.
+TEST_F(Halves, AndWholeBatchesHaveTheContactsThatLandFirstInEachColor) {
+    for (const std::uint32_t workers : {1u, 2u, 4u}) {
+        Heap heap(12, 0, {in_order, nullptr, workers});
+        std::uint32_t landing = 0, after_others = 0;
+        for (int step = 0; step < 150; ++step) {
+            heap.w.step();
+            const detail::Core& core = detail::Core::of(*heap.w);
+            if (!keeps_plan(*heap.w)) continue;
+            const detail::Plan& plan = *core.kept.plan;
+            for (std::uint32_t b = 1; b < plan.batch_count + plan.half_count(); ++b) {
+                for (std::uint32_t c = 0; c < detail::color_count; ++c) {
+                    bool others = false;
+                    for (std::uint32_t row = plan.batches[b].first_block[c] * core.block_lanes(); row < plan.batches[b].first_block[c + 1] * core.block_lanes();
+                         ++row) {
+                        if (plan.contacts[row] == detail::no_plan_index) continue;
+                        const bool lands = (core.manifolds[plan.contacts[row]].flags & detail::contact_ahead) != 0;
+                        landing += lands ? 1 : 0;
+                        after_others += lands && others ? 1 : 0;
+                        others = others || !lands;
+                    }
+                }
+            }
+        }
+        EXPECT_GT(landing, 300u) << "hardly anything lands: this test shows nothing";
+        EXPECT_EQ(after_others, 0u) << workers << " workers";
+    }
+}
+
 }  // namespace
 }  // namespace islet::test

@@ -314,15 +314,16 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
                              align_up(place_capacity(c) * batch_bytes) + align_up(row_capacity(c) * place_bytes) + align_up(joint_row_capacity(c) * 4) +
                              align_up(joint_run_capacity(c) * joint_run_bytes) + align_up(tree_capacity(c) * std::size_t{8}) +
                              align_up(tree_capacity(c) * std::size_t{4});
-    const std::size_t kinds = plan_parts(c) + (c.joints != 0 ? joint_kernel_count : 0);
-    const std::size_t tables = std::size_t{place_capacity(c)} * (color_count + 1) * kinds * 4 + 5 * line_bytes;
+    const std::size_t contact_tables = plan_parts(c) == 1 ? 1 : 2 * plan_parts(c);  // those that land are counted by themselves
+    const std::size_t kinds = contact_tables + (c.joints != 0 ? joint_kernel_count : 0);
+    const std::size_t tables = std::size_t{place_capacity(c)} * (color_count + 1) * kinds * 4 + 6 * line_bytes;
     const std::size_t trees = c.joints == 0 ? 0 : bodies * 16 + tree_capacity(c) * 8 + 4 * line_bytes;
     const std::size_t planning = bodies * 4 * 4 + words_for(c.bodies) * 8 + (std::size_t{c.contacts} + c.joints) * 16 + 6 * line_bytes + max_of(tables, trees);
     const std::size_t rows = align_up(bodies * solver_motion_bytes) + align_up(row_capacity(c) * row_bytes) + line_bytes +
                              align_up(joint_row_capacity(c) * joint_row_bytes) + joint_run_capacity(c) * line_bytes +
                              align_up(tree_capacity(c) * tree_link_bytes) +
                              (layout_lanes > 1 ? align_up(row_capacity(c) / 4 * place_bytes) : 0);  // of blocks that land
-    const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 12 + words_for(c.joints) * 8 + c.shapes + 6 * line_bytes;
+    const std::size_t finish = bodies * (4 + 4) + words_for(c.bodies + 1) * 4 + words_for(c.joints) * 8 + 4 * line_bytes;
     const std::size_t weighing = bodies * 8 + c.contacts * std::size_t{16} + 2 * line_bytes;
     const std::size_t stays = plan + align_up(bodies * solver_body_bytes) + align_up(bodies * tuned_bytes) + align_up(c.contacts * hit_bytes);
     const std::size_t late = lent ? 0 : late_bytes(c);

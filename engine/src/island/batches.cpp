@@ -127,12 +127,16 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
     const std::uint32_t lanes = core.block_lanes();
     const std::uint32_t batches = plan.batch_count + plan.half_count();
     const std::size_t part_size = std::size_t{batches} * places;
-    std::uint32_t* next =
-        temporary.take<std::uint32_t>(part_size * list.parts());  // by part and place: how many there are; once laid out, the next one's index
+    // By part and place: how many contacts there are; once laid out, the next one's index. Those that land come before the others of their place: one part goes
+    // through its contacts twice, and several parts count them by themselves, too.
+    const auto take_counts = [&] { return temporary.take<std::uint32_t>(part_size * list.parts()); };
+    std::uint32_t* const next = take_counts();
+    std::uint32_t* const next_landing = list.parts() > 1 && list.any_lands() ? take_counts() : next;
     for_ranges(core, list.parts(), 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t p = first; p < end; ++p) {
-            std::uint32_t* count = next + p * part_size;
+            std::uint32_t *const count = next + p * part_size, *const count_landing = next_landing + p * part_size;
             std::memset(count, 0, part_size * 4);
+            if (count_landing != count) std::memset(count_landing, 0, part_size * 4);
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
                 PlannedConstraint& c = list.contacts[k];
                 const std::uint32_t color = c.color & 0xffu, lands = c.color & listed_landing;
@@ -140,7 +144,7 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
                 const std::uint32_t batch = half == 0 ? batch_of(c) : plan.batch_count + half - 1;
                 const std::uint32_t place = batch * places + (color == no_color ? color_count : color);
                 c.place = place | lands;
-                ++count[place];
+                ++(lands != 0 ? count_landing : count)[place];
             }
         }
     });
@@ -150,6 +154,7 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
     std::uint32_t colors = 0;  // that contacts may have
     for (std::uint32_t p = 0; p < list.parts(); ++p) colors |= list.colors[p];
     const auto lay_out_parts = [&](std::size_t place, std::uint32_t start) {
+        for (std::uint32_t p = 0; next_landing != next && p < list.parts(); ++p) start = lay_out(next_landing[p * part_size + place], start);
         for (std::uint32_t p = 0; p < list.parts(); ++p) start = lay_out(next[p * part_size + place], start);
         return start;
     };
@@ -179,12 +184,10 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
     PlanIndex* const overflows = plan.contacts + std::size_t{block} * lanes;
     for_ranges(core, list.parts(), 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t p = first; p < end; ++p) {
-            std::uint32_t* at = next + p * part_size;
-            if (list.lands[p]) {
-                for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
-                    const PlannedConstraint& c = list.contacts[k];
-                    if ((c.place & listed_landing) != 0) plan.contacts[at[c.place & ~listed_landing]++] = static_cast<PlanIndex>(c.index);
-                }
+            std::uint32_t *const at = next + p * part_size, *const at_landing = next_landing + p * part_size;
+            for (std::uint32_t k = list.first[p]; list.lands[p] && k < list.end[p]; ++k) {
+                const PlannedConstraint& c = list.contacts[k];
+                if ((c.place & listed_landing) != 0) plan.contacts[at_landing[c.place & ~listed_landing]++] = static_cast<PlanIndex>(c.index);
             }
             for (std::uint32_t k = list.first[p]; k < list.end[p]; ++k) {
                 const PlannedConstraint& c = list.contacts[k];

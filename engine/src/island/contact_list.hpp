@@ -36,6 +36,11 @@ struct ContactList {
     bool lands[max_plan_parts] = {};            // whether any of the part does
 
     std::uint32_t parts() const { return has_threads ? parts_with_threads : 1; }
+    bool any_lands() const {
+        for (std::uint32_t p = 0; p < parts(); ++p)
+            if (lands[p]) return true;
+        return false;
+    }
     std::uint32_t first_word(std::uint32_t part) const { return part == 0 ? 0 : end_word[part - 1]; }
 
     /// Cuts the awake contacts into at most `most` parts, each with about as many as the others.
