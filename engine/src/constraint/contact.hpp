@@ -324,14 +324,17 @@ void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, 
         if (most == 0) return;
         SweepLanes<L> sweep(numbers);
         if (numbers.shares) sweep.share(r);
+        const bool biased = is_positive(numbers.bias_rate);
         auto mask = L::load(lands) > L::splat(0.0f);
+        ContactBlock<L> s(bodies, r);
+        const BodyPair<L> before = s;
+        const bool all_pushed = L::positive(min(s.ma, s.mb)) == (1u << W) - 1;
         for (std::uint32_t pass = 0; pass < most && L::bits(mask) != 0; ++pass) {
-            // Bodies are read anew in each pass: if an impulse overflows, the speed of a static body becomes NaN, which is not kept.
-            ContactBlock<L> s(bodies, r);
-            solve_rows<L>(s, r, sweep, numbers.bias_rate > 0, MaskedLanes<decltype(mask)>{mask});
-            s.scatter(bodies, r.body_a, r.body_b);
+            solve_rows<L>(s, r, sweep, biased, MaskedLanes<decltype(mask)>{mask});
+            if (!all_pushed) s.keep_unpushed(before);
             mask = mask & has_changed<L>(s, r);
         }
+        s.scatter(bodies, r.body_a, r.body_b);
     }
 }
 

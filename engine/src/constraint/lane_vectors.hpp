@@ -139,6 +139,14 @@ struct BodyPair {
         const F out_b[4] = {vb.x, vb.y, wb, mb};
         scatter_pushed<L, 0>(bodies, body_a, body_b, ma, mb, out_a, out_b);
     }
+    /// Gives bodies that cannot be pushed the velocities that they had before: if an impulse has overflowed, they may be NaN.
+    ISLET_PART void keep_unpushed(const BodyPair& before) {
+        const F zero = L::splat(0.0f);
+        va = {select(ma > zero, va.x, before.va.x), select(ma > zero, va.y, before.va.y)};
+        vb = {select(mb > zero, vb.x, before.vb.x), select(mb > zero, vb.y, before.vb.y)};
+        wa = select(ma > zero, wa, before.wa);
+        wb = select(mb > zero, wb, before.wb);
+    }
     /// Adds what warm starting does to the velocities: an impulse on B and its opposite on A, and an angular impulse on each, A turned against its own. (Before
     /// the first substep the words of dp and dq hold warm_v and warm_w.)
     template <class Slot>
