@@ -52,7 +52,7 @@ float room_in(const Aabb& outer, const Aabb& inner) {
     return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
 }
 
-void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed, std::uint32_t newest) {
+void fit_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t* marked, std::uint32_t newest) {
     const bool is_static = core.bodies[body].type() == BodyType::static_body;
     const Transform t = body_transform(core, body);
     float slack = newest == every_shape ? 3.0e38f : core.motions[body].slack;
@@ -66,11 +66,7 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed, std::u
             const bool is_new = force || fat.lower.x > fat.upper.x;  // otherwise the shape keeps its margin
             if (is_new) shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
             fat = expand(tight, shape.margin);
-        }
-        if (changed != nullptr) {
-            changed[s] = leaves;
-        } else if (leaves) {
-            mark_moved(core, s);
+            mark_moved(core, s, marked);
         }
         slack = min(slack, room_in(fat, tight));
     }
@@ -78,11 +74,6 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed, std::u
 }
 
 void update_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t newest) { fit_boxes(core, body, force, nullptr, newest); }
-
-void mark_changed(Core& core, std::uint32_t body, const bool* changed) {
-    for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next)
-        if (changed[s]) mark_moved(core, s);
-}
 
 namespace {
 

@@ -26,10 +26,8 @@ float room_in(const Aabb& outer, const Aabb& inner);
 inline bool is_beyond(Vec2 center) { return max(abs(center.x), abs(center.y)) > max_position; }
 /// Updates the body's fat boxes, marks those that changed, and sets the slack. Unless `force` is set, a shape keeps a fat box that still holds it.
 void update_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t newest = every_shape);
-/// The same, but if `changed` is given, writes to it, by shape, whether the box changed, instead of marking it. Marks are shared, so if bodies are moved in
-/// parallel, mark_changed marks their boxes afterwards.
-void fit_boxes(Core& core, std::uint32_t body, bool force, bool* changed, std::uint32_t newest = every_shape);
-void mark_changed(Core& core, std::uint32_t body, const bool* changed);
+/// The same; several threads at once give a count of what they mark (mark_moved).
+void fit_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t* marked, std::uint32_t newest = every_shape);
 /// Takes mass, centre and inertia from the shapes. The material keeps its velocity. Updates the extents, too.
 void update_mass(Core& core, std::uint32_t body, std::uint32_t newest = every_shape);
 /// Sets the mass data and all that follows from it. Call update_boxes afterwards: a new centre changes how the body's position is rounded.

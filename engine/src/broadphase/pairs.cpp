@@ -168,12 +168,9 @@ bool note_all_fast(Core& core, float dt) {
             awake.for_each_in(first, end, [&](std::uint32_t body) {
                 if (!note_fast(core, body, dt)) return;
                 if ((core.poses[body].flags & pose_far) != 0) ++far_here;
-                for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
-                    core.poses[body].flags |= pose_moved;
-                    if (!set_at_once(core.moved_shapes, s)) ++marked;
-                }
+                for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) mark_moved(core, s, &marked);
             });
-            if (marked != 0) __atomic_fetch_add(&core.state->moved_count, marked, __ATOMIC_RELAXED);
+            add_marked(core, marked);
             if (far_here != 0) __atomic_fetch_add(&far_bodies, far_here, __ATOMIC_RELAXED);
         });
         return far_bodies != 0;
@@ -348,11 +345,26 @@ void look_ahead(Core& core, std::uint32_t body, float dt) {
 
 }  // namespace
 
-void mark_moved(Core& core, std::uint32_t shape) {
+void mark_moved(Core& core, std::uint32_t shape, [[maybe_unused]] std::uint32_t* marked) {
     core.poses[core.shapes[shape].body].flags |= pose_moved;
+#if ISLET_SHARES_WORDS
+    if (marked != nullptr) {
+        if (!set_at_once(core.moved_shapes, shape)) ++*marked;
+        return;
+    }
+#endif
     if (core.moved_shapes.test(shape)) return;
     core.moved_shapes.set(shape);
     ++core.state->moved_count;
+}
+
+void add_marked(Core& core, std::uint32_t marked) {
+    if (marked == 0) return;
+#if ISLET_SHARES_WORDS
+    __atomic_fetch_add(&core.state->moved_count, marked, __ATOMIC_RELAXED);
+#else
+    core.state->moved_count += marked;
+#endif
 }
 
 bool may_meet(const Core& core, std::uint32_t body_a, const Aabb& box_a, std::uint32_t body_b, const Aabb& box_b, float dt) {

@@ -65,7 +65,9 @@ bool may_meet(const Core& core, std::uint32_t body_a, const Aabb& box_a, std::ui
 /// m. A fast body is alone (pose_alone) if nothing at rest is so near to its shapes. While it goes no farther, it cannot pass through anything at rest.
 inline float surroundings(const Pose& pose) { return 4.0f * pose.max_extent; }
 
-/// Marks a shape's fat box as changed.
-void mark_moved(Core& core, std::uint32_t shape);
+/// Marks a shape's fat box as changed. Threads that mark shapes at once, each those of its own bodies, count in `marked` what they have marked, and add it in
+/// the end (add_marked).
+void mark_moved(Core& core, std::uint32_t shape, std::uint32_t* marked = nullptr);
+void add_marked(Core& core, std::uint32_t marked);
 
 }  // namespace islet::detail

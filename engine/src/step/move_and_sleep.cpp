@@ -20,8 +20,8 @@ inline constexpr std::uint32_t finish_grain = 4;  // words of 64 bodies that are
 inline constexpr float unmoved = 1.25e-7f;        // of a position, and of 1 m: what a kinematic body that stands still may move by in a step
 
 // Updates the body's pose and fat boxes after its way. Most bodies cannot have left a fat box, because their slack says how far they may go before they could.
-// Returns true if the boxes were checked; `changed`, if given, then says which shapes have new ones.
-bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* changed) {
+// Several threads at once give a count of the shapes that they mark as moved.
+void move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, std::uint32_t* marked) {
     Pose& pose = core.poses[i];
     Motion& motion = core.motions[i];
     Body& body = core.bodies[i];
@@ -38,40 +38,29 @@ bool move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, bool* cha
     body.origin = pose.center - rotate(pose.q, body.local_center);
 
     motion.slack -= moved;
-    const bool looks = motion.slack < 0;
-    if (looks) fit_boxes(core, i, false, changed);
+    if (motion.slack < 0) fit_boxes(core, i, false, marked);
 
     // The way counts for sleep too, so bodies that are being pushed apart stay awake. A kinematic body rests while it does not move at all.
     const float speed = max(speed_of(core, i), 0.5f * moved / dt);
     const bool still = core.is_dynamic(i) || moved <= unmoved * (1 + abs(pose.center.x) + abs(pose.center.y));
     const bool resting = speed <= body.sleep_threshold && still && (body.flags & body_may_sleep) != 0;
     motion.sleep_time = resting ? motion.sleep_time + dt : 0;
-    return looks;
 }
 
 // Moves all bodies. `rested` gets, by slot, how long each body has been at rest, s.
-void move_bodies(Core& core, const Plan& plan, SolverBody* bodies, float* rested, Arena arena, float dt) {
-    if (!has_workers(core)) {
-        for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
-            const std::uint32_t body = plan.body_of[slot];
-            move_body(core, body, bodies[slot], dt, nullptr);
-            rested[slot] = core.motions[body].sleep_time;
-        }
-        return;
-    }
+void move_bodies(Core& core, const Plan& plan, SolverBody* bodies, float* rested, float dt) {
     const auto words = static_cast<std::uint32_t>(words_for(plan.slot_count));
-    const BitSet looked{arena.take<std::uint64_t>(words), words};  // by slot
-    bool* changed = arena.take<bool>(core.state->shape_pool.high_water);
-    for_ranges(core, words, finish_grain, [&](std::uint32_t first, std::uint32_t end) {
+    const bool shares = ISLET_SHARES_WORDS != 0 && has_workers(core);
+    for_ranges(core, words, shares ? finish_grain : words, [&](std::uint32_t first, std::uint32_t end) {
+        std::uint32_t marked = 0;
         const std::uint32_t end_slot = 64 * end < plan.slot_count ? 64 * end : plan.slot_count;
-        for (std::uint32_t w = first; w < end; ++w) looked.words[w] = 0;
         for (std::uint32_t slot = first == 0 ? 1 : 64 * first; slot < end_slot; ++slot) {
             const std::uint32_t body = plan.body_of[slot];
-            if (move_body(core, body, bodies[slot], dt, changed)) looked.set(slot);
+            move_body(core, body, bodies[slot], dt, shares ? &marked : nullptr);
             rested[slot] = core.motions[body].sleep_time;
         }
+        add_marked(core, marked);
     });
-    looked.for_each([&](std::uint32_t slot) { mark_changed(core, plan.body_of[slot], changed); });
 }
 
 // Reports the bodies that moved, in the order of their slots in the pool.
@@ -99,7 +88,7 @@ void report_moved(Core& core, Arena arena) {
 
 void finish_bodies(Core& core, const Plan& plan, SolverBody* bodies, Arena& arena, float dt) {
     float* rested = arena.take<float>(plan.slot_count);
-    move_bodies(core, plan, bodies, rested, arena, dt);
+    move_bodies(core, plan, bodies, rested, dt);
     if (has_bullets && is_continuous(core) && core.state->bullet_count != 0) stop_bullets(core, plan.body_of, plan.slot_count, bodies);
     report_moved(core, arena);
     if (!has_sleep || core.state->enable_sleep == 0 || !sleep_islands(core, plan, rested, arena, dt)) return;
