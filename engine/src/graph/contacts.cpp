@@ -15,7 +15,8 @@ namespace islet::detail {
 
 namespace {
 
-inline constexpr float shared_normal = 0.9f;  // cosine of the angle up to which two normals count as one
+inline constexpr float shared_normal = 0.9f;        // cosine of the angle up to which two normals count as one
+inline constexpr std::uint32_t most_compared = 16;  // contacts of two bodies, the newest, with which each is compared; more than four that share count as four
 
 const Geometry& geometry_of_shape(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
 std::uint32_t rank(const Core& core, std::uint32_t shape) { return rank_of(geometry_of_shape(core, shape)); }
@@ -126,9 +127,14 @@ void count_sharers(Core& core, std::uint32_t contact) {
             if (m.body_a == body_b && m.body_b == body_a) visit(m, -m.normal);
         });
     };
+    Vec2 normals[most_compared];
+    std::uint32_t compared = 0;
+    for_each_between([&](const ContactManifold&, Vec2 normal) {
+        if (compared < most_compared) normals[compared++] = normal;
+    });
     for_each_between([&](ContactManifold& m, Vec2 normal) {
         std::uint32_t sharers = 0;
-        for_each_between([&](const ContactManifold&, Vec2 of_other) { sharers += dot(normal, of_other) > shared_normal ? 1 : 0; });
+        for (std::uint32_t k = 0; k < compared; ++k) sharers += dot(normal, normals[k]) > shared_normal ? 1 : 0;
         m.set_sharers(sharers);
         if (m.sharers() > 1) core.state->asked |= asked_sharing;
     });

@@ -63,7 +63,7 @@ bool is_worth_halves(const Core& core, const Plan& plan, std::uint32_t batch) {
     if (worker_count(core) != 2 || core.block_lanes() == 1 || is_ordered(solver) || has_shock(solver) || measures_residual(solver)) return false;
     const std::uint32_t bodies = plan.batches[batch].body_count;
     const std::size_t rows = std::size_t{plan.touching_count} + std::size_t{plan.batch_count + 2} * color_count * core.block_lanes();
-    return bodies >= halved_bodies && 2 * bodies >= plan.slot_count && plan.touching_count >= halved_contacts && rows <= row_capacity(core.capacity);
+    return bodies >= halved_bodies && 4 * bodies >= plan.slot_count && plan.touching_count >= halved_contacts && rows <= row_capacity(core.capacity);
 }
 
 }  // namespace
