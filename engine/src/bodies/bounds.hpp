@@ -26,7 +26,7 @@ float room_in(const Aabb& outer, const Aabb& inner);
 inline bool is_beyond(Vec2 center) { return max(abs(center.x), abs(center.y)) > max_position; }
 /// Updates the body's fat boxes, marks those that changed, and sets the slack. Unless `force` is set, a shape keeps a fat box that still holds it.
 void update_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t newest = every_shape);
-/// The same; several threads at once give a count of what they mark (mark_moved).
+/// The same. Threads that call it at once each pass a counter, which goes up by the shapes that were marked (mark_moved).
 void fit_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t* marked, std::uint32_t newest = every_shape);
 /// Takes mass, centre and inertia from the shapes. The material keeps its velocity. Updates the extents, too.
 void update_mass(Core& core, std::uint32_t body, std::uint32_t newest = every_shape);

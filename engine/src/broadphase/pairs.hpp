@@ -65,8 +65,8 @@ bool may_meet(const Core& core, std::uint32_t body_a, const Aabb& box_a, std::ui
 /// m. A fast body is alone (pose_alone) if nothing at rest is so near to its shapes. While it goes no farther, it cannot pass through anything at rest.
 inline float surroundings(const Pose& pose) { return 4.0f * pose.max_extent; }
 
-/// Marks a shape's fat box as changed. Threads that mark shapes at once, each those of its own bodies, count in `marked` what they have marked, and add it in
-/// the end (add_marked).
+/// Marks a shape's fat box as changed. If several threads mark shapes at once (ISLET_SHARES_WORDS), each those of its own bodies, each passes a counter
+/// `marked`, and adds it with add_marked when it is done.
 void mark_moved(Core& core, std::uint32_t shape, std::uint32_t* marked = nullptr);
 void add_marked(Core& core, std::uint32_t marked);
 

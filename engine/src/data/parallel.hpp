@@ -1,7 +1,8 @@
 // Cutting a stage of the step into ranges for the user's task system.
 //
 // Nothing may depend on who runs which range, nor on their order: a range writes to what is its own alone (its bodies, its contacts, its words of a bit
-// set, its slot of an array), and what changes shared state is committed afterwards, in index order, by the thread that steps the world.
+// set, its slot of an array), and what changes shared state is committed afterwards, in index order, by the thread that steps the world. Where workers can
+// change a word at once, a range may also set bits, add counts and take least values in shared words, whose order decides nothing.
 #pragma once
 
 #include "../data/core.hpp"

@@ -43,8 +43,8 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2);
 /// Removes a contact and its colour. If it touched, an end event is recorded.
 void destroy_contact(Core& core, std::uint32_t contact);
 
-/// Counts in how many contacts with nearly the same normal two moving bodies touch, and notes it in these. Call it after one of them, `contact`, began or
-/// ended to touch.
+/// Counts in how many contacts with nearly the same normal (of the 16 newest) two moving bodies touch, and notes it in all. Call it after one of them,
+/// `contact`, began or ended to touch.
 void count_sharers(Core& core, std::uint32_t contact);
 
 /// Mixes the two shapes' materials: friction, and whether restitution, rolling resistance or a tangent speed act. Changes of the pre_solve hook are lost.

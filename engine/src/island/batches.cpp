@@ -127,8 +127,8 @@ void plan_contacts(const Core& core, Plan& plan, const ContactList& list, BatchO
     const std::uint32_t lanes = core.block_lanes();
     const std::uint32_t batches = plan.batch_count + plan.half_count();
     const std::size_t part_size = std::size_t{batches} * places;
-    // By part and place: how many contacts there are; once laid out, the next one's index. Those that land come before the others of their place: one part goes
-    // through its contacts twice, and several parts count them by themselves, too.
+    // By part and place: how many contacts there are; once laid out, the next one's index. Those that land come before the others of their place: each part is
+    // placed in two passes, and where there are several, those that land are counted apart, because those of all parts come first.
     const auto take_counts = [&] { return temporary.take<std::uint32_t>(part_size * list.parts()); };
     std::uint32_t* const next = take_counts();
     std::uint32_t* const next_landing = list.parts() > 1 && list.any_lands() ? take_counts() : next;

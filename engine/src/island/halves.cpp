@@ -77,13 +77,11 @@ BodyHalves cut_in_halves(const Core& core, Plan& plan, const Islands& found, Are
     float along[2][sampled_bodies];
     std::uint32_t sampled = 0, to_pass = 0;
     awake.for_each([&](std::uint32_t body) {
-        if (to_pass-- != 0 || sampled == sampled_bodies) return;
-        to_pass = plan.slot_count / sampled_bodies;
-        if (!is_in_batch(body)) return;
+        if (sampled == sampled_bodies || !is_in_batch(body) || to_pass-- != 0) return;
+        to_pass = plan.batches[batch].body_count / sampled_bodies;
         along[0][sampled] = core.poses[body].center.x;
         along[1][sampled++] = core.poses[body].center.y;
     });
-    if (sampled < sampled_bodies / 4) return {};
     for (float* axis : {along[0], along[1]}) sort_by_gaps(axis, sampled, [](float x, float y) { return x < y; });
     const auto spread = [&](const float* axis) { return axis[sampled - 1 - sampled / 16] - axis[sampled / 16]; };
     const bool cut_across_x = spread(along[0]) >= spread(along[1]);

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t finish_grain = 4;  // words of 64 bodies that are
 inline constexpr float unmoved = 1.25e-7f;        // of a position, and of 1 m: what a kinematic body that stands still may move by in a step
 
 // Updates the body's pose and fat boxes after its way. Most bodies cannot have left a fat box, because their slack says how far they may go before they could.
-// Several threads at once give a count of the shapes that they mark as moved.
+// Threads that call it at once each pass a counter, which goes up by the shapes that were marked as moved.
 void move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, std::uint32_t* marked) {
     Pose& pose = core.poses[i];
     Motion& motion = core.motions[i];
@@ -47,7 +47,7 @@ void move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, std::uint
     motion.sleep_time = resting ? motion.sleep_time + dt : 0;
 }
 
-// Moves all bodies. `rested` gets, by slot, how long each body has been at rest, s.
+// Moves all bodies; by one thread if workers cannot mark shapes at once. `rested` gets, by slot, how long each body has been at rest, s.
 void move_bodies(Core& core, const Plan& plan, SolverBody* bodies, float* rested, float dt) {
     const auto words = static_cast<std::uint32_t>(words_for(plan.slot_count));
     const bool shares = ISLET_SHARES_WORDS != 0 && has_workers(core);
