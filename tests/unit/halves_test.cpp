@@ -155,7 +155,7 @@ TEST_F(Halves, AndWholeBatchesHaveTheContactsThatLandFirstInEachColor) {
             heap.w.step();
             if (!keeps_plan(*heap.w)) continue;
             const detail::Plan& plan = *core.kept.plan;
-            for (std::uint32_t b = 1; b < plan.batch_count + plan.half_count(); ++b) {
+            for (std::uint32_t b = 0; b < plan.batch_count + plan.half_count(); ++b) {  // the bar is in batch 0
                 for (std::uint32_t c = 0; c < detail::color_count; ++c) {
                     bool others = false;
                     for (std::uint32_t row = plan.batches[b].first_block[c] * core.block_lanes(); row < plan.batches[b].first_block[c + 1] * core.block_lanes();

@@ -16,7 +16,7 @@ namespace islet::detail {
 namespace {
 
 inline constexpr float shared_normal = 0.9f;        // cosine of the angle up to which two normals count as one
-inline constexpr std::uint32_t most_compared = 16;  // of the contacts of two bodies, the newest: each is compared with these (four share, or more)
+inline constexpr std::uint32_t most_compared = 16;  // contacts of two bodies, the newest: each is compared with these; more than four count as four
 
 const Geometry& geometry_of_shape(const Core& core, std::uint32_t shape) { return core.geometries[core.shapes[shape].geometry]; }
 std::uint32_t rank(const Core& core, std::uint32_t shape) { return rank_of(geometry_of_shape(core, shape)); }
