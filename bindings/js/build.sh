@@ -24,7 +24,7 @@ touch "$work/began"
 "$here/generate.py" "$work/made"
 
 # Where most of a step's time goes is compiled for speed, the rest for size and at the link. Without SIMD all is for size, without the faster paths of fast bodies.
-hot='/src/(solver/(kernel_scalar|solver|joint_solve|tree_solve)|broadphase/(pairs|moving_shapes|tree)|step/(contact_update|move_and_sleep|sleep_islands)|island/batches|collide/box|bodies/bounds)\.cpp'
+hot='/src/(solver/(kernel_scalar|solver|joint_solve|tree_solve)|broadphase/(pairs|moving_shapes|tree)|step/(contact_update|move_and_sleep|sleep_islands)|island/batches|collide/box|bodies/bounds|math/(vector|trig))\.cpp'
 for_speed='-O2 -fno-vectorize -fno-slp-vectorize'
 sources=$(find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx*.cpp' | sort)
 grep -E "$hot" <<<"$sources" | as_one "$work/hot.cpp"

@@ -245,7 +245,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     ContactManifold& m = core.manifolds[index];
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
-    if (!short_loops && looks_settled && ((a.flags | b.flags) & pose_moved) == 0 && is_settled(m, a, b)) {
+    if (!short_loops && looks_settled && ((a.flags | b.flags) & pose_moved) == 0 && is_settled(core.motions, m, a, b)) {
         loads.follow(m);
         ++kept.manifolds;
         const bool sunk = is_continuous(core) && has_sunk(core, m);
@@ -274,11 +274,12 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     const bool fast = ((a.flags | b.flags) & pose_fast) != 0 && (calm || has_floor(a, b));
     Approach approach;
     if (fast && m.count() == 0) approach = approach_to(core, m, dt, fall);
-    const bool lags = abs(inv_mul(m.rotation_a, a.q).s) > least_lag;
+    const bool lags = abs(inv_mul(m.rotation_a, a.q).s) > least_lag && turn_together(core.motions[m.body_a].w, core.motions[m.body_b].w, has_floor(a, b));
     if (may_recycle(m) && m.count() != 0) turn_along(core, m, a, b);
     if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
         ++kept.manifolds;
-        if (max_lanes > 1 && !lags && (m.flags & (asked_flags | contact_special)) == settled_flags) ++kept.settled;
+        const std::uint32_t asked = m.flags & (asked_flags | contact_special);
+        if (max_lanes > 1 && (m.count() == 0 ? !fast && asked == apart_flags : !lags && asked == settled_flags)) ++kept.settled;
     } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(core, core.contacts[index], m, a, b, approach)) {
         note_apart(m, a, b);
     } else {
@@ -357,7 +358,7 @@ void commit(Core& core, std::uint32_t index, BitSet to_wake) {
 // Keeps the settled contacts of a word of awake ones, W at a time, and counts them. Returns the bits of the others.
 template <std::uint32_t W>
 std::uint64_t keep_settled_of(const Core& core, std::uint32_t word, LoadRate rate, KeptCount& kept) {
-    const ContactsToKeep in{core.manifolds, core.contacts, core.poses, core.boxes, widest_box, rate, is_continuous(core)};
+    const ContactsToKeep in{core.manifolds, core.contacts, core.poses, core.motions, core.boxes, widest_box, rate, is_continuous(core)};
     std::uint64_t bits = core.awake_contacts.words[word], others = 0;
     while (bits != 0) {
         std::uint32_t contact[W], count = 0;

@@ -26,9 +26,7 @@ inline constexpr float contact_load_rate = 0.07f;            // 1/s, at which th
 inline constexpr float worth_learning = 0.4f * linear_slop;  // m; a contact that would rise by less learns its load slowly
 inline constexpr float learning_tilt = 0.01f;                // sine of the angle between gravity and the normal of a face that learns, at most
 inline constexpr float learning_friction = 0.5f;             // its friction, as a share of its load, at most
-inline constexpr float turn_rate = 0.015f;                   // rad/s of bodies with which a manifold turns: at a body that is not dynamic
-inline constexpr float level_turn_rate = 0.05f;              // of two bodies that meet with one level face; card houses fall if it is less
-inline constexpr float wedged_turn_rate = 0.15f;             // of all others
+inline constexpr float wedged_turn_rate = 0.15f;             // rad/s of bodies with which a manifold turns that do not meet with one level face
 inline constexpr float held_turn = 0.09f;                    // of what is between others, as a share of sqrt(g / size); arches fold if it is less
 inline constexpr float bearing_share = 0.1f;                 // of the impulse at the other point: if a point bears less, that face is none
 inline constexpr float most_creep = 15.0f * linear_slop;     // m that faces of what is between others may slip before a manifold is made anew
@@ -107,17 +105,21 @@ ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const P
 // True if neither body has turned far since the manifold was made.
 ISLET_PART bool have_turned_little(Rot turn_a, Rot turn_b) { return !(min(turn_a.c, turn_b.c) < 0 || max(abs(turn_a.s), abs(turn_b.s)) > recycle_turn); }
 
+// True if the manifold may turn with two bodies that turn at these rates, rad/s, if it lags. `floor`: one of them is not dynamic.
+ISLET_PART bool turn_together(float wa, float wb, bool floor) { return wa * wb > 0 && min(abs(wa), abs(wb)) > (floor ? turn_rate : level_turn_rate); }
+
 // Turns the manifold, with all that it holds of how the bodies stood, as far as the bodies have turned together. (It then lags by half a step in the mean.
 // Turned ahead by that much, it would keep the spin of two bodies that are pressed together; but pressed hard, they would gain spin.)
 ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a, const Pose& b) {
     const Rot turn = inv_mul(m.rotation_a, a.q);
     if (abs(turn.s) <= least_lag) return;
     const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, slower = min(abs(wa), abs(wb));
+    const bool floor = has_floor(a, b);
+    if (!turn_together(wa, wb, floor)) return;
     const Vec2 gravity = core.state->gravity;
     const bool level =
         m.count() == 2 && m.sharers() == 1 && abs(cross(m.normal, gravity)) <= level_face * abs(dot(m.normal, gravity)) && abs(wa - wb) < turn_alike * slower;
-    const bool floor = has_floor(a, b);
-    if (!(wa * wb > 0) || !(slower > (floor ? turn_rate : level ? level_turn_rate : wedged_turn_rate))) return;
+    if (!floor && !level && !(slower > wedged_turn_rate)) return;
     const float p = m.normal_impulse[0], q = m.normal_impulse[1];
     const bool on_face = level && min(p, q) > bearing_share * max(p, q);
     const float pace = sqrt(length(gravity) / min(a.max_extent, b.max_extent));
@@ -133,18 +135,21 @@ ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a
 /// True if the manifold was made for where the bodies stood.
 ISLET_PART bool may_recycle(const ContactManifold& m) { return (m.flags & (contact_posed | contact_ahead | contact_rolls)) == contact_posed; }
 
+// True if two bodies whose contact has no points have not come so much nearer that it could get some: the bound of the relative motion of any two of their
+// points stays well within the speculative distance.
+ISLET_PART bool stay_apart(const ContactManifold& m, const Pose& a, const Pose& b, Rot turn_a, Rot turn_b) {
+    const Vec2 shift = b.center - a.center - m.offset;
+    const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
+    return reach > 0 && length_squared(shift) < reach * reach;
+}
+
 inline bool can_recycle(const Core& core, const ContactManifold& m, const Pose& a, const Pose& b) {
     if (!may_recycle(m)) return false;
     const Rot turn_a = inv_mul(m.rotation_a, a.q);
     const Rot turn_b = inv_mul(m.rotation_b, b.q);
     if (!have_turned_little(turn_a, turn_b)) return false;
     const std::uint32_t count = m.count();
-    if (count == 0) {
-        // Nothing touches yet. The bound of the relative motion of any two points must stay well within the speculative distance.
-        const Vec2 shift = b.center - a.center - m.offset;
-        const float reach = 0.5f * speculative_distance - a.max_extent * abs(turn_a.s) - b.max_extent * abs(turn_b.s);
-        return reach > 0 && length_squared(shift) < reach * reach;
-    }
+    if (count == 0) return stay_apart(m, a, b, turn_a, turn_b);
     // With two points the manifold has all that there are; with one, others may come near.
     float most = recycle_distance;
     for (bool creeps = false;; creeps = true) {
@@ -157,16 +162,20 @@ inline bool can_recycle(const Core& core, const ContactManifold& m, const Pose& 
 
 // True if nothing but how the bodies have moved can keep the contact from being settled.
 ISLET_PART bool may_be_settled(const ContactManifold& m, const Pose& a, const Pose& b) {
-    return (m.flags & asked_flags) == settled_flags && ((a.flags | b.flags) & pose_learns) == 0 && m.count() != 0;
+    const std::uint32_t asked = m.flags & asked_flags, states = a.flags | b.flags;
+    return m.count() != 0 ? asked == settled_flags && (states & pose_learns) == 0 : asked == apart_flags && (states & (pose_learns | pose_fast)) == 0;
 }
 
-// True if the contact touches as before, and all that an update does is to keep its manifold, if the boxes of its shapes still meet. Of most contacts of a pile
-// two tests tell that. (False says nothing.)
-ISLET_PART bool is_settled(const ContactManifold& m, const Pose& a, const Pose& b) {
+// True if the contact is as before, and all that an update does is to keep its manifold, if the boxes of its shapes still meet. Of most contacts of a pile
+// two tests tell that. (False says nothing.) `motions` are those of all bodies.
+ISLET_PART bool is_settled(const Motion* motions, const ContactManifold& m, const Pose& a, const Pose& b) {
     if (!may_be_settled(m, a, b)) return false;
     const std::uint32_t count = m.count();
     const Rot turn_a = inv_mul(m.rotation_a, a.q), turn_b = inv_mul(m.rotation_b, b.q);
-    return abs(turn_a.s) <= least_lag && have_turned_little(turn_a, turn_b) && has_kept_points(m, a, b, count, turn_a, turn_b, recycle_distance);
+    if (!have_turned_little(turn_a, turn_b)) return false;
+    if (count == 0) return stay_apart(m, a, b, turn_a, turn_b);
+    if (abs(turn_a.s) > least_lag && turn_together(motions[m.body_a].w, motions[m.body_b].w, has_floor(a, b))) return false;
+    return has_kept_points(m, a, b, count, turn_a, turn_b, recycle_distance);
 }
 
 }  // namespace islet::detail
