@@ -163,18 +163,19 @@ inline bool can_recycle(const Core& core, const ContactManifold& m, const Pose& 
 // True if nothing but how the bodies have moved can keep the contact from being settled.
 ISLET_PART bool may_be_settled(const ContactManifold& m, const Pose& a, const Pose& b) {
     const std::uint32_t asked = m.flags & asked_flags, states = a.flags | b.flags;
-    return m.count() != 0 ? asked == settled_flags && (states & pose_learns) == 0 : asked == apart_flags && (states & (pose_learns | pose_fast)) == 0;
+    if (m.count() != 0) return asked == settled_flags && (states & pose_learns) == 0;
+    return max_lanes > 1 && asked == apart_flags && (states & (pose_learns | pose_fast)) == 0;
 }
 
 // True if the contact is as before, and all that an update does is to keep its manifold, if the boxes of its shapes still meet. Of most contacts of a pile
-// two tests tell that. (False says nothing.) `motions` are those of all bodies.
+// two tests tell that. (False says nothing; builds for one lane, which may be small, say it of more contacts.) `motions` are those of all bodies.
 ISLET_PART bool is_settled(const Motion* motions, const ContactManifold& m, const Pose& a, const Pose& b) {
     if (!may_be_settled(m, a, b)) return false;
     const std::uint32_t count = m.count();
     const Rot turn_a = inv_mul(m.rotation_a, a.q), turn_b = inv_mul(m.rotation_b, b.q);
     if (!have_turned_little(turn_a, turn_b)) return false;
     if (count == 0) return stay_apart(m, a, b, turn_a, turn_b);
-    if (abs(turn_a.s) > least_lag && turn_together(motions[m.body_a].w, motions[m.body_b].w, has_floor(a, b))) return false;
+    if (abs(turn_a.s) > least_lag && (max_lanes == 1 || turn_together(motions[m.body_a].w, motions[m.body_b].w, has_floor(a, b)))) return false;
     return has_kept_points(m, a, b, count, turn_a, turn_b, recycle_distance);
 }
 
