@@ -87,8 +87,8 @@ ISLET_LANE std::uint32_t turn_together(const Motion* motions, const std::uint32_
     return L::positive(wa * wb) & (L::bits(slower > L::splat(level_turn_rate)) | (L::bits(slower > L::splat(turn_rate)) & ~moving));
 }
 
-/// Keeps those contacts that are settled, as many as there are lanes: the loads of those that touch follow. Returns a bit for each that is kept. None is that has
-/// rolling resistance or a tangent speed, whose boxes changed and meet no more, or, if `follows_deep`, that has sunk deep into a floor.
+/// Keeps those contacts that are settled, as many as there are lanes: the loads of those that touch follow. Returns a bit for each that is kept. None is that
+/// has rolling resistance or a tangent speed, whose boxes changed and meet no more, or, if `follows_deep`, that has sunk deep into a floor.
 template <class L>
 ISLET_LANE std::uint32_t keep_settled(const ContactsToKeep& in, const std::uint32_t* contact) {
     constexpr std::uint32_t W = L::width;
