@@ -65,7 +65,7 @@ struct RandomContacts {
             for (std::uint32_t k = 0; k < 2; ++k) {
                 m.anchors[k] = {random.between(-1, 1), random.between(-1, 1)};
                 m.normal_impulse[k] = random.between(0, 5);
-                m.separation[k] = m.count() == 0 ? 0 : random.between(-0.015f, 0.001f);
+                m.separation[k] = random.between(-0.015f, 0.001f);
             }
             m.load = random.one_in(30) ? most_load : random.between(-1, 100);
         }
@@ -88,7 +88,8 @@ void expect_as_one_lane(KeepSettled* keep, bool follows_deep) {
     std::vector<ContactManifold> wanted = all.manifolds;
     LoadFollower loads{State{}, 1.0f / 60};
     loads.rate = {0.9f, 0.1f};
-    const ContactsToKeep in{all.manifolds.data(), all.contacts.data(), all.poses.data(), all.motions.data(), all.boxes.data(), widest_box, loads.rate, follows_deep};
+    const ContactsToKeep in{all.manifolds.data(), all.contacts.data(), all.poses.data(), all.motions.data(),
+                            all.boxes.data(),     widest_box,          loads.rate,       follows_deep};
     std::uint32_t settled = 0, moved = 0, apart = 0, lagging = 0;
     for (std::uint32_t i = 0; i + W <= wanted.size(); i += W) {
         std::uint32_t contact[W], bits = 0;

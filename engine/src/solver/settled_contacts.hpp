@@ -141,7 +141,6 @@ ISLET_LANE std::uint32_t keep_settled(const ContactsToKeep& in, const std::uint3
     const std::uint32_t pressed = two & moving;  // faces of moving bodies
     touching &= slips_little<L>(Vec{points[0], points[1]}, normal, shift, turned, size, most, pressed) &
                 (slips_little<L>(Vec{points[2], points[3]}, normal, shift, turned, size, most, pressed) | ~two);
-    if (in.follows_deep) touching &= moving | L::bits(min(surface[1], surface[2]) >= L::splat(sunk_from));
 
     if (apart != 0) {
         const Vec moved_apart = way - offset;
@@ -149,6 +148,7 @@ ISLET_LANE std::uint32_t keep_settled(const ContactsToKeep& in, const std::uint3
         apart &= L::positive(room) & L::bits(dot(moved_apart, moved_apart) < room * room);
     }
     kept &= touching | apart;
+    if (in.follows_deep) kept &= moving | L::bits(min(surface[1], surface[2]) >= L::splat(sunk_from));
 
     const F load = L::splat(in.rate.keep) * surface[0] + L::splat(in.rate.gain) * (points[4] + points[5]);
     const F followed = select((load >= L::splat(0)) & (load < L::splat(most_load)), load, L::splat(0));
