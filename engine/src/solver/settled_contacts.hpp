@@ -75,7 +75,7 @@ ISLET_LANE std::uint32_t boxes_meet(const ContactsToKeep& in, const std::uint32_
     return L::bits(a[0] <= b[2]) & L::bits(b[0] <= a[2]) & L::bits(a[1] <= b[3]) & L::bits(b[1] <= a[3]) & L::bits(a[2] - a[0] <= L::splat(in.widest_box));
 }
 
-/// A bit for each contact with which its manifold may turn (turn_along), if it lags. `moving`: those of two bodies that can move.
+/// A bit for each contact whose manifold may turn with its two bodies (turn_along), if it lags. `moving`: a bit for each whose bodies can both move.
 template <class L>
 ISLET_LANE std::uint32_t turn_together(const Motion* motions, const std::uint32_t* body_a, const std::uint32_t* body_b, std::uint32_t moving) {
     float of_a[L::width], of_b[L::width];
