@@ -278,8 +278,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if (may_recycle(m) && m.count() != 0) turn_along(core, m, a, b);
     if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
         ++kept.manifolds;
-        const std::uint32_t asked = m.flags & (asked_flags | contact_special);
-        if (max_lanes > 1 && (m.count() == 0 ? !fast && asked == apart_flags : !lags && asked == settled_flags)) ++kept.settled;
+        if (max_lanes > 1 && !lags && (m.flags & contact_special) == 0 && may_be_settled(m, a, b)) ++kept.settled;
     } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(core, core.contacts[index], m, a, b, approach)) {
         note_apart(m, a, b);
     } else {
