@@ -304,7 +304,7 @@ constexpr std::size_t scratch_bytes(const Capacity& c, bool lent = false) {
     // Planning: islands, and lists of constraints. Weighing: what bodies bear, in place of the rows.
     const std::size_t bodies = std::size_t{c.bodies} + 1;
     const std::size_t pairs = std::size_t{c.shapes} * sweep_bytes + words_for(c.bodies) * 8 + sort_digits * 4 + 12 * 4 * layout_lanes + 20 * line_bytes;
-    const std::size_t collide = words_for(c.contacts) * (8 * (layout_lanes > 1 ? 3 : 2) + 4) + words_for(c.bodies) * 8 + bodies * 4 + 5 * line_bytes;
+    const std::size_t collide = words_for(c.contacts) * (layout_lanes > 1 ? 32 : 20) + words_for(c.bodies) * 8 + bodies * 4 + 5 * line_bytes;
     const std::size_t calls =
         max_of(std::size_t{next_power_of_two(2 * c.contacts + 1)} * 8, max_of(geometry_capacity(c) * std::size_t{4}, bodies * 8)) + 2 * line_bytes;
     const std::size_t constraints = std::size_t{c.contacts} + c.joints, ends = std::size_t{2} * c.contacts + std::size_t{4} * c.joints;

@@ -10,6 +10,7 @@
 #include "../broadphase/tree.hpp"
 #include "../collide/manifold.hpp"
 #include "../data/parallel.hpp"
+#include "../graph/contact_batches.hpp"
 #include "../graph/contacts.hpp"
 #include "../math/key_sort.hpp"
 #include "../math/scalar.hpp"
@@ -163,7 +164,7 @@ bool note_all_fast(Core& core, float dt) {
 #if ISLET_SHARES_WORDS
     if (has_workers(core)) {
         std::uint32_t far_bodies = 0;
-        for_ranges(core, awake.word_count, note_grain, [&](std::uint32_t first, std::uint32_t end) {
+        for_ranges(core, awake.word_count, fine_grain(core, note_grain), [&](std::uint32_t first, std::uint32_t end) {
             std::uint32_t marked = 0, far_here = 0;
             awake.for_each_in(first, end, [&](std::uint32_t body) {
                 if (!note_fast(core, body, dt)) return;
@@ -251,9 +252,38 @@ struct PairLister {
     bool is_over() const { return range.is_over(); }
 };
 
-inline constexpr std::uint32_t least_searched = 512;   // boxes that make workers pay
+inline constexpr std::uint32_t least_searched = 512;   // boxes that make few workers pay; of those that make many pay, a quarter
 inline constexpr std::uint32_t ranges_per_worker = 4;  // of each part
 inline constexpr std::uint32_t least_ranges = 16;      // of each part, so that few overflow
+
+// Makes the contacts of all listed pairs, by several workers. False if they have to be made one by one.
+bool make_listed(Core& core, const SearchRange* ranges, std::uint32_t count, Arena arena) {
+#if ISLET_THREADS
+    std::uint32_t listed = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        if (ranges[k].is_over()) return false;
+        listed += ranges[k].count;
+    }
+    if (!in_batches(core, listed) || arena.room() < sizeof(std::uint32_t) * listed + line_bytes) return false;
+    std::uint32_t* const made = arena.take<std::uint32_t>(listed);
+    std::uint32_t next = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        for (std::uint32_t i = 0; i < ranges[k].count && !is_over(core); ++i) {
+            const auto [shape_1, shape_2] = ranges[k].pairs[i];
+            if (have_contact(core, shape_1, shape_2)) continue;
+            if (name_contact(core, shape_1, shape_2, made[next])) {
+                ++next;
+            } else {
+                ++core.report.dropped_contacts;
+            }
+        }
+    }
+    make_contacts(core, {made, next});
+    return true;
+#else
+    return false;
+#endif
+}
 
 // Workers search the ranges; then the contacts are made in order. False if there is no room in scratch memory for that.
 bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena arena) {
@@ -277,11 +307,13 @@ bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena ar
     }
     for_ranges(core, count, 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t k = first; k < end; ++k) {
-            PairBuffer<PairLister> out({core, ranges[k], maker.dt});
-            search(out, {core.lanes, ranges[k].found}, m, ranges[k].part, ranges[k].begin, ranges[k].end);
+            SearchRange& range = ranges[count - 1 - k];  // the queries of the tree first: they take longest
+            PairBuffer<PairLister> out({core, range, maker.dt});
+            search(out, {core.lanes, range.found}, m, range.part, range.begin, range.end);
             out.flush();
         }
     });
+    if (make_listed(core, ranges, count, arena)) return true;
     for (std::uint32_t k = 0; k < count; ++k) {
         SearchRange& range = ranges[k];
         if (range.is_over()) {
@@ -299,7 +331,7 @@ bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena ar
 ISLET_APART void find_pairs_of(Core& core, const Moving& moving, Arena& arena, float dt) {
     const Tree tree{&core.state->tree, core.tree};
     PairBuffer<ContactMaker> out({core, dt});
-    if (!has_workers(core) || moving.all.count < least_searched || !search_by_workers(core, moving, out.sink, arena)) {
+    if (!has_workers(core) || moving.all.count < fine_grain(core, least_searched) || !search_by_workers(core, moving, out.sink, arena)) {
         const Scan how{core.lanes, max_lanes > 1 ? arena.take<std::uint32_t>(moving.all.count + max_block_lanes) : nullptr};
         for (std::uint32_t part = 0; part < search_parts; ++part) search(out, how, moving, part, 0, items_of(moving, part));
     }

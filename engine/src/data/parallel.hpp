@@ -7,6 +7,7 @@
 
 #include "../data/core.hpp"
 #include "../math/float_mode.hpp"
+#include "../math/inlining.hpp"
 
 // 0 compiles the parallel paths out: for_ranges is then one plain call. The small profile has none.
 #if !defined(ISLET_THREADS)
@@ -39,6 +40,9 @@ inline std::uint32_t worker_count(const Core& core) { return has_workers(core) ?
 /// Whether there are so many workers that it pays if they share work that one alone would do in two thirds of the time.
 inline bool has_many_workers(const Core& core) { return worker_count(core) >= 4; }
 
+/// A grain for ranges whose costs differ: a quarter where many workers would wait for the last one.
+inline std::uint32_t fine_grain(const Core& core, std::uint32_t grain) { return has_many_workers(core) ? (grain + 3) / 4 : grain; }
+
 /// Whether a world's workers change words at once.
 inline bool shares_words(const Core& core) { return ISLET_SHARES_WORDS != 0 && has_many_workers(core); }
 
@@ -61,6 +65,13 @@ inline std::uint32_t fair_grain(const Core& core, std::uint32_t count, std::uint
     if (ranges > most) ranges = most > 1 ? most : 1;
     const std::uint32_t items = range_count(range_count(count, ranges), unit) * unit;
     return items < grain ? items : grain;
+}
+
+/// In a counting sort: turns the number of a place's items into the index of its first, `start`, and returns where the items end.
+ISLET_PART std::uint32_t lay_out(std::uint32_t& place, std::uint32_t start) {
+    const std::uint32_t items = place;
+    place = start;
+    return start + items;
 }
 
 /// How items are cut into at most `most` ranges for for_ranges where each range has something of its own; into one if there are no workers.

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "../graph/colors.hpp"
+#include "../graph/contact_parts.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../graph/mixing.hpp"
 #include "../graph/sensors.hpp"
@@ -25,14 +26,6 @@ bool is_solid(const Core& core, std::uint32_t shape) { return kind_of(geometry_o
 bool filters_agree(const Filter& a, const Filter& b) {
     if (a.group == b.group && a.group != 0) return a.group > 0;
     return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
-}
-
-void attach_contact(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
-    add_to_list(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
-}
-
-void detach_contact(Core& core, std::uint32_t contact, std::uint32_t side, std::uint32_t body) {
-    remove_from_list(core.contacts, contact, side, core.bodies[body].contact_head, core.bodies[body].contact_count);
 }
 
 }  // namespace
@@ -59,23 +52,12 @@ bool create_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2) {
     const std::uint32_t index = pool_take(core.state->contact_pool, core.contacts, core.capacity.contacts);
     if (index == null_index) return false;
 
-    const bool in_order = in_contact_order(core, shape_1, shape_2);
-    Contact& c = core.contacts[index];
-    c.shape_a = static_cast<ContactIndex>(in_order ? shape_1 : shape_2);
-    c.shape_b = static_cast<ContactIndex>(in_order ? shape_2 : shape_1);
-    ContactManifold& m = core.manifolds[index];
-    m = ContactManifold{};
-    m.body_a = static_cast<ContactIndex>(core.shapes[c.shape_a].body);
-    m.body_b = static_cast<ContactIndex>(core.shapes[c.shape_b].body);
-    m.set_color(no_color);
-    if (is_sensor(core, shape_1) || is_sensor(core, shape_2)) m.flags |= contact_sensor;
-    mix_materials(core, index);
-
+    fill_contact(core, index, shape_1, shape_2);
+    const ContactManifold& m = core.manifolds[index];
     attach_contact(core, index, 0, m.body_a);
     attach_contact(core, index, 1, m.body_b);
     if (has_pair_set) core.pairs.insert(PairSet::key(shape_1, shape_2));
-    const bool awake = core.is_awake(m.body_a) || core.is_awake(m.body_b);
-    core.awake_contacts.assign(index, awake);
+    const bool awake = note_awake(core, index);
     if (has_sensors && !awake && (m.flags & contact_sensor) != 0 && overlaps_sensor(core, index)) begin_overlap(core, index);  // no update will visit it
     return true;
 }
@@ -92,22 +74,13 @@ bool find_in_lists(const Core& core, std::uint32_t shape_1, std::uint32_t shape_
 }
 
 void destroy_contact(Core& core, std::uint32_t index) {
-    Contact& c = core.contacts[index];
-    ContactManifold& m = core.manifolds[index];
-    if (is_told(m)) record_end_event(core, index);
-    if (has_sensors && (m.flags & contact_overlap) != 0) end_overlap(core, index);
-    if ((m.flags & contact_touching) != 0) {
-        core.forget_plan();
-        m.flags &= ~static_cast<std::uint32_t>(contact_touching);
-        count_sharers(core, index);
-    }
-    release_color(core, index);
+    leave_contact(core, index);
+    const ContactManifold& m = core.manifolds[index];
     detach_contact(core, index, 0, m.body_a);
     detach_contact(core, index, 1, m.body_b);
-    if (has_pair_set) core.pairs.erase(PairSet::key(c.shape_a, c.shape_b));
+    if (has_pair_set) core.pairs.erase(pair_key(core, index));
     core.awake_contacts.clear(index);
-    clear_slot(c);
-    m = ContactManifold{};
+    clear_contact(core, index);
     pool_give(core.state->contact_pool, core.contacts, index);
 }
 

@@ -17,13 +17,6 @@ inline constexpr std::uint32_t listed_landing = max_lanes > 1 ? 1u << 31 : 0;
 /// Above the colour of a contact stands, from 1 on, the half of its batch that it belongs to.
 inline constexpr std::uint32_t listed_half_shift = 8;
 
-/// In a counting sort: turns the number of a place's items into the index of its first, `start`, and returns where the items end.
-ISLET_PART std::uint32_t lay_out(std::uint32_t& place, std::uint32_t start) {
-    const std::uint32_t items = place;
-    place = start;
-    return start + items;
-}
-
 /// The touching contacts, cut into parts that are planned side by side: workers list each part in its own piece of the array, count its contacts by place, and
 /// put them where the counts of all parts say. The plan is the same however the contacts are cut.
 struct ContactList {

@@ -110,6 +110,7 @@ struct BatchSolve {
     template <class Work>
     void over(std::uint32_t count, std::uint32_t grain, Work&& work, std::uint32_t unit = lanes > W ? 2 : 1) {
         if (has_threads && wide) {
+            if (has_many_workers(s.core)) grain = range_count(grain, 2);
             for_ranges(s.core, count, count > grain ? fair_grain(s.core, count, grain, unit) : grain, work);
         } else if (count > 0) {
             work(0u, count);

@@ -8,6 +8,8 @@
 #include "../constraint/kernels.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/colors.hpp"
+#include "../graph/contact_batches.hpp"
+#include "../graph/contact_parts.hpp"
 #include "../graph/contacts.hpp"
 #include "../graph/hooks.hpp"
 #include "../graph/sensors.hpp"
@@ -300,9 +302,38 @@ float separation_now(const Core& core, const ContactManifold& m) {
     return least;
 }
 
-void tell_touch(Core& core, std::uint32_t index) {
+// `count`: of the begin events so far.
+void tell_touch(Core& core, std::uint32_t index, std::uint32_t& count) {
     const Contact& c = core.contacts[index];
-    push_touch(core, core.begin_events, core.begin_count, core.sensor_begins, {core.shape_id(c.shape_a), core.shape_id(c.shape_b)});
+    push_touch(core, core.begin_events, count, core.sensor_begins, {core.shape_id(c.shape_a), core.shape_id(c.shape_b)});
+}
+
+inline constexpr std::uint32_t least_told = 128;  // touches that make workers pay
+inline constexpr std::uint32_t tell_grain = 4;    // words of 64 contacts that are worth a task
+
+// Tells of the touches in `begins` but of those that are untold, in order. False if there are not enough of them for several workers.
+bool tell_at_once(Core& core, BitSet begins) {
+    if (!has_many_workers(core) || core.begun < least_told || (core.state->asked & shape_sensor) != 0) return false;
+    using Cut = RangeCut<64>;
+    const Cut cut(core, begins.word_count, tell_grain);
+    std::uint32_t next[Cut::room];  // by range: how many it tells of; then the place of the next one
+    const auto over_told = [&](auto&& visit) {
+        for_ranges(core, begins.word_count, cut.grain, [&](std::uint32_t first, std::uint32_t end) {
+            begins.for_each_in(first, end, [&](std::uint32_t i) {
+                if ((core.manifolds[i].flags & contact_untold) == 0) visit(i, next[cut.of(first)]);
+            });
+        });
+    };
+    for (std::uint32_t range = 0; range < cut.count; ++range) next[range] = 0;
+    over_told([](std::uint32_t, std::uint32_t& count) { ++count; });
+    std::uint32_t at = core.begin_count;
+    for (std::uint32_t range = 0; range < cut.count; ++range) at = lay_out(next[range], at);
+    core.begin_count = at;
+    over_told([&](std::uint32_t i, std::uint32_t& to) {
+        begins.clear(i);
+        tell_touch(core, i, to);
+    });
+    return true;
 }
 
 void begin_touch(Core& core, std::uint32_t index, BitSet to_wake) {
@@ -380,24 +411,48 @@ std::uint64_t keep_settled_of(const Core& core, std::uint32_t word, LoadRate rat
     return others;
 }
 
+// Applies all contacts' changes to shared state, in the order of their slots. Those that parted, and of which nobody else knows, are in `parted` alone.
+void commit_all(Core& core, BitSet changed, BitSet parted, BitSet to_wake, [[maybe_unused]] Arena arena) {
+#if ISLET_THREADS
+    const std::uint32_t parts = has_many_workers(core) ? parted.count() : 0;
+    if (in_batches(core, parts) && arena.room() >= sizeof(std::uint32_t) * parts + line_bytes) {
+        std::uint32_t* const ended = arena.take<std::uint32_t>(parts);
+        std::uint32_t count = 0;
+        changed.for_each([&](std::uint32_t i) { parted.test(i) ? end_contact(core, i) : commit(core, i, to_wake); });
+        parted.for_each([&](std::uint32_t i) { ended[count++] = i; });
+        return remove_contacts(core, {ended, count});
+    }
+    for (std::uint32_t w = 0; w < changed.word_count; ++w) changed.words[w] |= parted.words[w];
+#endif
+    changed.for_each([&](std::uint32_t i) {
+        if (parted.test(i)) {
+            destroy_contact(core, i);
+        } else {
+            commit(core, i, to_wake);
+        }
+    });
+}
+
 }  // namespace
 
 void tell_touches(Core& core) {
     const BitSet begins = core.begins;
-    begins.for_each([&](std::uint32_t i) {
-        const ContactManifold& m = core.manifolds[i];
-        if ((m.flags & contact_untold) != 0) return;
-        begins.clear(i);
-        if (has_sensors && (m.flags & contact_sensor) != 0) return tell_overlap(core, i);
-        tell_touch(core, i);
-    });
+    if (!tell_at_once(core, begins)) {
+        begins.for_each([&](std::uint32_t i) {
+            const ContactManifold& m = core.manifolds[i];
+            if ((m.flags & contact_untold) != 0) return;
+            begins.clear(i);
+            if (has_sensors && (m.flags & contact_sensor) != 0) return tell_overlap(core, i);
+            tell_touch(core, i, core.begin_count);
+        });
+    }
     core.begun = 0;
     begins.for_each([&](std::uint32_t i) {
         ContactManifold& m = core.manifolds[i];
         begins.clear(i);
         if (!(max(m.normal_impulse[0], m.normal_impulse[1]) > 0 || separation_now(core, m) <= speculative_distance)) return;
         m.flags &= ~static_cast<std::uint32_t>(contact_untold);
-        if (has_room_for_begin(core)) tell_touch(core, i);
+        if (has_room_for_begin(core)) tell_touch(core, i, core.begin_count);
     });
 }
 
@@ -417,11 +472,12 @@ void update_contacts(Core& core, float dt) {
     const float fall = fall_in(core, dt);
     const LoadFollower loads(*core.state, dt);
     const std::uint32_t words = core.awake_contacts.word_count;
-    KeptCount* const kept_in = arena.take<KeptCount>(range_count(words, update_grain));
+    const std::uint32_t grain = fine_grain(core, update_grain), ranges = range_count(words, grain);
+    KeptCount* const kept_in = arena.take<KeptCount>(ranges);
     const bool many_settled = max_lanes > 1 && core.lanes > 1 && 4 * core.kept.settled_contacts > core.awake_contacts.count();  // in the last step
     const BitSet open = many_settled ? take_bits(core.capacity.contacts) : core.awake_contacts;                                 // to be looked at one by one
-    std::memset(static_cast<void*>(kept_in), 0, range_count(words, update_grain) * sizeof(KeptCount));
-    for_ranges(core, words, update_grain, [&](std::uint32_t first, std::uint32_t end) {
+    std::memset(static_cast<void*>(kept_in), 0, ranges * sizeof(KeptCount));
+    for_ranges(core, words, grain, [&](std::uint32_t first, std::uint32_t end) {
         KeptCount kept;
         if constexpr (max_lanes > 1) {
             for (std::uint32_t w = first; many_settled && w < end; ++w)
@@ -430,27 +486,20 @@ void update_contacts(Core& core, float dt) {
         open.for_each_in(first, end, [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
             const Change change = update(core, i, dt, fall, loads, kept, max_lanes == 1 || !many_settled);
             if (change == Change::none) return;
-            changed.set(i);
             if (change == Change::parts) parted.set(i);
+            if (!has_threads || change == Change::changes || is_known(core.manifolds[i])) changed.set(i);
         });
-        kept_in[first / update_grain] = kept;
+        kept_in[first / grain] = kept;
     });
     KeptCount kept;
-    for (std::uint32_t i = 0; i < range_count(words, update_grain); ++i) {
+    for (std::uint32_t i = 0; i < ranges; ++i) {
         kept.manifolds += kept_in[i].manifolds;
         kept.settled += kept_in[i].settled;
     }
     core.report.recycled_contacts = kept.manifolds;
     core.kept.note_settled(kept.settled);
 
-    // Changes to shared state are applied in index order.
-    changed.for_each([&](std::uint32_t i) {
-        if (parted.test(i)) {
-            destroy_contact(core, i);
-        } else {
-            commit(core, i, to_wake);
-        }
-    });
+    commit_all(core, changed, parted, to_wake, arena);
     for_ranges(core, core.awake_bodies.word_count, clear_grain, [&](std::uint32_t first, std::uint32_t end) {
         core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
     });

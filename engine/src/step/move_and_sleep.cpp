@@ -51,7 +51,7 @@ void move_body(Core& core, std::uint32_t i, SolverBody& way, float dt, std::uint
 void move_bodies(Core& core, const Plan& plan, SolverBody* bodies, float* rested, float dt) {
     const auto words = static_cast<std::uint32_t>(words_for(plan.slot_count));
     const bool shares = ISLET_SHARES_WORDS != 0 && has_workers(core);
-    for_ranges(core, words, shares ? finish_grain : words, [&](std::uint32_t first, std::uint32_t end) {
+    for_ranges(core, words, shares ? fine_grain(core, finish_grain) : words, [&](std::uint32_t first, std::uint32_t end) {
         std::uint32_t marked = 0;
         const std::uint32_t end_slot = 64 * end < plan.slot_count ? 64 * end : plan.slot_count;
         for (std::uint32_t slot = first == 0 ? 1 : 64 * first; slot < end_slot; ++slot) {

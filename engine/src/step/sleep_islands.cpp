@@ -71,7 +71,7 @@ void keep_awake(const Core& core, const Plan& plan, std::uint32_t kinematic, flo
 template <class Work>
 void over_slots(const Core& core, const Plan& plan, Work&& work) {
     const auto words = static_cast<std::uint32_t>(words_for(plan.slot_count));
-    for_ranges(core, words, ISLET_SHARES_WORDS ? rest_grain : words,
+    for_ranges(core, words, ISLET_SHARES_WORDS ? fine_grain(core, rest_grain) : words,
                [&](std::uint32_t first, std::uint32_t end) { work(first == 0 ? 1 : 64 * first, 64 * end < plan.slot_count ? 64 * end : plan.slot_count); });
 }
 
