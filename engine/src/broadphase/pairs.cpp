@@ -256,9 +256,9 @@ inline constexpr std::uint32_t least_searched = 512;   // boxes that make few wo
 inline constexpr std::uint32_t ranges_per_worker = 4;  // of each part
 inline constexpr std::uint32_t least_ranges = 16;      // of each part, so that few overflow
 
+#if ISLET_THREADS
 // Makes the contacts of all listed pairs, by several workers. False if they have to be made one by one.
 bool make_listed(Core& core, const SearchRange* ranges, std::uint32_t count, Arena arena) {
-#if ISLET_THREADS
     std::uint32_t listed = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
         if (ranges[k].is_over()) return false;
@@ -280,10 +280,8 @@ bool make_listed(Core& core, const SearchRange* ranges, std::uint32_t count, Are
     }
     make_contacts(core, {made, next});
     return true;
-#else
-    return false;
-#endif
 }
+#endif
 
 // Workers search the ranges; then the contacts are made in order. False if there is no room in scratch memory for that.
 bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena arena) {
@@ -313,7 +311,9 @@ bool search_by_workers(Core& core, const Moving& m, ContactMaker maker, Arena ar
             out.flush();
         }
     });
+#if ISLET_THREADS
     if (make_listed(core, ranges, count, arena)) return true;
+#endif
     for (std::uint32_t k = 0; k < count; ++k) {
         SearchRange& range = ranges[k];
         if (range.is_over()) {

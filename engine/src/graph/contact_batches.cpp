@@ -4,7 +4,7 @@
 
 #include "../graph/contact_parts.hpp"
 
-#if ISLET_THREADS
+#if ISLET_THREADS  // a build that keeps all functions does without these
 
 namespace islet::detail {
 
