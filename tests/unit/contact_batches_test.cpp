@@ -10,19 +10,11 @@
 
 #include "../../engine/src/graph/contact_batches.hpp"
 #include "support/random.hpp"
+#include "support/task_orders.hpp"
 #include "support/test_world.hpp"
 
 namespace islet::test {
 namespace {
-
-using Task = void (*)(void* data, std::uint32_t index);
-
-void in_order(void*, std::uint32_t count, Task task, void* data) {
-    for (std::uint32_t i = 0; i < count; ++i) task(data, i);
-}
-void backwards(void*, std::uint32_t count, Task task, void* data) {
-    for (std::uint32_t i = count; i-- > 0;) task(data, i);
-}
 
 /// What flies about in a crowd.
 struct Crowd {
@@ -85,7 +77,7 @@ Seen compare(const Crowd& crowd, std::uint32_t workers, int steps) {
         fill(*w, crowd);
         return w;
     };
-    const auto one = make({}), forth = make({in_order, nullptr, workers}), back = make({backwards, nullptr, workers});
+    const auto one = make({}), forth = make(in_order(workers)), back = make(backwards(workers));
     Seen seen;
     auto before = contacts_of(**one);
     for (int i = 0; i < steps && !testing::Test::HasFailure(); ++i) {

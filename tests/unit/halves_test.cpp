@@ -4,19 +4,11 @@
 #include "../../engine/src/island/halves.hpp"
 #include "support/kept_plan.hpp"
 #include "support/random.hpp"
+#include "support/task_orders.hpp"
 #include "support/test_world.hpp"
 
 namespace islet::test {
 namespace {
-
-using Task = void (*)(void* data, std::uint32_t index);
-
-void in_order(void*, std::uint32_t count, Task task, void* data) {
-    for (std::uint32_t i = 0; i < count; ++i) task(data, i);
-}
-void backwards(void*, std::uint32_t count, Task task, void* data) {
-    for (std::uint32_t i = count; i-- > 0;) task(data, i);
-}
 
 inline constexpr Capacity heap_room{.bodies = 2600, .shapes = 2600, .contacts = 20000, .joints = 160};
 
@@ -64,7 +56,7 @@ protected:
 
 // Two workers' steps against one worker's, in two orders of their tasks. Returns in how many steps there were halves.
 int steps_with_halves(float half_width, std::uint32_t lanes, int steps, int vats = 1) {
-    Heap one(half_width, lanes, {}, vats), forth(half_width, lanes, {in_order, nullptr, 2}, vats), back(half_width, lanes, {backwards, nullptr, 2}, vats);
+    Heap one(half_width, lanes, {}, vats), forth(half_width, lanes, in_order(2), vats), back(half_width, lanes, backwards(2), vats);
     int halved = 0;
     for (int i = 0; i < steps; ++i) {
         for (Heap* h : {&one, &forth, &back}) h->w.step();
@@ -86,9 +78,9 @@ TEST_F(Halves, OfOneOfThreeHeapsGiveTheBitsOfOneWorker) {
 }
 
 TEST_F(Halves, StayRightWhenTheNumberOfWorkersChanges) {
-    Heap one(12, 0, {}), changing(12, 0, {in_order, nullptr, 2});
+    Heap one(12, 0, {}), changing(12, 0, in_order(2));
     for (int i = 0; i < 200; ++i) {
-        changing.w->set_tasks({in_order, nullptr, i % 7 == 3 ? 1u : i % 5 == 2 ? 4u : 2u});
+        changing.w->set_tasks(in_order(i % 7 == 3 ? 1u : i % 5 == 2 ? 4u : 2u));
         one.w.step();
         changing.w.step();
         ASSERT_EQ(one.w->hash(), changing.w->hash()) << "step " << i;
@@ -102,7 +94,7 @@ struct ContactsOfBody {
 };
 
 TEST_F(Halves, HoldMostContactsAndOnlySuchAsComeBeforeAllThatWait) {
-    Heap heap(12, 0, {in_order, nullptr, 2});
+    Heap heap(12, 0, in_order(2));
     heap.w.step(200);
     ASSERT_TRUE(keeps_plan(*heap.w));
     const detail::Core& core = detail::Core::of(*heap.w);
@@ -147,7 +139,7 @@ TEST_F(Halves, HoldMostContactsAndOnlySuchAsComeBeforeAllThatWait) {
 // A block in which one contact lands is solved again as a whole, so these stand together, also where several workers list the contacts part by part.
 TEST_F(Halves, AndWholeBatchesHaveTheContactsThatLandFirstInEachColor) {
     for (const std::uint32_t workers : {1u, 2u, 4u}) {
-        Heap heap(12, 0, {in_order, nullptr, workers});
+        Heap heap(12, 0, in_order(workers));
         std::uint32_t landing = 0, after_others = 0;
         for (int step = 0; step < 150; ++step) {
             detail::Core& core = detail::Core::of(*heap.w);

@@ -4,7 +4,6 @@
 
 #include <cstring>
 
-#include "../graph/colors.hpp"
 #include "../graph/contact_parts.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../graph/mixing.hpp"
