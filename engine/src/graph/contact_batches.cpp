@@ -54,8 +54,6 @@ void make_contacts(Core& core, span<const std::uint32_t> contacts) {
     });
 }
 
-void end_contact(Core& core, std::uint32_t contact) { leave_contact(core, contact); }
-
 void remove_contacts(Core& core, span<const std::uint32_t> contacts) {
     for_ranges(core, 1 + worker_count(core), 1, [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t task = first; task < end; ++task) {

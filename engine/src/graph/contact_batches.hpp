@@ -24,9 +24,7 @@ bool name_contact(Core& core, std::uint32_t shape_1, std::uint32_t shape_2, std:
 /// Does the rest of create_contact.
 void make_contacts(Core& core, span<const std::uint32_t> contacts);
 
-/// Does the first part of destroy_contact: ends the touch and frees the colour. Contacts of which is_known is false need none of it.
-void end_contact(Core& core, std::uint32_t contact);
-/// Does the rest of it.
+/// Does what destroy_contact does after leave_contact (contact_parts.hpp). Contacts that are not known (is_known) need no leave_contact before.
 void remove_contacts(Core& core, span<const std::uint32_t> contacts);
 
 }  // namespace islet::detail

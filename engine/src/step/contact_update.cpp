@@ -418,7 +418,7 @@ void commit_all(Core& core, BitSet changed, BitSet parted, BitSet to_wake, [[may
     if (in_batches(core, parts) && arena.room() >= sizeof(std::uint32_t) * parts + line_bytes) {
         std::uint32_t* const ended = arena.take<std::uint32_t>(parts);
         std::uint32_t count = 0;
-        changed.for_each([&](std::uint32_t i) { parted.test(i) ? end_contact(core, i) : commit(core, i, to_wake); });
+        changed.for_each([&](std::uint32_t i) { parted.test(i) ? leave_contact(core, i) : commit(core, i, to_wake); });
         parted.for_each([&](std::uint32_t i) { ended[count++] = i; });
         return remove_contacts(core, {ended, count});
     }
