@@ -412,5 +412,36 @@ TEST(Sleep, HeavyBoxesOnLightBoardsDo) {
     EXPECT_LE(awake, starts / 20);  // two in five were, and shook at 2 to 8 cm/s
 }
 
+// A weld holds a box still, until gravity pulls harder than it can bear. If that is so from the very step in which the box would fall asleep, the weld breaks all
+// the same. (It did not: the box slept on, and its joint was marked in a way that no image may have.)
+TEST(Sleep, AJointThatBreaksInTheStepInWhichItsBodyWouldSleepBreaks) {
+    const auto hang = [](TestWorld& world) {
+        const BodyId hook = world->create_body({}), box = world.add_box({0, -1});
+        WeldJointDef weld;
+        weld.base = {.body_a = hook, .body_b = box, .frame_b = {{0, 1}}, .break_force = 2 * static_cast<float>(g) * world->mass(box)};
+        return std::pair{box, world->create_joint(weld)};
+    };
+    int asleep_after = 0;
+    {
+        TestWorld world;
+        const BodyId box = hang(world).first;
+        for (; world->is_awake(box); ++asleep_after) world.step();
+    }
+    ASSERT_GT(asleep_after, 20);
+    for (int before = 0; before < 5; ++before) {
+        TestWorld world;
+        const auto [box, weld] = hang(world);
+        world.step(asleep_after - 1 - before);
+        world->set_gravity({0, -3 * static_cast<float>(g)});  // which wakes nothing
+        world.step();
+        EXPECT_FALSE(world->is_valid(weld)) << before;
+        EXPECT_EQ(world->broken_joints().size(), 1u) << before;
+        EXPECT_TRUE(world->is_awake(box)) << before;
+        EXPECT_EQ(world->validate(), nullptr) << before;
+        world.step(30);
+        EXPECT_LT(world->position(box).y, -1.5f) << before;
+    }
+}
+
 }  // namespace
 }  // namespace islet::test

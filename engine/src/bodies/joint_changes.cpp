@@ -122,7 +122,10 @@ namespace {
 
 inline constexpr std::uint32_t checked_grain = 4;  // words of 64 joints that are worth a task
 
-bool breaks(const Joint& j, float inv_h) {
+// 1/s, of the last substep
+ISLET_PART float substep_rate(const Core& core) { return is_positive(core.state->last_substep) ? 1.0f / core.state->last_substep : 0; }
+
+ISLET_PART bool breaks(const Joint& j, float inv_h) {
     if ((j.generation & 1u) == 0 || !j.can_break()) return false;
     return (j.flags & joint_torn) != 0 || bears_too_much(j, inv_h);
 }
@@ -140,8 +143,10 @@ ISLET_PART void finish_joint(Core& core, std::uint32_t i, float inv_h) {
 
 }  // namespace
 
+bool breaks(const Core& core, const Joint& j) { return breaks(j, substep_rate(core)); }
+
 void finish_joints(Core& core, Arena arena) {
-    const float inv_h = is_positive(core.state->last_substep) ? 1.0f / core.state->last_substep : 0;
+    const float inv_h = substep_rate(core);
     const BitSet awake = core.awake_joints;
     if (!has_workers(core)) return awake.for_each([&](std::uint32_t i) { finish_joint(core, i, inv_h); });
     // Workers find the few joints for which there is something to do.

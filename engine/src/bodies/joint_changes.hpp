@@ -30,6 +30,9 @@ ISLET_OPTIONAL void hang_gears(Core& core, std::uint32_t body);
 ISLET_OPTIONAL void release_joint_colors(Core& core, std::uint32_t body);
 ISLET_OPTIONAL void assign_joint_colors(Core& core, std::uint32_t body);
 
+/// True if the joint bore more in the step than it can.
+ISLET_OPTIONAL bool breaks(const Core& core, const Joint& j);
+
 /// After a step: notes which hinges bear a heavy load, and destroys the joints whose force or torque exceeded their strength, and reports them. `arena` has
 /// room for a bit a joint.
 ISLET_OPTIONAL void finish_joints(Core& core, Arena arena);

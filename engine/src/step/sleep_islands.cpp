@@ -2,6 +2,7 @@
 
 #include "../step/sleep_islands.hpp"
 
+#include "../bodies/joint_changes.hpp"
 #include "../bodies/sleep.hpp"
 #include "../data/parallel.hpp"
 #include "../graph/contacts.hpp"
@@ -26,10 +27,11 @@ bool is_driven(const Core& core, const Joint& j) {
            ((drives || !turns) && shift > 0 && speed_of(core, j.body_a) + speed_of(core, j.body_b) >= 0.5f * shift);
 }
 
-// Whether a motor or a belt keeps the body going, which may be slower than what sleeps.
-bool is_driven(const Core& core, std::uint32_t body) {
+// Whether a motor or a belt keeps the body going, which may be slower than what sleeps; or a joint of it is about to break.
+bool stays_awake(const Core& core, std::uint32_t body) {
     bool driven = false;
-    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) { driven = driven || is_driven(core, core.joints[joint]); });
+    for_each_joint(core, body,
+                   [&](std::uint32_t joint, std::uint32_t) { driven = driven || is_driven(core, core.joints[joint]) || breaks(core, core.joints[joint]); });
     if (has_surfaces)
         for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) {
             if ((core.manifolds[contact].flags & contact_touching) == 0) return;
@@ -113,7 +115,7 @@ bool sleep_islands(Core& core, const Plan& plan, const float* rested, Arena aren
     if (tired == 0) return false;
     for (std::uint32_t slot = 1; slot < plan.slot_count; ++slot) {
         const std::uint32_t island = index_of(plan.island_of[slot]), body = plan.body_of[slot];
-        if (island == null_index || rest[island] < time_to_sleep || !is_driven(core, body)) continue;
+        if (island == null_index || rest[island] < time_to_sleep || !stays_awake(core, body)) continue;
         core.motions[body].sleep_time = 0;
         rest[island] = 0;
     }
