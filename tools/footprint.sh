@@ -313,7 +313,7 @@ measure_cut() {
     local log status=0
     only=()
     build_firmware cortex-m4f-cut cortex-m4f -DISLET_TRIMMED=OFF \
-        '-DISLET_WITHOUT=shortcuts;capsules;segments;half_spaces;chains;restitution;surfaces;sleep;bullets;sensors;hits;hooks;one_way;disabling;queries;recorder;tuning;profile;joints'
+        '-DISLET_WITHOUT=shortcuts;capsules;segments;half_spaces;chains;hulls;restitution;surfaces;sleep;bullets;sensors;hits;hooks;one_way;disabling;queries;recorder;tuning;profile;joints'
     log=$(ctest --test-dir "$root/build/firmware/cortex-m4f-cut" --no-tests=error --tests-regex refusals --verbose 2>&1) || status=$?
     [ "$status" -eq 0 ] || complain "what is left out: $(grep -E 'refused|fault|\*\*\*|No tests' <<<"$log" | head -n 3)"
     [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||

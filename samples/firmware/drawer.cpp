@@ -1,6 +1,6 @@
 // What a board from the drawer does: ten boxes and a ball, with 64 kB of flash and 16 kB of memory, in the small profile. Prints a line as firmware.cpp
-// does, and the bytes of the world. The host prints the same hash from the whole engine: sleep and continuous collision, which the small profile leaves
-// out, are off.
+// does, and the bytes of the world. The host prints the same hash from the whole engine: sleep, continuous collision and seamless floors, which the small
+// profile leaves out, are off.
 #include <islet/islet.hpp>
 
 #include "board.hpp"
@@ -22,7 +22,7 @@ BodyId add(World& world, Vec2 position) { return world.create_body({.type = Body
 }  // namespace
 
 int run() {
-    World& world = storage.create({.gravity = {0, -10}, .enable_sleep = false, .continuous = false});
+    World& world = storage.create({.gravity = {0, -10}, .enable_sleep = false, .continuous = false, .seamless_floors = false});
     world.create_shape(world.create_body({}), make_box(10, 1));
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4 - row; ++column) {

@@ -39,6 +39,8 @@ int run() {
     const std::uint64_t before = world.hash();
 
     expect_refused(world, !world.create_shape(body, Capsule{{0, 0}, {1, 0}, 1}), "capsules");
+    const Vec2 corners[] = {{0, 0}, {1, 0}, {0, 1}};
+    expect_refused(world, !world.create_shape(body, make_polygon(compute_hull(corners))), "hulls");
     expect_refused(world, !world.create_shape(body, Segment{{0, 0}, {1, 0}}), "segments");
     expect_refused(world, !world.create_shape(body, ChainSegment{{-1, 0}, {{0, 0}, {1, 0}}, {2, 0}}), "segments of chains");
     expect_refused(world, !world.create_shape(ground, HalfSpace{}), "half-spaces");

@@ -318,6 +318,7 @@ static void settings(void) {
     solver.substeps = 1000;
     CHECK(islet_world_set_solver(world, &solver) == ISLET_ERROR_OUT_OF_RANGE && ok(islet_world_solver(world, &solver)) && solver.substeps == 5);
     CHECK(ok(islet_world_enable_sleep(world, false)) && ok(islet_world_enable_continuous(world, false)) && !islet_world_continuous(world));
+    CHECK(islet_world_seamless_floors(world) && ok(islet_world_enable_seamless_floors(world, false)) && !islet_world_seamless_floors(world));
     CHECK(!islet_world_sleep_enabled(world) && islet_world_lanes(world) >= 1);
     CHECK(ok(islet_world_set_restitution_threshold(world, 2)) && near(islet_world_restitution_threshold(world), 2));
     CHECK(ok(islet_world_set_max_speed(world, 90)) && near(islet_world_max_speed(world), 90));

@@ -234,6 +234,7 @@ TEST(Defaults, OfWorldDef) {
         EXPECT_EQ(c.max_speed, cpp.max_speed);
         EXPECT_EQ(c.hit_threshold, cpp.hit_threshold);
         EXPECT_EQ(c.continuous, cpp.continuous);
+        EXPECT_EQ(c.seamless_floors, cpp.seamless_floors);
         EXPECT_EQ(c.lanes, cpp.lanes);
         EXPECT_TRUE(c.error_hook == nullptr && cpp.error_hook == nullptr);
         EXPECT_EQ(c.error_context, cpp.error_context);

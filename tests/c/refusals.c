@@ -389,6 +389,8 @@ int main(void) {
     CALL(islet_world_lanes(NULL));
     CALL(islet_world_continuous(NULL));
     CODE(islet_world_enable_continuous(NULL, false), ISLET_ERROR_NULL_POINTER);
+    CALL(islet_world_seamless_floors(NULL));
+    CODE(islet_world_enable_seamless_floors(NULL, false), ISLET_ERROR_NULL_POINTER);
     CODE(islet_world_hooks(NULL, &some_Hooks), ISLET_ERROR_NULL_POINTER);
     CODE(islet_world_hooks(world, NULL), ISLET_ERROR_NULL_POINTER);
     some_Hooks.struct_size = 0;

@@ -57,6 +57,11 @@ using Ask = std::function<bool(Attempt&)>;
 const std::map<std::string, Ask>& asks() {
     static const std::map<std::string, Ask> table = {
         {"polygons", [](Attempt& a) { return !a.world.create_shape(a.body, make_box(1, 1)); }},
+        {"hulls",
+         [](Attempt& a) {
+             constexpr Vec2 corners[] = {{0, 0}, {1, 0}, {0, 1}};
+             return !a.world.create_shape(a.body, make_polygon(compute_hull(corners)));
+         }},
         {"capsules",
          [](Attempt& a) {
              return !a.world.create_shape(a.body, Capsule{{0, 0}, {1, 0}, 1});
@@ -80,6 +85,7 @@ const std::map<std::string, Ask>& asks() {
          }},
         {"sleep", [](Attempt& a) { return !a.world.create_body({.type = BodyType::dynamic, .awake = false}); }},
         {"continuous", [](Attempt& a) { return a.world.enable_continuous(true), !a.world.continuous(); }},
+        {"seamless_floors", [](Attempt& a) { return a.world.enable_seamless_floors(true), !a.world.seamless_floors(); }},
         {"bullets", [](Attempt& a) { return !a.world.create_body({.type = BodyType::dynamic, .bullet = true}); }},
         {"sensors",
          [](Attempt& a) {
@@ -153,7 +159,7 @@ TEST(Features, EachIsRefusedWhereItIsLeftOut) {
 // An image whose flags claim what its shapes do not ask for: honest worlds save none, but an image may be forged.
 TEST(Features, AnImageOfAContactThatNeedsWhatIsLeftOutIsRefused) {
     using namespace detail;
-    World& world = storage.create({.gravity = {0, -10}, .enable_sleep = false, .continuous = false});
+    World& world = storage.create({.gravity = {0, -10}, .enable_sleep = false, .continuous = false, .seamless_floors = false});
     world.create_shape(world.create_body({}), Circle{{0, -10}, 10});
     world.create_shape(world.create_body({.type = BodyType::dynamic, .position = {0, 0.5f}}), Circle{{}, 0.5f});
     for (int i = 0; i < 10; ++i) world.step(1.0f / 60);

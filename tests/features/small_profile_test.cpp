@@ -87,8 +87,8 @@ std::size_t first_word(const Image& image) {
 // An index that differs from a sound one above the 16 bits that would be kept of it.
 TEST(SmallWorld, RefusesImagesWhoseIndicesAreWider) {
     StaticWorld<capacity> source_memory, victim_memory;
-    World& source = source_memory.create({.enable_sleep = false, .continuous = false});
-    World& victim = victim_memory.create({.enable_sleep = false, .continuous = false});
+    World& source = source_memory.create({.enable_sleep = false, .continuous = false, .seamless_floors = false});
+    World& victim = victim_memory.create({.enable_sleep = false, .continuous = false, .seamless_floors = false});
     fill(source);
     ASSERT_EQ(source.last_error(), Error::none);
     const Image sound = save(source);

@@ -3,7 +3,7 @@
 //
 //   without NAME...                  with these features switched off from the beginning
 //   without --save NAME... FILE      the same, but nothing is done between the steps; the world is saved after a second
-//   without --switch NAME... FILE    sleep and continuous collision are switched off after a second; the world is saved then
+//   without --switch NAME... FILE    sleep, continuous collision and seamless floors are switched off after a second; the world is saved then
 //   without --load FILE              goes on from there
 //   without --crowd                  another world: a crowd of which few move
 //   without --apart                  another world: bodies that part
@@ -26,7 +26,7 @@ using namespace islet;
 constexpr int half_steps = 60;
 constexpr float dt = 1.0f / 60;
 
-StaticWorld<Capacity{.bodies = 64, .shapes = 80, .contacts = 400, .joints = 24}> storage;
+StaticWorld<Capacity{.bodies = 64, .shapes = 110, .contacts = 400, .joints = 24}> storage;
 
 /// The first error of the world.
 Error first_error = Error::none;
@@ -58,6 +58,13 @@ void add_shapes(World& world, BodyId ground) {
         for (int row = 0; row < 3; ++row)
             for (int i = 0; i < 3 - row; ++i)
                 add(world, make_box(0.4f, 0.4f), {6 + 0.9f * static_cast<float>(i) + 0.45f * static_cast<float>(row), 0.5f + 0.85f * static_cast<float>(row)});
+        if (uses("hulls")) {
+            constexpr Vec2 corners[] = {{-0.4f, 0}, {0.4f, 0}, {0, 0.6f}};
+            add(world, make_polygon(compute_hull(corners)), {11, 2});
+        }
+        // Tiles, and a crate that slides over them for two seconds.
+        for (int i = 0; i < 30; ++i) world.create_shape(ground, make_offset_box(0.5f, 0.5f, {{40 + static_cast<float>(i), 20}, make_rot(0)}));
+        add(world, make_box(0.4f, 0.4f), {40, 20.9f}, {.friction = 0}, {12, 0});
     }
     if (uses("half_spaces")) world.create_shape(ground, HalfSpace{{0, 1}, -3});
     if (uses("segments")) world.create_shape(ground, Segment{{-6, 2}, {-3, 1}});
@@ -251,6 +258,7 @@ int main(int count, char** words) {
     if (uses("tuning")) world.set_solver({.sweep_order = SweepOrder::upward, .block_contacts = true, .measure_residual = true});
     if (!switches) world.enable_sleep(uses("sleep"));
     if (!switches) world.enable_continuous(uses("continuous"));
+    if (!switches) world.enable_seamless_floors(uses("seamless_floors"));
     const BodyId ground = world.create_body({});
     add_shapes(world, ground);
     add_events(world, ground);
@@ -262,6 +270,7 @@ int main(int count, char** words) {
         if (saves && i == half_steps) {
             if (switches && !uses("sleep")) world.enable_sleep(false);
             if (switches && !uses("continuous")) world.enable_continuous(false);
+            if (switches && !uses("seamless_floors")) world.enable_seamless_floors(false);
             std::vector<std::byte> image(world.snapshot_bytes());
             world.save(image);
             std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(image.data()), static_cast<std::streamsize>(image.size()));

@@ -257,6 +257,33 @@ TEST(FloorOfPieces, FrictionBrakesABoxAsOnASlab) {
     }
 }
 
+// The same with gaps of 5 cm, where the setting is off, is turned off before the box comes, and is turned on again before.
+TEST(FloorOfPieces, SwitchedOffBodiesCatchAtEdges) {
+    constexpr double way = 10.0 * 10 / (2 * 0.3 * g);  // m: Coulomb's
+    const auto slid = [](bool made_seamless, bool seamless) {
+        double sum = 0;
+        for (int start = 0; start < 10; ++start) {
+            WorldDef settings = sleepless();
+            settings.seamless_floors = made_seamless;
+            TestWorld world({.bodies = 4, .shapes = 128, .contacts = 256, .geometries = 128}, settings);
+            EXPECT_EQ(world->seamless_floors(), made_seamless);
+            const BodyId ground = world->create_body({});
+            for (float x = -4; x < 24; x += 1) add_piece(world, ground, Kind::gaps_of_5_cm, x, rough(0.3f));
+            world->enable_seamless_floors(seamless);
+            BodyDef def = dynamic_at({0.1f * static_cast<float>(start), 0.4f});
+            def.linear_velocity = {10, 0};
+            const BodyId body = add_load(world, Load::box, def, rough(0.3f));
+            world.step(300);
+            sum += double(world->position(body).x) - 0.1 * start;
+        }
+        return sum / 10;
+    };
+    EXPECT_NEAR(slid(true, true), way, 0.01 * way);
+    EXPECT_NEAR(slid(false, true), way, 0.01 * way);
+    EXPECT_LT(slid(false, false), 0.8 * way);
+    EXPECT_LT(slid(true, false), 0.8 * way);
+}
+
 // Hills cut into triangles are those of a chain of the same form: they take as little energy, in the mean of ten starts.
 TEST(FloorOfPieces, HillsOfTrianglesTakeTheEnergyThatAChainTakes) {
     constexpr float speed = 8;  // m/s

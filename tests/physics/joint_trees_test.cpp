@@ -320,30 +320,39 @@ TEST(JointTrees, WhatCannotFollowItsAnchorStaysBeforeTheWall) {
     EXPECT_LT(length(w->linear_velocity(bar)), 1);
 }
 
+// When the chain whips into the stack or the ground, a step may be solved safely (tree_solve.hpp): its hinges then open, and close again in the next ones.
 TEST(JointTrees, ABallDroppedOnAStackWithItsChainComesToLieOnTheGround) {
     const Filter meets_all{.category = 2, .mask = 1};  // but not itself
-    constexpr int starts = 12;
-    int apart = 0;
-    for (int start = 0; start < starts; ++start) {
-        WorldDef def;
-        ChainBall chain(30, 100, def, false, meets_all);
-        chain.world.add(make_box(100, 1), {0, -25}, {}, BodyType::static_body);
-        for (int i = 0; i < 10; ++i)
-            for (int k = 0; k < 3; ++k)
-                chain.world.add(make_box(0.5f, 0.5f), {-3 + 0.1f * static_cast<float>(start) + 1.01f * static_cast<float>(k), -23.5f + static_cast<float>(i)});
-        const double height = double(chain.world->position(chain.ball).y) + 24 - 1.5;
-        double gap = 0;
-        for (int i = 0; i < 1800; ++i) {
-            chain.world.step();
-            gap = std::max(gap, chain.gap());
+    constexpr int starts = 12, steps = 1800;
+    int open = 0, open_swept = 0;  // steps that end with a hinge open by more than 2 mm
+    for (const JointTrees trees : {JointTrees::automatic, JointTrees::off}) {
+        for (int start = 0; start < starts; ++start) {
+            WorldDef def;
+            def.solver.joint_trees = trees;
+            ChainBall chain(30, 100, def, false, meets_all);
+            chain.world->set_linear_velocity(chain.ball, {0, -0.05f * static_cast<float>(start)});  // so that no two falls are alike
+            chain.world.add(make_box(100, 1), {0, -25}, {}, BodyType::static_body);
+            for (int i = 0; i < 10; ++i)
+                for (int k = 0; k < 3; ++k)
+                    chain.world.add(make_box(0.5f, 0.5f),
+                                    {-3 + 0.1f * static_cast<float>(start) + 1.01f * static_cast<float>(k), -23.5f + static_cast<float>(i)});
+            const double height = double(chain.world->position(chain.ball).y) + 24 - 1.5;
+            double gap = 0;
+            for (int i = 0; i < steps; ++i) {
+                chain.world.step();
+                const double now = chain.gap();
+                gap = std::max(gap, now);
+                if (now > 0.002) ++(trees == JointTrees::off ? open_swept : open);
+            }
+            EXPECT_EQ(chain.world->validate(), nullptr);
+            if (trees == JointTrees::off) continue;
+            EXPECT_LT(gap, 0.1) << "start " << start;
+            EXPECT_LT(std::abs(double(chain.world->position(chain.ball).y) + 24 - 1.5), 0.02) << "start " << start << ": the ball does not lie on the ground";
+            EXPECT_LT(double(length_squared(chain.world->linear_velocity(chain.ball))) / 2, 1e-3 * 10 * height) << "start " << start;
         }
-        EXPECT_LT(gap, 0.1) << "start " << start;
-        if (gap > 0.002) ++apart;  // swept: all
-        EXPECT_LT(std::abs(double(chain.world->position(chain.ball).y) + 24 - 1.5), 0.02) << "start " << start << ": the ball does not lie on the ground";
-        EXPECT_LT(double(length_squared(chain.world->linear_velocity(chain.ball))) / 2, 1e-3 * 10 * height) << "start " << start;
-        EXPECT_EQ(chain.world->validate(), nullptr);
     }
-    EXPECT_LE(apart, starts / 4);
+    EXPECT_LT(open, starts * steps / 1000);
+    EXPECT_GT(open_swept, starts * steps / 2) << "so the above tests something";
 }
 
 }  // namespace

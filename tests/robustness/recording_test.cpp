@@ -44,6 +44,7 @@ void make_every_call(World& w) {
     solver.substeps = 5;
     w.set_solver(solver);
     w.enable_continuous(false);
+    w.enable_seamless_floors(false);
     w.set_hit_threshold(0.5f);
     w.set_restitution_threshold(0.8f);
     w.set_max_speed(300);

@@ -116,6 +116,7 @@ public:
     ISLET_ALL(set_solver)
     ISLET_ALL(enable_sleep)
     ISLET_ALL(enable_continuous)
+    ISLET_ALL(enable_seamless_floors)
     ISLET_ALL(set_hit_threshold)
     ISLET_ALL(set_restitution_threshold)
     ISLET_ALL(set_max_speed)

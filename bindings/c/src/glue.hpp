@@ -209,6 +209,7 @@ ISLET_C_SAME_PLACE(restitution_threshold);
 ISLET_C_SAME_PLACE(max_speed);
 ISLET_C_SAME_PLACE(hit_threshold);
 ISLET_C_SAME_PLACE(continuous);
+ISLET_C_SAME_PLACE(seamless_floors);
 ISLET_C_SAME_PLACE(lanes);
 #undef ISLET_C_SAME_PLACE
 

@@ -110,6 +110,17 @@ IsletError islet_world_enable_continuous(IsletWorld* world, bool enable) {
     return end(world);
 }
 
+bool islet_world_seamless_floors(const IsletWorld* world) {
+    bool found = {};
+    if (world != nullptr) found = of(world).seamless_floors();
+    return found;
+}
+
+IsletError islet_world_enable_seamless_floors(IsletWorld* world, bool enable) {
+    if (begin(world)) of(world).enable_seamless_floors(enable);
+    return end(world);
+}
+
 IsletError islet_world_hooks(const IsletWorld* world, IsletHooks* out) {
     if (world == nullptr) return ISLET_ERROR_NULL_POINTER;
     if (!fits<Hooks>(world, out)) return why(out);

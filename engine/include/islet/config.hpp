@@ -50,29 +50,31 @@
 
 /// The features that can be left out, one per line: FEATURE(name, the feature that it needs, the smallest profile that has it; `hinges` is the small one with
 /// revolute joints). This list is the only one: the CMake options, the constants in src/data/features.hpp and `tools/footprint.sh --options` come from it.
-#define ISLET_FEATURES(FEATURE)                                                                                                                \
-    FEATURE(polygons, engine, small)      /* boxes and other convex polygons */                                                                \
-    FEATURE(capsules, engine, full)       /* capsules */                                                                                       \
-    FEATURE(segments, engine, full)       /* segments */                                                                                       \
-    FEATURE(half_spaces, engine, full)    /* half-spaces */                                                                                    \
-    FEATURE(chains, engine, full)         /* chains and their segments */                                                                      \
-    FEATURE(restitution, engine, small)   /* bouncing */                                                                                       \
-    FEATURE(surfaces, engine, full)       /* rolling resistance and surfaces in motion */                                                      \
-    FEATURE(sleep, engine, full)          /* sleeping islands; without: as after enable_sleep(false) */                                        \
-    FEATURE(continuous, engine, full)     /* continuous collision; without: as after enable_continuous(false) */                               \
-    FEATURE(bullets, continuous, full)    /* bullets (BodyDef::bullet) */                                                                      \
-    FEATURE(sensors, engine, full)        /* sensors */                                                                                        \
-    FEATURE(hits, engine, full)           /* hit events */                                                                                     \
-    FEATURE(hooks, engine, full)          /* the user's filter, pre-solve and mixing */                                                        \
-    FEATURE(one_way, engine, full)        /* platforms that are passed from one side (ShapeDef::one_way) */                                    \
-    FEATURE(disabling, engine, full)      /* disabled bodies (BodyDef::enabled, World::set_enabled) */                                         \
-    FEATURE(queries, engine, small)       /* ray and shape casts, overlaps, closest points in a world */                                       \
-    FEATURE(mover, queries, full)         /* step_mover */                                                                                     \
-    FEATURE(recorder, engine, full)       /* World::start_recording */                                                                         \
-    FEATURE(tuning, engine, full)         /* of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance */    \
-    FEATURE(exact_angles, engine, hinges) /* heavily loaded hinges with limits, motors and friction are solved exactly, too; without: swept */ \
-    FEATURE(profile, engine, full)        /* World::profile: how long the stages of a step took */                                             \
-    FEATURE(shortcuts, engine, full)      /* faster paths for fast bodies: the bits stay the same, and nothing is refused without them */
+#define ISLET_FEATURES(FEATURE)                                                                                                                 \
+    FEATURE(polygons, engine, small)       /* boxes and other convex polygons */                                                                \
+    FEATURE(hulls, polygons, full)         /* convex polygons that are no rectangles */                                                         \
+    FEATURE(capsules, engine, full)        /* capsules */                                                                                       \
+    FEATURE(segments, engine, full)        /* segments */                                                                                       \
+    FEATURE(half_spaces, engine, full)     /* half-spaces */                                                                                    \
+    FEATURE(chains, engine, full)          /* chains and their segments */                                                                      \
+    FEATURE(restitution, engine, small)    /* bouncing */                                                                                       \
+    FEATURE(surfaces, engine, full)        /* rolling resistance and surfaces in motion */                                                      \
+    FEATURE(sleep, engine, full)           /* sleeping islands; without: as after enable_sleep(false) */                                        \
+    FEATURE(continuous, engine, full)      /* continuous collision; without: as after enable_continuous(false) */                               \
+    FEATURE(bullets, continuous, full)     /* bullets (BodyDef::bullet) */                                                                      \
+    FEATURE(seamless_floors, engine, full) /* floors of many pieces; without: as after enable_seamless_floors(false) */                         \
+    FEATURE(sensors, engine, full)         /* sensors */                                                                                        \
+    FEATURE(hits, engine, full)            /* hit events */                                                                                     \
+    FEATURE(hooks, engine, full)           /* the user's filter, pre-solve and mixing */                                                        \
+    FEATURE(one_way, engine, full)         /* platforms that are passed from one side (ShapeDef::one_way) */                                    \
+    FEATURE(disabling, engine, full)       /* disabled bodies (BodyDef::enabled, World::set_enabled) */                                         \
+    FEATURE(queries, engine, small)        /* ray and shape casts, overlaps, closest points in a world */                                       \
+    FEATURE(mover, queries, full)          /* step_mover */                                                                                     \
+    FEATURE(recorder, engine, full)        /* World::start_recording */                                                                         \
+    FEATURE(tuning, engine, full)          /* of the solver: sweep orders, block contacts, shock propagation, residuals and the tolerance */    \
+    FEATURE(exact_angles, engine, hinges)  /* heavily loaded hinges with limits, motors and friction are solved exactly, too; without: swept */ \
+    FEATURE(profile, engine, full)         /* World::profile: how long the stages of a step took */                                             \
+    FEATURE(shortcuts, engine, full)       /* faster paths for fast bodies: the bits stay the same, and nothing is refused without them */
 
 /// The types of joints, one per line: JOINT(type, the name of its definition without JointDef). Each type is also a feature, <type>_joints, and "joints"
 /// names all of them. src/constraint/<type>_joint.hpp describes each type.

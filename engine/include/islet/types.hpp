@@ -217,6 +217,8 @@ struct WorldDef {
     bool continuous = true;              ///< Continuous collision: however fast bodies move and turn, and however hard they are pressed, dynamic ones do not
                                          ///< pass through static shapes, and bullets pass through no other body. (Other bullets may still crowd a bullet
                                          ///< into a moving body.)
+    bool seamless_floors = true;         ///< What slides over shapes that lie side by side does not catch at the edges between them: where one covers the
+                                         ///< edge of the next, that makes no contact. (In chains, segments know their neighbours without this.)
     std::uint32_t lanes = 0;             ///< How many constraints are solved at once: at most 1, 4, 8 or 16; 0: as many as can be. The bits are the same.
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;

@@ -102,6 +102,9 @@ public:
     /// WorldDef::continuous.
     bool continuous() const;
     void enable_continuous(bool enable);
+    /// WorldDef::seamless_floors. Contacts that keep their manifolds follow when these are made anew.
+    bool seamless_floors() const;
+    void enable_seamless_floors(bool enable);
 
     /// The hooks as they were last set; none by default.
     Hooks hooks() const;

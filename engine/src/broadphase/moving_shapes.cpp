@@ -44,7 +44,7 @@ void close_columns(Columns& c) {
 // The box in which a shape may meet others: its fat box, and the way of a body that may leave that.
 ISLET_SHARED Aabb box_to_meet_in(const Core& core, std::uint32_t shape, float dt) {
     const std::uint32_t body = core.shapes[shape].body;
-    if (!core.is_awake(body) || (core.poses[body].flags & pose_leaves) == 0) return core.boxes[shape];
+    if (!core.is_awake(body) || !may_leave(core.poses[body])) return core.boxes[shape];
     return both(core.boxes[shape], box_along_way(core, {core.boxes[shape], way_of(core, body, dt), body, shape, true}));
 }
 
@@ -113,7 +113,7 @@ ISLET_APART ListedShapes list_moving(const Core& core, const BitSet& bodies, Mov
         ListPart& part = parts[cut.of(first)];
         part.count = 0;
         bodies.for_each_in(first, end, [&](std::uint32_t body) {
-            const bool leaves = (core.poses[body].flags & pose_leaves) != 0;
+            const bool leaves = may_leave(core.poses[body]);
             const Way way = leaves ? way_of(core, body, dt) : Way{};
             for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
                 const bool moved = core.moved_shapes.test(s);

@@ -39,7 +39,9 @@ struct MovingShape {
 };
 
 /// The box of a shape's way, but no farther than its surroundings: a body that is faster for its size must be a bullet to stop at moving bodies.
-ISLET_SHARED Aabb box_along_way(const Core& core, const MovingShape& m) { return m.leaves ? grow(m.box, m.way, surroundings(core.poses[m.body])) : m.box; }
+ISLET_SHARED Aabb box_along_way(const Core& core, const MovingShape& m) {
+    return has_continuous && m.leaves ? grow(m.box, m.way, surroundings(core.poses[m.body])) : m.box;
+}
 
 /// Whether two shapes with the boxes `a` and `b` may come together; `fall` (m) is the way that gravity adds to one while the other is held.
 ISLET_SHARED bool may_meet_on(const Aabb& a, const Way& way_a, const Aabb& b, const Way& way_b, float fall) {
@@ -63,7 +65,7 @@ struct Moving {
         const MovingShape& a = in_place(place_1);
         const MovingShape& b = in_place(place_2);
         if (a.body == b.body) return false;
-        if ((!a.leaves && !b.leaves) || meet_at_once(a.box, b.box)) return true;
+        if (!has_continuous || (!a.leaves && !b.leaves) || meet_at_once(a.box, b.box)) return true;
         const Way way_a = way(a), way_b = way(b);
         if (!may_meet_on(a.box, way_a, b.box, way_b, fall)) return false;
         return way_a.turn + way_b.turn < fast_way || detail::may_meet(core, a.body, a.box, b.body, b.box, dt);

@@ -142,19 +142,21 @@ void scan_others(Out& out, const Scan& how, const Moving& m, std::uint32_t begin
 inline constexpr float leave_way = 0.5f * speculative_distance + 0.4f * linear_slop;
 inline constexpr float alone_fraction = 0.5f;  // of its smallest half-thickness: if a body moves farther in a step, it pays to know whether it is alone
 
-// Notes whether the body is fast, and whether it is alone, which saves up to three queries of the tree. Returns whether it may leave its boxes.
+// Notes whether the body is fast, and whether it is alone, which saves up to three queries of the tree. Returns whether it may leave its boxes. (Without
+// continuous collision that says nothing: contacts are made where bodies stand.)
 bool note_fast(Core& core, std::uint32_t body, float dt) {
     Pose& pose = core.poses[body];
     pose.flags &= ~static_cast<std::uint32_t>(pose_fast | pose_leaves | pose_far | pose_deep);
     const float way = way_length(core, body, dt);
     if (!(way > fast_way)) return false;
     pose.flags |= pose_fast;
+    if (!is_continuous(core)) return false;
     if (way > core.motions[body].slack + leave_way) pose.flags |= pose_leaves;
     if (way > surroundings(pose)) pose.flags |= pose_far;
     if (has_shortcuts && way > alone_fraction * core.bodies[body].min_extent &&
         TreeWalk(Tree{&core.state->tree, core.tree}, surroundings_of(pose)).next() == null_index)
         pose.flags |= pose_alone;
-    return (pose.flags & pose_leaves) != 0;
+    return may_leave(pose);
 }
 
 // Notes the fast among all awake bodies, and marks the shapes of those that may leave their boxes as moved. Returns whether one of them may go beyond its
@@ -205,7 +207,7 @@ void query_tree(Out& out, const Moving& m, std::uint32_t begin, std::uint32_t en
         const Aabb box = box_along_way(core, shape);
         if (is_clear(core.poses[shape.body], box)) continue;
         tree_query({&core.state->tree, core.tree}, box, [&](std::uint32_t other) {
-            if (!shape.leaves || meet(shape.box, core.boxes[other]) || may_meet_on(core.boxes[other], {}, shape.box, shape.way, m.fall))
+            if (!has_continuous || !shape.leaves || meet(shape.box, core.boxes[other]) || may_meet_on(core.boxes[other], {}, shape.box, shape.way, m.fall))
                 out.push(shape.shape, other);
         });
     }
@@ -400,7 +402,7 @@ void add_marked(Core& core, std::uint32_t marked) {
 }
 
 bool may_meet(const Core& core, std::uint32_t body_a, const Aabb& box_a, std::uint32_t body_b, const Aabb& box_b, float dt) {
-    if (((core.poses[body_a].flags | core.poses[body_b].flags) & pose_leaves) == 0) return false;
+    if (!may_leave(core.poses[body_a]) && !may_leave(core.poses[body_b])) return false;
     const Approach approach = approach_of(core.poses[body_a], core.poses[body_b], core.motions[body_a], core.motions[body_b], dt, fall_in(core, dt));
     return meet(box_a, grow(box_b, {approach.way, approach.turn}, 3.0e38f));
 }
@@ -410,7 +412,7 @@ bool keeps_from_endless(const Core& core, std::uint32_t shape_a, std::uint32_t s
     if (!is_endless(core.geometries[a.geometry])) return false;
     const std::uint32_t body_b = core.shapes[shape_b].body;
     Aabb box = core.boxes[shape_b];
-    if (((core.poses[a.body].flags | core.poses[body_b].flags) & pose_leaves) != 0) {
+    if (may_leave(core.poses[a.body]) || may_leave(core.poses[body_b])) {
         const Approach approach = approach_of(core.poses[a.body], core.poses[body_b], core.motions[a.body], core.motions[body_b], dt, fall_in(core, dt));
         box = grow(box, {approach.way, approach.turn}, 3.0e38f);
     }
@@ -421,7 +423,7 @@ void find_pairs(Core& core, float dt) {
     core.report.dropped_contacts = 0;
     const bool any_far = note_all_fast(core, dt);
     if (core.state->moved_count != 0) find_moved_pairs(core, dt);
-    if (any_far) {
+    if (has_continuous && any_far) {
         core.awake_bodies.for_each([&](std::uint32_t body) {
             constexpr std::uint32_t both_flags = pose_leaves | pose_far;
             if ((core.poses[body].flags & both_flags) == both_flags && (!has_shortcuts || !stays_alone(core, body, dt))) look_ahead(core, body, dt);

@@ -59,6 +59,9 @@ struct Way {
     float turn = 0;  // m, by which turning may add to the way of its points
 };
 
+/// True if a body may leave its fat boxes within this step.
+inline bool may_leave(const Pose& pose) { return has_continuous && (pose.flags & pose_leaves) != 0; }
+
 /// True if shapes of two bodies whose fat boxes do not meet may come together within dt.
 bool may_meet(const Core& core, std::uint32_t body_a, const Aabb& box_a, std::uint32_t body_b, const Aabb& box_b, float dt);
 

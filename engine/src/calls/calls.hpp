@@ -105,7 +105,8 @@
     X(apply_torque_no_wake, apply_torque, BodyId, float, bool) \
     X(apply_linear_impulse_no_wake, apply_linear_impulse, BodyId, Vec2, Vec2, bool) \
     X(apply_linear_impulse_to_center_no_wake, apply_linear_impulse_to_center, BodyId, Vec2, bool) \
-    X(apply_angular_impulse_no_wake, apply_angular_impulse, BodyId, float, bool)
+    X(apply_angular_impulse_no_wake, apply_angular_impulse, BodyId, float, bool) \
+    X(enable_seamless_floors, enable_seamless_floors, bool)
 // clang-format on
 
 namespace islet::detail {

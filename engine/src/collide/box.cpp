@@ -41,10 +41,8 @@ struct View {
     float s = 0;
 };
 
-enum class Outcome { decided, needs_corners };
-
-// Clips the other box's face to the reference's face across axis0 or axis1. `bound` is the gap along the best axis.
-ISLET_COPIED Outcome clip_boxes(const Box ref, const Box inc, View v, bool second_axis, bool reference_is_b, float bound, float margin, Manifold& m) {
+// Clips the other box's face to the reference's face across axis0 or axis1. `bound` is the gap along the best axis. False if two corners may be nearer.
+ISLET_COPIED bool clip_boxes(const Box ref, const Box inc, View v, bool second_axis, bool reference_is_b, float bound, float margin, Manifold& m) {
     // Turn the view so that the reference face's normal is the x axis: by a quarter for axis1, by a half if the other box is behind.
     Vec2 n = ref.axis0;
     float h_n = ref.h0;
@@ -85,11 +83,10 @@ ISLET_COPIED Outcome clip_boxes(const Box ref, const Box inc, View v, bool secon
     const float slope = -i_t / i_n;  // |i_n| >= cos 45 degrees
     const float gap_high = middle_gap + slope * (high - middle);
     const float gap_low = middle_gap + slope * (low - middle);
-    const float least = min(gap_high, gap_low);
-    const float radii = ref.radius + inc.radius;
-    if (low > high || least > margin + radii || (bound > separation_tie && least > bound + separation_tie)) { return Outcome::needs_corners; }
+    if (low > high) return false;
 
     const Vec2 t = left_perp(n);
+    const float radii = ref.radius + inc.radius;
     const Vec2 base = ref.center + (h_n + 0.5f * (ref.radius - inc.radius)) * n;
     const std::uint32_t ref2 = (ref1 + 1u) & 3u;
     const std::uint32_t inc2 = (inc1 + 1u) & 3u;
@@ -100,23 +97,56 @@ ISLET_COPIED Outcome clip_boxes(const Box ref, const Box inc, View v, bool secon
     m.count = m.points[0].separation <= margin ? 1 : 0;
     m.points[m.count] = reference_is_b ? at_low : at_high;
     m.count += m.points[m.count].separation <= margin ? 1 : 0;
-    return Outcome::decided;
+    // No clipped point can be closer than the best axis says, and none needs to be.
+    return m.count > 0 && (bound <= separation_tie || min(gap_high, gap_low) <= bound + separation_tie);
+}
+
+// Corner i of a box is where its face i begins. Half of the box's diagonal to a corner, in which the signs along axis0 and axis1 are these.
+Vec2 to_corner(const Box& box, bool plus0, bool plus1) { return (plus0 ? box.h0 : -box.h0) * box.axis0 + (plus1 ? box.h1 : -box.h1) * left_perp(box.axis0); }
+std::uint32_t corner_index(bool plus0, bool plus1) { return plus0 ? (plus1 ? 1 : 0) : (plus1 ? 2 : 3); }
+
+/// The corner of a box that is nearest to another box, and the point of that which is nearest to the corner.
+struct NearCorner {
+    float squared = 3.0e38f;                  // m^2, of the distance
+    Vec2 corner, foot, between;               // frame A; from the foot to the corner
+    std::uint32_t index = 0, foot_index = 0;  // of the corners; that of the foot is in the same quarter of its box
+};
+
+ISLET_SHARED NearCorner nearest_corner(const Box& box, const Box& other) {
+    NearCorner best;
+    const Vec2 axis1 = left_perp(box.axis0);
+    for (const bool plus0 : {false, true}) {
+        for (const bool plus1 : {false, true}) {
+            const Vec2 half = to_corner(other, plus0, plus1), from_center = other.center - box.center + half;
+            const Vec2 at = {dot(box.axis0, from_center), dot(axis1, from_center)};
+            const Vec2 on = {clamp(at.x, -box.h0, box.h0), clamp(at.y, -box.h1, box.h1)};
+            const Vec2 out = at - on;
+            if (!(length_squared(out) < best.squared)) continue;
+            best = {length_squared(out),
+                    other.center + half,
+                    box.center + on.x * box.axis0 + on.y * axis1,
+                    out.x * box.axis0 + out.y * axis1,
+                    corner_index(plus0, plus1),
+                    corner_index(at.x > 0, at.y > 0)};
+        }
+    }
+    return best;
+}
+
+// Boxes that overlap, but whose faces miss each other: the deepest corner alone. `view` is of the reference's axes.
+Manifold deepest_corner(const Box& ref, const Box& other, const View& view, bool second_axis, float gap, bool reference_is_b) {
+    const bool plus = (second_axis ? view.y : view.x) > 0;
+    const Vec2 axis = second_axis ? left_perp(ref.axis0) : ref.axis0, n = plus ? axis : -axis;
+    const bool plus0 = dot(n, other.axis0) < 0, plus1 = cross(other.axis0, n) < 0;
+    const Vec2 corner = other.center + to_corner(other, plus0, plus1), foot = corner - gap * n;
+    const std::uint32_t face = (second_axis ? 1u : 0u) + (plus ? 0u : 2u), index = corner_index(plus0, plus1);
+    if (reference_is_b) return point_manifold(corner, other.radius, foot, ref.radius, -n, gap, feature_id(index, face));
+    return point_manifold(foot, ref.radius, corner, other.radius, n, gap, feature_id(face, index));
 }
 
 }  // namespace
 
-bool is_box(const Polygon& p) {
-    const Vec2 n0 = p.normals[0];
-    const Vec2 n1 = p.normals[1];
-    const Vec2 n2 = p.normals[2];
-    const Vec2 n3 = p.normals[3];
-    // One sum instead of six comparisons: it is zero only if every term is.
-    const float skew =
-        magnitude(n1.x + n0.y) + magnitude(n1.y - n0.x) + magnitude(n2.x + n0.x) + magnitude(n2.y + n0.y) + magnitude(n3.x + n1.x) + magnitude(n3.y + n1.y);
-    return p.count == 4 && skew == 0.0f;
-}
-
-bool collide_boxes(const Polygon& pa, const Polygon& pb, const Transform& b_in_a, float margin, Manifold& m) {
+Manifold collide_boxes(const Polygon& pa, const Polygon& pb, const Transform& b_in_a, float margin) {
     const Box a = oriented_box(pa);
     Box b = oriented_box(pb);
     b.center = transform_point(b_in_a, b.center);
@@ -134,14 +164,29 @@ bool collide_boxes(const Polygon& pa, const Polygon& pb, const Transform& b_in_a
     const float gap_b1 = magnitude(from_b.y) - b.h1 - (s * a.h0 + c * a.h1);
     const float gap_a = max(gap_a0, gap_a1);
     const float gap_b = max(gap_b0, gap_b1);
-    const float bound = max(gap_a, gap_b);
-    m.count = 0;
-    if (bound > margin + (a.radius + b.radius)) { return true; }
+    const float bound = max(gap_a, gap_b), radii = a.radius + b.radius, limit = margin + radii;
+    Manifold m;
+    if (bound > limit) return m;
 
     // The reference face is A's unless B's is clearly better.
-    const Outcome outcome = gap_b > gap_a + separation_tie ? clip_boxes(b, a, from_b, gap_b1 > gap_b0, true, bound, margin, m)
-                                                           : clip_boxes(a, b, from_a, gap_a1 > gap_a0, false, bound, margin, m);
-    return outcome == Outcome::decided;
+    if (gap_b > gap_a + separation_tie ? clip_boxes(b, a, from_b, gap_b1 > gap_b0, true, bound, margin, m)
+                                       : clip_boxes(a, b, from_a, gap_a1 > gap_a0, false, bound, margin, m))
+        return m;
+
+    // The nearest points of two boxes that are apart: at least one is a corner.
+    const NearCorner of_b = nearest_corner(a, b), of_a = nearest_corner(b, a);
+    const bool is_b = of_b.squared <= of_a.squared;
+    const NearCorner& near = is_b ? of_b : of_a;
+    const float gap = sqrt(near.squared);
+    if (gap <= 1e-5f) {  // m; overlapping, or too close for a direction between corners
+        if (m.count > 0) return m;
+        return gap_b > gap_a ? deepest_corner(b, a, from_b, gap_b1 > gap_b0, gap_b, true) : deepest_corner(a, b, from_a, gap_a1 > gap_a0, gap_a, false);
+    }
+    if (m.count > 0 && least_separation(m) <= gap - radii + separation_tie) return m;
+    if (gap > limit) return {};
+    const Vec2 out = (1.0f / gap) * near.between;
+    return is_b ? point_manifold(near.foot, a.radius, near.corner, b.radius, out, gap, feature_id(near.foot_index, near.index))
+                : point_manifold(near.corner, a.radius, near.foot, b.radius, -out, gap, feature_id(near.index, near.foot_index));
 }
 
 }  // namespace islet::detail

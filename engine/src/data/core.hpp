@@ -157,6 +157,11 @@ struct Closed {
 static_assert(sizeof(Core) <= core_bytes);
 static_assert(constraint_color_count == color_count);
 
+/// False if continuous collision is switched off, or left out of this build: both come to the same.
+inline bool is_continuous(const Core& core) { return has_continuous && core.state->continuous != 0; }
+/// The same of seamless floors.
+inline bool has_seamless(const Core& core) { return has_seamless_floors && core.state->catching_floors == 0; }
+
 /// None is known from now on.
 inline void forget_residuals(Core& core) {
     core.report.residual = 0;

@@ -363,15 +363,16 @@ struct State {
     std::uint32_t enable_sleep = 1;
     std::uint32_t moved_count = 0;  // shapes whose fat box changed since pairs were last found
     std::uint64_t steps = 0;
-    float last_substep = 0;          // s; impulses kept for warm starting belong to a substep of this length
-    std::uint32_t trees_stale = 0;   // 1: something that decides which joints are solved exactly has changed
-    std::uint32_t exact_joints = 0;  // how many are
-    std::uint32_t continuous = 1;    // 1: fast bodies are followed
-    std::uint32_t bullet_count = 0;  // bodies that are bullets
-    float hit_threshold = 1;         // m/s
-    std::uint32_t locked_count = 0;  // bodies with a lock
-    std::uint32_t asked = 0;         // asked_of the flags that any shape ever had, asked_breaks, asked_sharing
-    std::uint32_t pad[10] = {};
+    float last_substep = 0;             // s; impulses kept for warm starting belong to a substep of this length
+    std::uint32_t trees_stale = 0;      // 1: something that decides which joints are solved exactly has changed
+    std::uint32_t exact_joints = 0;     // how many are
+    std::uint32_t continuous = 1;       // 1: fast bodies are followed
+    std::uint32_t bullet_count = 0;     // bodies that are bullets
+    float hit_threshold = 1;            // m/s
+    std::uint32_t locked_count = 0;     // bodies with a lock
+    std::uint32_t asked = 0;            // asked_of the flags that any shape ever had, asked_breaks, asked_sharing
+    std::uint32_t catching_floors = 0;  // 1: bodies may catch at the edges between the pieces of a floor
+    std::uint32_t pad[9] = {};
 };
 
 // The block is the same on every processor. On 32-bit x86 a struct aligns a 64-bit member to 4 bytes only, elsewhere to 8: each stands at a multiple

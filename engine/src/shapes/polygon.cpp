@@ -94,6 +94,7 @@ bool is_valid(const Polygon& p) {
 /// Moments about vertex 0 give the centre of mass; a second pass about that centre gives the inertia without subtracting large numbers.
 MassData compute_mass(const Polygon& p, float density) {
     if (!is_valid(p) || !is_density(density)) return {};
+    if (is_box(p)) return compute_box_mass(p, density);
     const Vec2 origin = p.vertices[0];
     const Moments rough = polygon_moments(p, origin);
     if (!(rough.area > 0)) return {};
@@ -153,8 +154,7 @@ Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, flo
 }
 
 Manifold collide(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin) {
-    Manifold m;
-    if (is_box(a) && is_box(b) && collide_boxes(a, b, b_in_a, margin, m)) { return m; }
+    if (!has_hulls || (is_box(a) && is_box(b))) return collide_boxes(a, b, b_in_a, margin);
     const Vec2 origin = a.vertices[0];
     return collide_cores(outline_of(a, origin), outline_of(b, b_in_a, origin), origin, margin);
 }

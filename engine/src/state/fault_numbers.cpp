@@ -39,7 +39,7 @@ bool floats_are_finite(const Record& record, std::size_t first, std::size_t end)
 
 const char* fault_in_numbers(const State& s) {
     if (s.solver.schedule > 1 || s.solver.warm_start > 1 || s.solver.joint_trees > 2 || s.solver.sweep_order > 3 || s.solver.block_contacts > 1 ||
-        s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1 || s.continuous > 1 ||
+        s.solver.measure_residual > 1 || s.trees_stale > 1 || s.enable_sleep > 1 || s.continuous > 1 || s.catching_floors > 1 ||
         s.asked > (shape_single_bits | asked_one_way | asked_breaks | asked_sharing))
         return "a setting of the world is none";
     Error error = Error::none;

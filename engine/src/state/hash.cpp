@@ -104,7 +104,7 @@ std::uint64_t World::hash() const {
     h.word(s.moved_count);
     h.word(s.trees_stale);
     h.word(s.exact_joints);
-    h.word(s.continuous);
+    h.word(s.continuous | s.catching_floors << 1);
     h.number(s.hit_threshold);
 
     SolverState solver = s.solver;

@@ -138,6 +138,10 @@ bool needs_what_is_cut(const ImageView& c) {
         if (pool_live(s.joint_pool, c.joints, i) && is_exact_angle(c.joints[i])) return true;
     for (std::uint32_t i = 0; !has_all_shapes && i < s.geometry_pool.high_water; ++i)
         if (c.geometries[i].references != 0 && !has_shape(static_cast<ShapeType>(c.geometries[i].type))) return true;
+    for (std::uint32_t i = 0; has_polygons && !has_hulls && i < s.geometry_pool.high_water; ++i) {
+        const Geometry& g = c.geometries[i];
+        if (g.references != 0 && static_cast<ShapeType>(g.type) == ShapeType::polygon && !is_box(g.polygon)) return true;
+    }
     for (std::uint32_t i = 0; !(has_restitution && has_surfaces && has_sensors && has_hits && has_hooks && has_one_way) && i < s.shape_pool.high_water; ++i) {
         const Shape& shape = c.shapes[i];
         if (!has_restitution && shape.restitution != 0) return true;
@@ -156,7 +160,8 @@ bool needs_what_is_cut(const ImageView& c) {
         if (!has_disabling && (flags & body_disabled) != 0) return true;
         if (!has_sleep && c.bodies[i].type() != BodyType::static_body && !c.is_awake(i) && (flags & body_disabled) == 0) return true;
     }
-    return (!has_sleep && s.enable_sleep != 0) || (!has_continuous && s.continuous != 0) || (!has_tuning && needs_tuning(unpack(s.solver)));
+    return (!has_sleep && s.enable_sleep != 0) || (!has_continuous && s.continuous != 0) || (!has_seamless_floors && s.catching_floors == 0) ||
+           (!has_tuning && needs_tuning(unpack(s.solver)));
 }
 
 // True if a record has an index that this build's worlds have no room for. (Those of live contacts are sound; a slot that is free may hold anything.)

@@ -11,9 +11,6 @@ namespace islet::detail {
 /// True if the body may have passed through something: it made a way longer than this share of its smallest half-thickness.
 inline constexpr float look_fraction = 0.5f;
 
-/// False if continuous collision is switched off, or left out of this build: both come to the same.
-inline bool is_continuous(const Core& core) { return has_continuous && core.state->continuous != 0; }
-
 /// The way that a body will go in dt seconds if nothing stops it. With `may_be_held`, a body slower than the pull on it would make it in dt is taken to lie on
 /// something.
 BodyPath path_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_held);

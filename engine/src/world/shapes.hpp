@@ -27,11 +27,18 @@ void shapes_changed(Core& core, std::uint32_t body, std::uint32_t newest);
 /// Makes a shape: checks the body and the definition, and does all of the above. `valid` says whether the geometry is valid.
 ShapeId attach_shape(Core& core, BodyId body, const Geometry& geometry, bool valid, const ShapeDef& def);
 
+/// True if this build has such shapes.
+template <class Shape>
+bool is_in_build(const Shape&) {
+    return has_shape(RowOf<Shape>::type);
+}
+inline bool is_in_build(const Polygon& shape) { return has_polygons && (has_hulls || is_box(shape) || !islet::is_valid(shape)); }
+
 /// World::create_shape for a type of shape.
-#define ISLET_DEFINE_CREATE_SHAPE(name, Type)                                                                                                             \
-    ShapeId World::create_shape(BodyId body, const Type& shape, const ShapeDef& def) {                                                                    \
-        note_call<Call::create_##name>(core(), body, shape, def);                                                                                         \
-        return check_there(core(), has_shape(ShapeType::name)) ? attach_shape(core(), body, geometry_of(shape), islet::is_valid(shape), def) : ShapeId{}; \
+#define ISLET_DEFINE_CREATE_SHAPE(name, Type)                                                                                                     \
+    ShapeId World::create_shape(BodyId body, const Type& shape, const ShapeDef& def) {                                                            \
+        note_call<Call::create_##name>(core(), body, shape, def);                                                                                 \
+        return check_there(core(), is_in_build(shape)) ? attach_shape(core(), body, geometry_of(shape), islet::is_valid(shape), def) : ShapeId{}; \
     }
 
 /// Gives a shape another geometry. `valid` says whether it is valid, `there` whether this build has its type. Contacts are destroyed, because the types of two
@@ -39,10 +46,10 @@ ShapeId attach_shape(Core& core, BodyId body, const Geometry& geometry, bool val
 void replace_geometry(Core& core, ShapeId shape, const Geometry& geometry, bool valid, bool there);
 
 /// World::set_circle and so on, for a type of shape.
-#define ISLET_DEFINE_SET_SHAPE(name, Type)                                                                    \
-    void World::set_##name(ShapeId id, const Type& shape) {                                                   \
-        note_call<Call::set_##name>(core(), id, shape);                                                       \
-        replace_geometry(core(), id, geometry_of(shape), islet::is_valid(shape), has_shape(ShapeType::name)); \
+#define ISLET_DEFINE_SET_SHAPE(name, Type)                                                            \
+    void World::set_##name(ShapeId id, const Type& shape) {                                           \
+        note_call<Call::set_##name>(core(), id, shape);                                               \
+        replace_geometry(core(), id, geometry_of(shape), islet::is_valid(shape), is_in_build(shape)); \
     }
 
 }  // namespace islet::detail

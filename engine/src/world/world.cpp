@@ -138,6 +138,7 @@ World& create_static(std::byte* block, const Capacity& capacity, const Layout& l
     forget_residuals(core);
     state.enable_sleep = has_sleep && def.enable_sleep ? 1 : 0;
     state.continuous = has_continuous && def.continuous ? 1 : 0;
+    state.catching_floors = has_seamless_floors && def.seamless_floors ? 0 : 1;
     return world;
 }
 
@@ -197,6 +198,13 @@ bool World::continuous() const { return core().state->continuous != 0; }
 void World::enable_continuous(bool enable) {
     note_call<Call::enable_continuous>(core(), enable);
     if (check_open(core()) && check_there(core(), has_continuous || !enable)) core().state->continuous = enable ? 1 : 0;
+}
+
+bool World::seamless_floors() const { return core().state->catching_floors == 0; }
+
+void World::enable_seamless_floors(bool enable) {
+    note_call<Call::enable_seamless_floors>(core(), enable);
+    if (check_open(core()) && check_there(core(), has_seamless_floors || !enable)) core().state->catching_floors = enable ? 0 : 1;
 }
 
 float World::restitution_threshold() const { return core().state->restitution_threshold; }

@@ -265,11 +265,12 @@ void Caller::change_joint() {
 }
 
 void Caller::change_world() {
-    switch (in.below(14)) {
+    switch (in.below(15)) {
     case 0: all.set_gravity(in.point()); break;
     case 1: all.enable_sleep(in.flag()); break;
     case 2: all.enable_continuous(in.flag()); break;
     case 3: all.set_hit_threshold(in.size()); break;
+    case 14: all.enable_seamless_floors(in.flag()); break;
     case 7: all.set_restitution_threshold(in.size()); break;
     case 8: all.set_max_speed(in.flag() ? 1000 * in.size() : in.size()); break;
     case 4: {

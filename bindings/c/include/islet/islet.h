@@ -690,6 +690,9 @@ typedef struct IsletWorldDef {
     /// Continuous collision: however fast bodies move and turn, and however hard they are pressed, dynamic ones do not pass through static shapes, and
     /// bullets pass through no other body. (Other bullets may still crowd a bullet into a moving body.)
     bool continuous;
+    /// What slides over shapes that lie side by side does not catch at the edges between them: where one covers the edge of the next, that makes no contact.
+    /// (In chains, segments know their neighbours without this.)
+    bool seamless_floors;
     /// How many constraints are solved at once: at most 1, 4, 8 or 16; 0: as many as can be. The bits are the same.
     uint32_t lanes;
     IsletErrorHook error_hook;
@@ -1587,7 +1590,7 @@ static inline IsletSolverDef islet_default_solver_def(void) {
 
 static inline IsletWorldDef islet_default_world_def(void) {
     return (IsletWorldDef){.struct_size = sizeof(IsletWorldDef), .gravity.y = -10.0f, .enable_sleep = true, .restitution_threshold = 1.0f,
-        .max_speed = 400.0f, .hit_threshold = 1.0f, .continuous = true};
+        .max_speed = 400.0f, .hit_threshold = 1.0f, .continuous = true, .seamless_floors = true};
 }
 
 static inline IsletBodyDef islet_default_body_def(void) {
@@ -1817,6 +1820,7 @@ static inline IsletWorldDef islet_default_world_def(void) {
     def.max_speed = 400.0f;
     def.hit_threshold = 1.0f;
     def.continuous = true;
+    def.seamless_floors = true;
     return def;
 }
 
@@ -2461,6 +2465,10 @@ ISLET_C_API uint32_t islet_world_lanes(const IsletWorld* world);
 /// IsletWorldDef.continuous.
 ISLET_C_API bool islet_world_continuous(const IsletWorld* world);
 ISLET_C_API IsletError islet_world_enable_continuous(IsletWorld* world, bool enable);
+
+/// IsletWorldDef.seamless_floors. Contacts that keep their manifolds follow when these are made anew.
+ISLET_C_API bool islet_world_seamless_floors(const IsletWorld* world);
+ISLET_C_API IsletError islet_world_enable_seamless_floors(IsletWorld* world, bool enable);
 
 /// The hooks as they were last set; none by default.
 ISLET_C_API IsletError islet_world_hooks(const IsletWorld* world, IsletHooks* out);
