@@ -21,7 +21,7 @@ struct HingeTree {
     std::vector<TreeLink> links;     // leaves first; link k is of body k + 1
 };
 
-// A random tree: each body hangs on one that comes later, or on the static body, or is a root. Masses span `spread` decades.
+// A random tree: each body hangs on one that comes later, the last one on the static body, if it is not a root. Masses span `spread` decades.
 HingeTree random_tree(Random& random, std::uint32_t size, float spread) {
     HingeTree tree;
     tree.bodies.resize(size + 1);
@@ -42,7 +42,7 @@ HingeTree random_tree(Random& random, std::uint32_t size, float spread) {
         l.sign = random.one_in(2) ? 1.0f : -1.0f;
         l.rc = vec(1);
         l.rp = vec(1);
-        l.parent = last || random.one_in(8) ? 0 : k + 2 + random.below(size - k - 1);
+        l.parent = last ? 0 : k + 2 + random.below(size - k - 1);
         if (l.parent != 0) l.up = l.parent - 1;
     }
     return tree;
@@ -219,6 +219,39 @@ TEST(TreeSolve, FindsImpulsesOfFrictionMotorsAndLimitsThatTheirLawsAllow) {
             EXPECT_LE(impulse, most + close);
         }
         if (testing::Test::HasFailure()) return;
+    }
+}
+
+// Trees beside each other, with as many links as they like: each comes to the bits to which it comes alone, whatever the others need.
+TEST(TreeSolve, SolvesEachTreeAsIfItWereAlone) {
+    Random random(17);
+    JointSweep relax;
+    relax.h = 1.0f / 240;
+    relax.inv_h = 240;
+    for (int trial = 0; trial < 200; ++trial) {
+        SCOPED_TRACE(trial);
+        HingeTree all;
+        all.bodies.resize(1);
+        std::vector<HingeTree> trees;
+        for (std::uint32_t i = 0; i < 1 + random.below(4); ++i) {
+            trees.push_back(random_tree(random, 1 + random.below(8), 2));
+            const auto before = static_cast<std::uint32_t>(all.links.size());
+            all.bodies.insert(all.bodies.end(), trees.back().bodies.begin() + 1, trees.back().bodies.end());
+            for (TreeLink link : trees.back().links) {
+                link.child += before;
+                if (link.parent != 0) link.parent += before;
+                all.links.push_back(link);
+            }
+        }
+        solve_trees(all.bodies.data(), all.links.data(), static_cast<std::uint32_t>(all.links.size()), nullptr, relax);
+        std::size_t slot = 1;
+        for (HingeTree& tree : trees) {
+            solve_trees(tree.bodies.data(), tree.links.data(), static_cast<std::uint32_t>(tree.links.size()), nullptr, relax);
+            for (std::size_t b = 1; b < tree.bodies.size(); ++b, ++slot) {
+                ASSERT_EQ(all.bodies[slot].v, tree.bodies[b].v);
+                ASSERT_EQ(all.bodies[slot].w, tree.bodies[b].w);
+            }
+        }
     }
 }
 

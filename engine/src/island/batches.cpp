@@ -430,7 +430,7 @@ Islands number_islands(const Core& core, Plan& plan, const ConnectedBodies& sets
 }
 
 // Puts the islands into batches, in order, and decides which slots each batch has. No two batches share a moving body (kinematic_batch says how). The
-// number of workers has no say: joint trees are judged, and residuals measured, batch by batch.
+// number of workers has no say: residuals are measured batch by batch.
 void fill_batches(Plan& plan, const Islands& found) {
     plan.batches[kinematic_batch] = plan.batches[1] = Batch{};
     plan.batches[kinematic_batch].body_count = static_cast<PlanIndex>(found.kinematic_count);

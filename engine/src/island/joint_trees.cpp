@@ -117,27 +117,48 @@ std::uint32_t order_links(const Core& core, bool awake, PlannedLink* out, Arena 
 }
 
 ISLET_APART void plan_links(const Core& core, Plan& plan, const Islands& islands, Arena temporary) {
+    const std::uint32_t bodies = core.state->body_pool.high_water;
     PlannedLink* ordered = temporary.take<PlannedLink>(tree_capacity(core.capacity));
-    std::uint32_t* place_of = temporary.take<std::uint32_t>(core.state->body_pool.high_water);  // of a body, among its batch's links
-    std::uint32_t* next = temporary.take<std::uint32_t>(plan.batch_count);                      // link, by batch
     const std::uint32_t count = order_links(core, true, ordered, temporary);
-    const auto batch_of = [&](const PlannedLink& link) {
-        return islands.batch_of(Forest::moves(core, link.body) ? link.body : other_end(core.joints[link.joint], link.body));
+    std::uint32_t* root_of = temporary.take<std::uint32_t>(bodies);         // by body: the root of its tree, which is the last of the tree's links
+    std::uint32_t* first_of = temporary.take<std::uint32_t>(bodies);        // by root: how many links its tree has; then the first of them
+    std::uint32_t* place_of = temporary.take<std::uint32_t>(bodies);        // by body: its link; by root, until that is placed: the tree's next one
+    std::uint32_t* next = temporary.take<std::uint32_t>(plan.batch_count);  // by batch: the next tree's first link
+    const auto parent_of = [&](const PlannedLink& link) {
+        const std::uint32_t parent = link.joint != null_index ? other_end(core.joints[link.joint], link.body) : null_index;
+        return parent != null_index && Forest::moves(core, parent) ? parent : null_index;
     };
-    for (std::uint32_t i = 0; i < count; ++i) ++plan.batches[batch_of(ordered[i])].link_count;
+    const auto is_root = [&](const PlannedLink& link) { return Forest::moves(core, link.body) && root_of[link.body] == link.body; };
+    const auto tree_of = [&](const PlannedLink& link) { return root_of[Forest::moves(core, link.body) ? link.body : parent_of(link)]; };
+    for (std::uint32_t i = count; i-- > 0;) {  // parents before their children
+        const PlannedLink& link = ordered[i];
+        const std::uint32_t parent = parent_of(link);
+        if (Forest::moves(core, link.body)) root_of[link.body] = parent != null_index ? root_of[parent] : link.body;
+        if (is_root(link)) first_of[link.body] = 0;
+        ++first_of[tree_of(link)];
+    }
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (is_root(ordered[i])) plan.batches[islands.batch_of(ordered[i].body)].link_count += first_of[ordered[i].body];
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         next[b] = plan.batches[b].first_link = plan.link_count;
         plan.link_count += plan.batches[b].link_count;
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t batch = batch_of(ordered[i]);
-        if (Forest::moves(core, ordered[i].body)) place_of[ordered[i].body] = next[batch] - plan.batches[batch].first_link;
-        plan.links[next[batch]++] = ordered[i];
+        const std::uint32_t body = ordered[i].body;
+        if (!is_root(ordered[i])) continue;
+        std::uint32_t& first = next[islands.batch_of(body)];
+        place_of[body] = first;
+        first += first_of[body];
+        first_of[body] = place_of[body];
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-        const PlannedLink& link = plan.links[i];
-        const std::uint32_t parent = link.joint != null_index ? other_end(core.joints[link.joint], link.body) : null_index;
-        plan.parent_links[i] = parent != null_index && Forest::moves(core, parent) ? place_of[parent] : null_index;
+        const std::uint32_t place = place_of[tree_of(ordered[i])]++;
+        if (Forest::moves(core, ordered[i].body)) place_of[ordered[i].body] = place;
+        plan.links[place] = ordered[i];
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t parent = parent_of(plan.links[i]);
+        plan.parent_links[i] = parent != null_index ? place_of[parent] - first_of[root_of[parent]] : null_index;
     }
 }
 

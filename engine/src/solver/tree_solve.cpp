@@ -27,14 +27,15 @@ constexpr float moved_rate = 120, moved_speed = 10, moved_taut_speed = 1;
 // without it they would turn far: Newton's passes from there diverge. (A bridge whose planks touch both banks reached 400 m/s.)
 constexpr float far_open = linear_slop;
 
-// Hinges do no work. If after a sweep the bodies of a batch's trees have more kinetic energy than they would have without their hinges, by this share of it
+// Hinges do no work. If after a sweep the bodies of a tree have more kinetic energy than they would have without their hinges, by this share of it
 // and by that of these speeds (m/s), the sweep is made anew in a way that adds none (solve_safely). Rods that whip round gain 1.7 % in a sound substep.
 // Where friction acts on angles, they lose some.
 constexpr float energy_gain = 0.02f, acting_energy_gain = 0.002f;
 constexpr float mending_speed = 1, noise_speed = 0.01f;  // in sweeps with bias, which mend gaps, and in others
 // In others of trees that are held in several places. (Made anew more often, at 0.1 m/s, a bridge of 60 planks comes apart by 5 mm under a crate that lands on
-// it, and of 510 crates that fell on rows 7 bounced off with at least half as much energy again; with 0.3 m/s, none.)
-constexpr float taut_speed = 0.3f;
+// it, at 0.3 m/s by 11 mm under one of a ton, and of 510 crates that fell on rows 7 bounced off with at least half as much energy again; with 0.3 m/s, none.
+// With 0.6 m/s, rows whose holders are a hair too far apart gain speed.)
+constexpr float taut_speed = 0.4f;
 constexpr float spare_speed = 0.3f;  // m/s; see solve_safely
 
 // 1 / x, or 0 where x is not above 0, as extreme masses may make it.
@@ -136,17 +137,17 @@ Vec2 missing(const TreeLink& l, const SolverBody& c, const SolverBody& p, const 
     return n.inv_h * ((1 - n.h * n.tree_rate) * gap - end);
 }
 
-// True if static or kinematic bodies hold a tree of the batch in several places. The hinges that do so come first in a batch.
+// True if static or kinematic bodies hold the tree in several places. The hinges that do so come first.
 bool is_taut(const SolverBody* bodies, const TreeLink* links) { return links[0].joint != null_index && !is_positive(bodies[links[0].child].inv_mass); }
 
-// True if a call has put a body of the batch's trees elsewhere.
+// True if a call has put a body of the tree elsewhere.
 ISLET_APART bool is_moved(const TreeLink* links, std::uint32_t count) {
     bool moved = false;
     for (std::uint32_t k = 0; k < count; ++k) moved = moved || links[k].moved;
     return moved;
 }
 
-// The mass of the lightest body of the batch's trees.
+// The mass of the lightest body of the tree.
 ISLET_APART float lightest_of(const SolverBody* bodies, const TreeLink* links, std::uint32_t count) {
     float lightest = 3.0e38f;
     for (std::uint32_t k = 0; k < count; ++k)
@@ -430,10 +431,10 @@ ISLET_APART void mend_gaps(SolverBody* bodies, TreeLink* links, std::uint32_t co
     apply(bodies, links, count);
 }
 
-// Solves the trees anew, to first order and without more energy: making the hinges' velocities right takes some from the bodies, and gaps are mended with no
+// Solves the tree anew, to first order and without more energy: making the hinges' velocities right takes some from the bodies, and gaps are mended with no
 // more than that. They may take besides what moves bodies as light as the lightest of these at spare_speed, so that gaps close where nothing moves. (Without
-// that bound, gaps in a rope of ten hinges with friction under 300 times its links' mass throw the mass up, and open again.) Trees that are held in several
-// places take several passes in a relaxing sweep: one from nothing does not bear their load. Factors may be those of bodies that were stopped as they turned
+// that bound, gaps in a rope of ten hinges with friction under 300 times its links' mass throw the mass up, and open again.) A tree that is held in several
+// places takes several passes in a relaxing sweep: one from nothing does not bear its load. Factors may be those of bodies that were stopped as they turned
 // (cap_turning). Impulses found with these were too large for bodies that turn, and threw them in the next step.
 ISLET_APART void solve_safely(SolverBody* bodies, TreeLink* links, std::uint32_t count, const Joint* joints, const JointSweep& n) {
     for (std::uint32_t k = 0; k < count; ++k) links[k].lambda.turning = 0;
@@ -447,6 +448,15 @@ ISLET_APART void solve_safely(SolverBody* bodies, TreeLink* links, std::uint32_t
     const float fastest = !moved ? spare_speed : is_taut(bodies, links) ? moved_taut_speed : moved_speed;
     const float spare = static_cast<float>(count) * lightest_of(bodies, links, count) * fastest * fastest;
     mend_gaps(bodies, links, count, n, acts, moved ? min(moved_rate * n.h, 0.5f) : mend_share, spare - gained_energy(bodies, links, count, 0, 0));
+}
+
+// Calls visit(its first link, how many it has) tree by tree. The root is the last link of its tree, and the only one with none above it.
+template <class Visit>
+ISLET_ALWAYS_INLINE inline void for_each_tree(TreeLink* links, std::uint32_t count, Visit&& visit) {
+    for (std::uint32_t first = 0, end; first < count; first = end) {
+        for (end = first + 1; links[end - 1].up != null_index; ++end) {}
+        visit(links + first, end - first);
+    }
 }
 
 }  // namespace
@@ -482,21 +492,25 @@ void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const 
         }
     }
     // Contacts are solved before the trees. They must not find bodies in free fall which the trees hold.
-    for (std::uint32_t i = batch.first_link; i < batch.first_link + batch.link_count; ++i) {
-        TreeLink& l = links[i];
-        if (l.joint == null_index) continue;
-        const Vec2 p = (in.numbers.warm * l.sign) * in.joints[l.joint].impulse;
-        start_from(in.bodies[l.child], l, l.rc, p, l.lambda.turning);
-        if (l.up != null_index) start_from(in.bodies[l.parent], links[batch.first_link + l.up], l.rp, -p, -l.lambda.turning);
-    }
+    for_each_tree(links + batch.first_link, batch.link_count, [&](TreeLink* tree, std::uint32_t count) {
+        for (std::uint32_t k = 0; k < count; ++k) {
+            TreeLink& l = tree[k];
+            if (l.joint == null_index) continue;
+            const Vec2 p = (in.numbers.warm * l.sign) * in.joints[l.joint].impulse;
+            start_from(in.bodies[l.child], l, l.rc, p, l.lambda.turning);
+            if (l.up != null_index) start_from(in.bodies[l.parent], tree[l.up], l.rp, -p, -l.lambda.turning);
+        }
+    });
 }
 
-void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const Joint* joints, const JointSweep& n) {
-    if (n.biased) take_back(bodies, links, count);
-    const bool acts = make_passes(bodies, links, count, joints, n, n.biased ? 5 : 1, false);
-    const float speed = n.biased ? mending_speed : is_taut(bodies, links) ? taut_speed : noise_speed;
-    const float gain = gained_energy(bodies, links, count, acts ? acting_energy_gain : energy_gain, speed);
-    if (gain > 0) solve_safely(bodies, links, count, joints, n);
+void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t link_count, const Joint* joints, const JointSweep& n) {
+    for_each_tree(links, link_count, [&](TreeLink* tree, std::uint32_t count) {
+        if (n.biased) take_back(bodies, tree, count);
+        const bool acts = make_passes(bodies, tree, count, joints, n, n.biased ? 5 : 1, false);
+        const float speed = n.biased ? mending_speed : is_taut(bodies, tree) ? taut_speed : noise_speed;
+        const float gain = gained_energy(bodies, tree, count, acts ? acting_energy_gain : energy_gain, speed);
+        if (gain > 0) solve_safely(bodies, tree, count, joints, n);
+    });
 }
 
 namespace {

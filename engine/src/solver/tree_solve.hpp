@@ -62,7 +62,7 @@ struct Motion3 {
 /// A link (island/joint_trees.hpp) during a solve. All is seen from the child, whichever end of the joint it is.
 struct TreeLink {
     std::uint32_t child = 0, parent = 0;  // solver slots
-    std::uint32_t up = null_index;        // the parent's link; null_index if the parent cannot be pushed, or there is none
+    std::uint32_t up = null_index;        // the parent's link, among the tree's; null_index: the root, whose parent cannot be pushed, or is not there
     std::uint32_t joint = null_index;     // null_index: the root of a tree that nothing holds
     float sign = 1;                       // 1: the child is the joint's B; -1: its A
     Vec2 rc, rp;                          // m, from the centres to the hinge when the step began
@@ -94,7 +94,7 @@ struct TreeLink {
 
 static_assert(sizeof(TreeLink) == tree_link_bytes);
 
-/// Fills the links of a batch's joint trees.
+/// Fills the links of a batch's joint trees, which are solved one by one: what one tree does changes nothing for another.
 ISLET_OPTIONAL void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const JointInput& in, SolverMotion* motions);
 /// One sweep.
 ISLET_OPTIONAL void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const Joint* joints, const JointSweep& sweep);
