@@ -412,6 +412,22 @@ TEST(Sleep, HeavyBoxesOnLightBoardsDo) {
     EXPECT_LE(awake, starts / 20);  // two in five were, and shook at 2 to 8 cm/s
 }
 
+// A disabled body takes part in nothing: what its weld bore before does not keep the other body awake, even if that is more than the weld may bear now.
+TEST(Sleep, WhatIsWeldedToADisabledBodySleeps) {
+    TestWorld world;
+    world.add_ground();
+    const BodyId box = world.add_box({0, 0.5f}), other = world.add_box({1.01f, 0.5f});
+    WeldJointDef weld;
+    weld.base = {.body_a = box, .body_b = other, .frame_a = {{0.505f, 0}}, .frame_b = {{-0.505f, 0}}, .break_force = 1e6f};
+    const JointId joint = world->create_joint(weld);
+    world.step(20);
+    world->set_enabled(other, false);
+    world->set_break(joint, 0.1f * length(world->joint_force(joint)), 0);
+    world.step(120);
+    EXPECT_FALSE(world->is_awake(box));
+    EXPECT_TRUE(world->is_valid(joint));
+}
+
 // A weld holds a box still, until gravity pulls harder than it can bear. If that is so from the very step in which the box would fall asleep, the weld breaks all
 // the same. (It did not: the box slept on, and its joint was marked in a way that no image may have.)
 TEST(Sleep, AJointThatBreaksInTheStepInWhichItsBodyWouldSleepBreaks) {

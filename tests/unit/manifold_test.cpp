@@ -116,9 +116,10 @@ TEST(PolygonManifold, SeparationIsTheExactDistanceWhenTheCoresAreApart) {
         ++in_contact;
         ASSERT_GE(deepest(m), gap - rounding) << what;
         ASSERT_LE(deepest(m), gap + 2 * tie + rounding) << what;
+        const double beside = rounding + (detail::is_box(p.a) && detail::is_box(p.b) ? tie : 0);  // a corner may be at the end of a face
         for (std::uint32_t k = 0; k < m.count; ++k) {
-            ASSERT_LE(exact::to_core(p.core_a, on_a(m, k)), as_double(p.a.radius) + rounding) << what;
-            ASSERT_LE(exact::to_core(p.core_b, on_b(m, k)), as_double(p.b.radius) + rounding) << what;
+            ASSERT_LE(exact::to_core(p.core_a, on_a(m, k)), as_double(p.a.radius) + beside) << what;
+            ASSERT_LE(exact::to_core(p.core_b, on_b(m, k)), as_double(p.b.radius) + beside) << what;
         }
     }
     EXPECT_GT(in_contact, cases(20000));
@@ -231,12 +232,41 @@ TEST(PolygonManifold, TheFastPathForBoxesAgreesWithTheGeneralOne) {
         }
         for (std::uint32_t k = 0; k < fast.count; ++k) {
             ASSERT_NEAR(as_double(fast.points[k].separation), as_double(slow.points[k].separation), 1e-5) << "case " << i;
-            ASSERT_LT(exact::length(exact::of(fast.points[k].point - slow.points[k].point)), 1e-4) << "case " << i;
+            ASSERT_LT(exact::length(exact::of(fast.points[k].point - slow.points[k].point)), fast.count == 1 ? tie : 1e-4) << "case " << i;
             ASSERT_EQ(fast.points[k].id, slow.points[k].id) << "case " << i;
         }
         compared += fast.count > 0 ? 1 : 0;
     }
     EXPECT_GT(compared, cases(20000));
+}
+
+// Where corners are near corners, two of them may be as near as rounding can tell, and only one tells the direction. Whichever is taken, the boxes are apart
+// along the normal by what they are apart. (One that did not compare with the faces cut boxes of 5 m by up to 1.2 m, in 1 of 130 pairs 0.01 mm apart.)
+TEST(PolygonManifold, BoxesCornerToCornerAreApartAlongTheNormal) {
+    exact::Random r;
+    int measured = 0;
+    for (int i = 0; i < cases(200000); ++i) {
+        const float size = r.below(2) ? 5 : 0.5f;
+        const Polygon a = make_box(r.in(0.1, 1) * size, r.in(0.1, 1) * size), b = make_box(r.in(0.1, 1) * size, r.in(0.1, 1) * size);
+        const Rot q = make_rot(r.below(4) ? static_cast<float>(r.below(8)) * 0.5f * half_pi + r.in(-0.1, 0.1) : r.in(-3.2, 3.2));
+        const double gap = std::pow(10.0, as_double(r.in(-5, -1.8)));
+        // B's corner beside A's, in a direction out of A.
+        const Vec2 corner = a.vertices[2], out = rotate(make_rot(r.below(3) ? r.in(-0.1, 1.7) : r.below(2) ? 0.0f : half_pi), {1, 0});
+        const Transform pose = {corner + static_cast<float>(gap) * out - rotate(q, b.vertices[r.below(4)]), q};
+        const Core ca = exact::core_of(a), cb = exact::core_of(b, pose);
+        const double apart = exact::distance(ca, cb);
+        if (apart <= 0 || apart > 0.9 * as_double(margin)) continue;
+        const Manifold m = collide(a, b, pose, margin);
+        ASSERT_GE(m.count, 1u) << "case " << i;
+        ASSERT_GE(exact::gap_along(ca, cb, exact::of(m.normal)), apart - 2 * tie) << "case " << i;
+        ASSERT_NEAR(deepest(m), apart, 2 * tie) << "case " << i;
+        for (std::uint32_t k = 0; k < m.count; ++k) {
+            ASSERT_LE(exact::to_core(ca, on_a(m, k)), 2 * tie) << "case " << i;
+            ASSERT_LE(exact::to_core(cb, on_b(m, k)), 2 * tie) << "case " << i;
+        }
+        ++measured;
+    }
+    EXPECT_GT(measured, cases(50000));
 }
 
 // A corner at a corner: the faces that look at each other may miss each other, though the boxes overlap. Of 20 000 000 such pairs, 0.3 % are of that kind.
@@ -262,6 +292,18 @@ TEST(PolygonManifold, BoxesThatOverlapAtTheirCornersTouchThere) {
         ++overlapping;
     }
     EXPECT_GT(overlapping, cases(10000));
+}
+
+// Its normals are those of a box, but where it is, corners are rounded to 6 cm. Taken for a box by its normals, it had a negative half extent.
+TEST(PolygonManifold, AThinBoxWithRoundedCornersIsNoBox) {
+    const Polygon thin = make_offset_box(27.7505913f, 0.0147407744f, {{1e6f, 1e6f}, {0.125771537f, 0.992059231f}});
+    EXPECT_TRUE(is_valid(thin));
+    EXPECT_FALSE(detail::is_box(thin));
+    EXPECT_TRUE(detail::is_box(make_offset_box(27.7505913f, 0.0147407744f, {{1e3f, 1e3f}, {0.125771537f, 0.992059231f}})));
+    Polygon slanted = make_box(50, 0.05f);
+    slanted.vertices[2].y += 0.099f;
+    EXPECT_TRUE(is_valid(slanted));
+    EXPECT_FALSE(detail::is_box(slanted));
 }
 
 TEST(PolygonManifold, FarFromTheBodysOriginItStaysAccurate) {

@@ -52,7 +52,7 @@
 /// revolute joints). This list is the only one: the CMake options, the constants in src/data/features.hpp and `tools/footprint.sh --options` come from it.
 #define ISLET_FEATURES(FEATURE)                                                                                                                 \
     FEATURE(polygons, engine, small)       /* boxes and other convex polygons */                                                                \
-    FEATURE(hulls, polygons, full)         /* convex polygons that are no rectangles */                                                         \
+    FEATURE(hulls, polygons, full)         /* convex polygons but for boxes, as make_box and its like make them */                              \
     FEATURE(capsules, engine, full)        /* capsules */                                                                                       \
     FEATURE(segments, engine, full)        /* segments */                                                                                       \
     FEATURE(half_spaces, engine, full)     /* half-spaces */                                                                                    \

@@ -32,7 +32,6 @@ ISLET_COPIED Extent extent_of(const Geometry& g, Vec2 center) {
 MassData mass_of(const Core& core, const Shape& shape) {
     return with_shape(core.geometries[shape.geometry], [&](const auto& solid) {
         using Row = RowOf<decltype(solid)>;
-        if constexpr (!has_hulls && Row::type == ShapeType::polygon) return compute_box_mass(solid, shape.density);
         if constexpr (Row::kind == ShapeKind::solid && Row::is_there) return compute_mass(solid, shape.density);
         return MassData{};
     });

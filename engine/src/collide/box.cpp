@@ -133,13 +133,21 @@ ISLET_SHARED NearCorner nearest_corner(const Box& box, const Box& other) {
     return best;
 }
 
-// Boxes that overlap, but whose faces miss each other: the deepest corner alone. `view` is of the reference's axes.
-Manifold deepest_corner(const Box& ref, const Box& other, const View& view, bool second_axis, float gap, bool reference_is_b) {
+// The corner of a box that is deepest behind a face with the normal n of another.
+Vec2 deepest_corner(const Box& box, Vec2 n, std::uint32_t& index) {
+    const bool plus0 = dot(n, box.axis0) < 0, plus1 = cross(box.axis0, n) < 0;
+    index = corner_index(plus0, plus1);
+    return box.center + to_corner(box, plus0, plus1);
+}
+
+// A corner of the other box at the face of the reference that looks at it: the nearest, if that is known, else the deepest. `view` is of the reference's axes,
+// `gap` that from the face.
+Manifold corner_at_face(const Box& ref, const Box& other, const View& view, bool second_axis, float gap, bool reference_is_b, const NearCorner* near) {
     const bool plus = (second_axis ? view.y : view.x) > 0;
     const Vec2 axis = second_axis ? left_perp(ref.axis0) : ref.axis0, n = plus ? axis : -axis;
-    const bool plus0 = dot(n, other.axis0) < 0, plus1 = cross(other.axis0, n) < 0;
-    const Vec2 corner = other.center + to_corner(other, plus0, plus1), foot = corner - gap * n;
-    const std::uint32_t face = (second_axis ? 1u : 0u) + (plus ? 0u : 2u), index = corner_index(plus0, plus1);
+    std::uint32_t index = near != nullptr ? near->index : 0;
+    const Vec2 corner = near != nullptr ? near->corner : deepest_corner(other, n, index), foot = corner - gap * n;
+    const std::uint32_t face = (second_axis ? 1u : 0u) + (plus ? 0u : 2u);
     if (reference_is_b) return point_manifold(corner, other.radius, foot, ref.radius, -n, gap, feature_id(index, face));
     return point_manifold(foot, ref.radius, corner, other.radius, n, gap, feature_id(face, index));
 }
@@ -178,12 +186,16 @@ Manifold collide_boxes(const Polygon& pa, const Polygon& pb, const Transform& b_
     const bool is_b = of_b.squared <= of_a.squared;
     const NearCorner& near = is_b ? of_b : of_a;
     const float gap = sqrt(near.squared);
-    if (gap <= 1e-5f) {  // m; overlapping, or too close for a direction between corners
-        if (m.count > 0) return m;
-        return gap_b > gap_a ? deepest_corner(b, a, from_b, gap_b1 > gap_b0, gap_b, true) : deepest_corner(a, b, from_a, gap_a1 > gap_a0, gap_a, false);
-    }
-    if (m.count > 0 && least_separation(m) <= gap - radii + separation_tie) return m;
+    constexpr float close = 1e-5f;  // m
+    if (m.count > 0 && (gap <= close || least_separation(m) <= gap - radii + separation_tie)) return m;
     if (gap > limit) return {};
+    // If a face is as far away as the nearest points, but for rounding, its normal is right: where corners are near corners, rounding may have chosen the wrong
+    // ones, and has made a direction of its own between them. So it is if the boxes overlap.
+    const bool at_face = gap < linear_slop && gap <= bound + 1e-6f * (1.0f + magnitude(d.x) + magnitude(d.y));
+    const float separation = at_face && bound > 0 ? gap : bound;
+    if (at_face || gap <= close)
+        return gap_b > gap_a ? corner_at_face(b, a, from_b, gap_b1 > gap_b0, separation, true, at_face ? &of_a : nullptr)
+                             : corner_at_face(a, b, from_a, gap_a1 > gap_a0, separation, false, at_face ? &of_b : nullptr);
     const Vec2 out = (1.0f / gap) * near.between;
     return is_b ? point_manifold(near.foot, a.radius, near.corner, b.radius, out, gap, feature_id(near.foot_index, near.index))
                 : point_manifold(near.corner, a.radius, near.foot, b.radius, -out, gap, feature_id(near.index, near.foot_index));

@@ -31,10 +31,8 @@ ISLET_INLINE std::uint32_t next(std::uint32_t i, std::uint32_t count) { return i
 /// no two points alike and no three in a line.
 bool is_strictly_convex(span<const Vec2> points);
 
-/// True of a polygon that is a rectangle by its normals.
+/// True of a polygon that make_box or its like made: a rectangle by its normals, exactly, and by its corners, but for rounding.
 bool is_box(const Polygon& p);
-/// compute_mass of a valid one.
-MassData compute_box_mass(const Polygon& p, float density);
 
 ISLET_SHARED bool is_density(float density) { return density >= 0 && is_finite(density); }
 

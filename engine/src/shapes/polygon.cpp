@@ -94,7 +94,6 @@ bool is_valid(const Polygon& p) {
 /// Moments about vertex 0 give the centre of mass; a second pass about that centre gives the inertia without subtracting large numbers.
 MassData compute_mass(const Polygon& p, float density) {
     if (!is_valid(p) || !is_density(density)) return {};
-    if (is_box(p)) return compute_box_mass(p, density);
     const Vec2 origin = p.vertices[0];
     const Moments rough = polygon_moments(p, origin);
     if (!(rough.area > 0)) return {};

@@ -94,7 +94,7 @@ struct TreeLink {
 
 static_assert(sizeof(TreeLink) == tree_link_bytes);
 
-/// Fills the links of a batch's joint trees, which are solved one by one: what one tree does changes nothing for another.
+/// Fills the links of a batch's joint trees, which are solved one by one: what one tree needs changes nothing for another.
 ISLET_OPTIONAL void prepare_trees(const Plan& plan, const Batch& batch, TreeLink* links, const JointInput& in, SolverMotion* motions);
 /// One sweep.
 ISLET_OPTIONAL void solve_trees(SolverBody* bodies, TreeLink* links, std::uint32_t count, const Joint* joints, const JointSweep& sweep);

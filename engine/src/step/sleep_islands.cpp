@@ -29,16 +29,17 @@ bool is_driven(const Core& core, const Joint& j) {
 
 // Whether a motor or a belt keeps the body going, which may be slower than what sleeps; or a joint of it is about to break.
 bool stays_awake(const Core& core, std::uint32_t body) {
-    bool driven = false;
-    for_each_joint(core, body,
-                   [&](std::uint32_t joint, std::uint32_t) { driven = driven || is_driven(core, core.joints[joint]) || breaks(core, core.joints[joint]); });
+    bool stays = false;
+    for_each_joint(core, body, [&](std::uint32_t joint, std::uint32_t) {
+        stays = stays || is_driven(core, core.joints[joint]) || (core.awake_joints.test(joint) && breaks(core, core.joints[joint]));
+    });
     if (has_surfaces)
         for_each_contact(core, body, [&](std::uint32_t contact, std::uint32_t) {
             if ((core.manifolds[contact].flags & contact_touching) == 0) return;
             const float belt = abs(tangent_speed_of(core, contact));
-            driven = driven || (belt > 0 && speed_of(core, body) >= 0.5f * belt);
+            stays = stays || (belt > 0 && speed_of(core, body) >= 0.5f * belt);
         });
-    return driven;
+    return stays;
 }
 
 // How long an island has been at rest is at most `to`. Workers may call it at once.
