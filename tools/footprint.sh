@@ -41,10 +41,12 @@ targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 ris
 # by 0.4 kB with deep overlaps that answer to what presses, contacts without a colour that differ, and what is swept beside trees; by 0.6 kB, and with joints
 # by 0.5 kB more, with contacts between others, four more ways out of what nails bodies down, hinges that close from afar, and burdened trees;
 # by 0.9 kB with contacts of what rolls, made for the middle of the step; by 0.1 kB with sharers of a contact that are counted in a time that does not grow
-# with their square. That of stm32f103 rose by 40 bytes when contacts were made and removed in parts: at the link, the compiler copies them into other callers.)
+# with their square. Every function and the large program rose by 2 kB with boxes that meet corner to corner without the general search, and with trees of
+# hinges that are planned one by one; the small one fell by 5.5 kB without hulls and seamless floors, and without the ways of bodies where there is no
+# continuous collision.)
 declare -A most_flash=(
-    [cortex-m3]='240750 108600 64700' [cortex-m4f]='220500 93000 55150' [cortex-m4f-lto]='- 87500 52550' [cortex-m7]='220500 93000 55150'
-    [cortex-m33]='220500 93000 55150' [cortex-m55]='220850 93150 55250' [riscv32]='235400 99450 59650'
+    [cortex-m3]='243600 111450 58350' [cortex-m4f]='222900 95350 49850' [cortex-m4f-lto]='- 89750 47350' [cortex-m7]='222900 95350 49850'
+    [cortex-m33]='222900 95350 49850' [cortex-m55]='223300 95500 49900' [riscv32]='237800 101850 53900'
 )
 most_stack=4096          # bytes
 most_instructions=600000       # a step of the pyramid, in the mean
@@ -52,7 +54,7 @@ most_soft_instructions=8150000 # the same without a floating-point unit
 
 # Boards for which drawer.cpp alone is built, and their limits: flash (bytes), memory of the world (bytes), instructions of a step in the mean.
 boards=(cortex-m0 stm32f103 riscv32imc)
-declare -A most_on_board=([cortex-m0]='58500 11752 1830000' [stm32f103]='54000 11752 1140000' [riscv32imc]='67500 11752 1510000')
+declare -A most_on_board=([cortex-m0]='48500 11752 1780000' [stm32f103]='44300 11752 1100000' [riscv32imc]='56000 11752 1480000')
 
 mode=table
 few=false
@@ -301,11 +303,11 @@ if $few; then
     build_firmware cortex-m4f-lto cortex-m4f -DISLET_LTO=ON
 fi
 profile=("$(flash "$root/build/firmware/cortex-m4f" small)" "$(flash "$root/build/firmware/cortex-m4f-lto" small)")
-at_most cortex-m4f 'flash of the small profile' "${profile[0]}" 45600
-at_most cortex-m4f-lto 'flash of the small profile' "${profile[1]}" 43450
+at_most cortex-m4f 'flash of the small profile' "${profile[0]}" 37250
+at_most cortex-m4f-lto 'flash of the small profile' "${profile[1]}" 35600
 stack=$(stack_from _ZN5islet5World4stepEf "$root/build/firmware/cortex-m4f/CMakeFiles/islet_drawer.dir" 2>/dev/null) || true  # (create calls by pointer)
 step_stack=${stack%% *}
-at_most cortex-m4f 'the stack of a step in the small profile' "$step_stack" 1536
+at_most cortex-m4f 'the stack of a step in the small profile' "$step_stack" 1300
 
 # What a Cortex-M4F takes without what can be left out, and whether that is refused.
 measure_cut() {
@@ -319,7 +321,7 @@ measure_cut() {
     [ "$(sed -n 's/^[0-9]*: //p' <<<"$log" | hashes)" = "$(head -n 1 <<<"$wanted")" ] ||
         complain "what is left out changes the pyramid"
     cut=$(flash "$root/build/firmware/cortex-m4f-cut" smallest)
-    at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 49900
+    at_most 'cortex-m4f' 'flash of the smallest program with all left out' "$cut" 50200
 }
 cut=
 $few || measure_cut

@@ -133,23 +133,45 @@ ISLET_SHARED NearCorner nearest_corner(const Box& box, const Box& other) {
     return best;
 }
 
-// The corner of a box that is deepest behind a face with the normal n of another.
-Vec2 deepest_corner(const Box& box, Vec2 n, std::uint32_t& index) {
-    const bool plus0 = dot(n, box.axis0) < 0, plus1 = cross(box.axis0, n) < 0;
-    index = corner_index(plus0, plus1);
-    return box.center + to_corner(box, plus0, plus1);
-}
+/// How far two boxes are apart along their axes, m.
+struct Gaps {
+    float a0, a1, b0, b1;
+    float of_a() const { return max(a0, a1); }
+    float of_b() const { return max(b0, b1); }
+};
 
-// A corner of the other box at the face of the reference that looks at it: the nearest, if that is known, else the deepest. `view` is of the reference's axes,
-// `gap` that from the face.
-Manifold corner_at_face(const Box& ref, const Box& other, const View& view, bool second_axis, float gap, bool reference_is_b, const NearCorner* near) {
-    const bool plus = (second_axis ? view.y : view.x) > 0;
-    const Vec2 axis = second_axis ? left_perp(ref.axis0) : ref.axis0, n = plus ? axis : -axis;
-    std::uint32_t index = near != nullptr ? near->index : 0;
-    const Vec2 corner = near != nullptr ? near->corner : deepest_corner(other, n, index), foot = corner - gap * n;
-    const std::uint32_t face = (second_axis ? 1u : 0u) + (plus ? 0u : 2u);
-    if (reference_is_b) return point_manifold(corner, other.radius, foot, ref.radius, -n, gap, feature_id(index, face));
-    return point_manifold(foot, ref.radius, corner, other.radius, n, gap, feature_id(face, index));
+// The manifold of two boxes whose corners may be nearer to each other than the faces that look at each other. `clipped` is that of these faces.
+ISLET_NEVER_INLINE Manifold collide_corners(const Box& a, const Box& b, const Gaps& gaps, float margin, const Manifold& clipped) {
+    const float bound = max(gaps.of_a(), gaps.of_b()), radii = a.radius + b.radius;
+    const Vec2 d = b.center - a.center;
+    // The nearest points of two boxes that are apart: at least one is a corner.
+    const NearCorner of_b = nearest_corner(a, b), of_a = nearest_corner(b, a);
+    const float gap = sqrt(min(of_a.squared, of_b.squared));
+    const bool overlap = gap <= 1e-5f;  // m; or too close for a direction between corners
+    if (clipped.count > 0 && (overlap || least_separation(clipped) <= gap - radii + separation_tie)) return clipped;
+    if (gap > margin + radii) return {};
+
+    // If a face is as far away as the nearest points, but for rounding, its normal is right: where corners are near corners, rounding may have chosen the wrong
+    // ones, and has made a direction of its own between them. So it is if the boxes overlap, though their faces miss each other.
+    const bool near_face = gap < linear_slop && gap <= bound + 1e-6f * (1.0f + magnitude(d.x) + magnitude(d.y)), at_face = near_face || overlap;
+    const bool reference_is_b = at_face ? gaps.of_b() > gaps.of_a() : of_a.squared < of_b.squared, behind = at_face && !(near_face && bound > 0);
+    const Box &ref = reference_is_b ? b : a, &other = reference_is_b ? a : b;
+    NearCorner near = reference_is_b ? of_a : of_b;
+    Vec2 n = (1.0f / gap) * near.between;
+    if (at_face) {
+        const bool second_axis = reference_is_b ? gaps.b1 > gaps.b0 : gaps.a1 > gaps.a0;
+        n = second_axis ? left_perp(ref.axis0) : ref.axis0;
+        if (dot(other.center - ref.center, n) < 0) n = -n;
+    }
+    if (!near_face && overlap) {  // the deepest corner
+        const bool plus0 = dot(n, other.axis0) < 0, plus1 = cross(other.axis0, n) < 0;
+        near.corner = other.center + to_corner(other, plus0, plus1);
+        near.index = corner_index(plus0, plus1);
+    }
+    if (behind) near.foot = near.corner - bound * n;
+    const float apart = behind ? bound : gap;
+    return reference_is_b ? point_manifold(near.corner, a.radius, near.foot, b.radius, -n, apart, feature_id(near.index, near.foot_index))
+                          : point_manifold(near.foot, a.radius, near.corner, b.radius, n, apart, feature_id(near.foot_index, near.index));
 }
 
 }  // namespace
@@ -160,45 +182,21 @@ Manifold collide_boxes(const Polygon& pa, const Polygon& pb, const Transform& b_
     b.center = transform_point(b_in_a, b.center);
     b.axis0 = rotate(b_in_a.q, b.axis0);
 
-    // How far the boxes are apart along their four axes.
     const Vec2 d = b.center - a.center;
     const View from_a = {dot(d, a.axis0), cross(a.axis0, d), dot(a.axis0, b.axis0), cross(a.axis0, b.axis0)};
     const View from_b = {-dot(d, b.axis0), -cross(b.axis0, d), from_a.c, -from_a.s};
     const float c = magnitude(from_a.c);
     const float s = magnitude(from_a.s);
-    const float gap_a0 = magnitude(from_a.x) - a.h0 - (c * b.h0 + s * b.h1);
-    const float gap_a1 = magnitude(from_a.y) - a.h1 - (s * b.h0 + c * b.h1);
-    const float gap_b0 = magnitude(from_b.x) - b.h0 - (c * a.h0 + s * a.h1);
-    const float gap_b1 = magnitude(from_b.y) - b.h1 - (s * a.h0 + c * a.h1);
-    const float gap_a = max(gap_a0, gap_a1);
-    const float gap_b = max(gap_b0, gap_b1);
-    const float bound = max(gap_a, gap_b), radii = a.radius + b.radius, limit = margin + radii;
+    const Gaps gaps = {magnitude(from_a.x) - a.h0 - (c * b.h0 + s * b.h1), magnitude(from_a.y) - a.h1 - (s * b.h0 + c * b.h1),
+                       magnitude(from_b.x) - b.h0 - (c * a.h0 + s * a.h1), magnitude(from_b.y) - b.h1 - (s * a.h0 + c * a.h1)};
+    const float gap_a = gaps.of_a(), gap_b = gaps.of_b(), bound = max(gap_a, gap_b);
     Manifold m;
-    if (bound > limit) return m;
+    if (bound > margin + (a.radius + b.radius)) return m;
 
     // The reference face is A's unless B's is clearly better.
-    if (gap_b > gap_a + separation_tie ? clip_boxes(b, a, from_b, gap_b1 > gap_b0, true, bound, margin, m)
-                                       : clip_boxes(a, b, from_a, gap_a1 > gap_a0, false, bound, margin, m))
-        return m;
-
-    // The nearest points of two boxes that are apart: at least one is a corner.
-    const NearCorner of_b = nearest_corner(a, b), of_a = nearest_corner(b, a);
-    const bool is_b = of_b.squared <= of_a.squared;
-    const NearCorner& near = is_b ? of_b : of_a;
-    const float gap = sqrt(near.squared);
-    constexpr float close = 1e-5f;  // m
-    if (m.count > 0 && (gap <= close || least_separation(m) <= gap - radii + separation_tie)) return m;
-    if (gap > limit) return {};
-    // If a face is as far away as the nearest points, but for rounding, its normal is right: where corners are near corners, rounding may have chosen the wrong
-    // ones, and has made a direction of its own between them. So it is if the boxes overlap.
-    const bool at_face = gap < linear_slop && gap <= bound + 1e-6f * (1.0f + magnitude(d.x) + magnitude(d.y));
-    const float separation = at_face && bound > 0 ? gap : bound;
-    if (at_face || gap <= close)
-        return gap_b > gap_a ? corner_at_face(b, a, from_b, gap_b1 > gap_b0, separation, true, at_face ? &of_a : nullptr)
-                             : corner_at_face(a, b, from_a, gap_a1 > gap_a0, separation, false, at_face ? &of_b : nullptr);
-    const Vec2 out = (1.0f / gap) * near.between;
-    return is_b ? point_manifold(near.foot, a.radius, near.corner, b.radius, out, gap, feature_id(near.foot_index, near.index))
-                : point_manifold(near.corner, a.radius, near.foot, b.radius, -out, gap, feature_id(near.index, near.foot_index));
+    const bool decided = gap_b > gap_a + separation_tie ? clip_boxes(b, a, from_b, gaps.b1 > gaps.b0, true, bound, margin, m)
+                                                        : clip_boxes(a, b, from_a, gaps.a1 > gaps.a0, false, bound, margin, m);
+    return decided ? m : collide_corners(a, b, gaps, margin, m);
 }
 
 }  // namespace islet::detail
