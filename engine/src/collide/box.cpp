@@ -196,7 +196,8 @@ Manifold collide_boxes(const Polygon& pa, const Polygon& pb, const Transform& b_
     // The reference face is A's unless B's is clearly better.
     const bool decided = gap_b > gap_a + separation_tie ? clip_boxes(b, a, from_b, gaps.b1 > gaps.b0, true, bound, margin, m)
                                                         : clip_boxes(a, b, from_a, gaps.a1 > gaps.a0, false, bound, margin, m);
-    return decided ? m : collide_corners(a, b, gaps, margin, m);
+    if (!decided) m = collide_corners(a, b, gaps, margin, m);
+    return m;
 }
 
 }  // namespace islet::detail
