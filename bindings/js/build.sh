@@ -30,24 +30,26 @@ sources=$(find "$root/engine/src" -name '*.cpp' ! -path '*/lcp/*' ! -name '*_avx
 grep -E "$hot" <<<"$sources" | as_one "$work/hot.cpp"
 grep -vE "$hot" <<<"$sources" | as_one "$work/cold.cpp"
 find "$root/bindings/c/src" "$here/src" "$work/made" -name '*.cpp' ! -name 'layouts.cpp' ! -name 'allocator.cpp' | sort | as_one "$work/c.cpp"
-# make_one NAME HOT FLAG...: HOT holds the flags of what every step runs.
+# make_one NAME HOT SHRINK FLAG...: HOT holds the flags of what every step runs, SHRINK the last passes that make the code smaller.
 make_one() {
-    local name=$1 folder=$work/$1 hot=()
+    local name=$1 folder=$work/$1 hot=() shrink=()
     read -r -a hot <<<"$2"
-    shift 2
+    read -r -a shrink <<<"$3"
+    shift 3
     mkdir -p "$folder"
     wasm_compile "$@" "${hot[@]}" -c "$work/hot.cpp" -o "$folder/hot.o"
     wasm_compile "$@" -Oz -flto -c "$work/cold.cpp" -o "$folder/cold.o"
     wasm_compile "$@" -Oz -flto -c "$work/c.cpp" -o "$folder/c.o"
     wasm_compile -Oz -fno-builtin -c "$here/src/allocator.cpp" -o "$folder/allocator.o"
     wasm_link "$work/made/exports.txt" -nostartfiles "$folder"/{hot,cold,c,allocator}.o -o "$folder/linked.wasm"
-    wasm_shrink "$folder/linked.wasm" "$folder/islet.wasm"
+    wasm_shrink "$folder/linked.wasm" "$folder/islet.wasm" "${shrink[@]}"
 }
 wasm_compile -fsyntax-only "$work/made/layouts.cpp"
 wasm_compile -fsyntax-only "$root/bindings/c/src/layouts.cpp"
-make_one plain '-Oz -flto' -DISLET_WITHOUT_shortcuts &
+# (Constants that stand once in a function are a byte or two each where they are used, instead of five.)
+make_one plain '-Oz -flto' '--const-hoisting --reorder-locals --reorder-functions' -DISLET_WITHOUT_shortcuts &
 plain=$!
-make_one simd "$for_speed" -msimd128 -DISLET_MIN_LANES=4
+make_one simd "$for_speed" '' -msimd128 -DISLET_MIN_LANES=4
 wait "$plain"
 
 cp "$work/plain/islet.wasm" "$dist/islet.wasm"

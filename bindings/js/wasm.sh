@@ -22,9 +22,9 @@ wasm_link() {
         "${exports[@]}" "$@" -lc
 }
 
-# wasm_shrink FROM TO: the same code in fewer bytes, with the same results. (Nothing but the end of the stack lies in the first 1024 bytes of the memory, so
-# offsets may be folded into addresses: --low-memory-unused.)
+# wasm_shrink FROM TO [PASS...]: the same code in fewer bytes, with the same results; at the end by these passes of wasm-opt. (Nothing but the end of the stack
+# lies in the first 1024 bytes of the memory, so offsets may be folded into addresses: --low-memory-unused.)
 wasm_shrink() {
     wasm-opt --enable-simd --enable-bulk-memory --enable-sign-ext --enable-nontrapping-float-to-int --enable-mutable-globals --strip-debug --strip-producers \
-        --low-memory-unused --converge --flatten --simplify-locals-nonesting --rereloop -Oz --code-folding -Oz "$1" -o "$2"
+        --low-memory-unused --converge --flatten --simplify-locals-nonesting --rereloop -Oz --code-folding -Oz "${@:3}" "$1" -o "$2"
 }

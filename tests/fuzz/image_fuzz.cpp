@@ -29,14 +29,13 @@ using namespace islet::test;
 void fill(World& w) {
     w.create_shape(w.create_body({.position = {0, -1}}), make_box(20, 1), {.restitution = 0.3f});
     w.create_shape(w.create_body({.position = {9, 1}, .angle = 0.3f}), make_box(3, 0.5f), {.friction = 0.1f});
-    const Vec2 corners[] = {{-0.6f, -0.4f}, {0.6f, -0.4f}, {0, 0.7f}};
     BodyId last{};
     for (int i = 0; i < 15; ++i) {
         const auto x = static_cast<float>(i % 5), y = static_cast<float>(i / 5);
         const BodyId body = w.create_body({.type = BodyType::dynamic, .position = {2.2f * x - 4, 0.6f + 1.1f * y}, .angle = 0.1f * x});
         if (i % 3 == 0) w.create_shape(body, make_box(0.5f, 0.5f));
         if (i % 3 == 1) w.create_shape(body, Circle{{0.1f, 0}, 0.5f}, {.restitution = 0.5f});
-        if (i % 3 == 2) w.create_shape(body, make_polygon(compute_hull(corners)), {.friction = 0.9f});
+        if (i % 3 == 2) w.create_shape(body, make_rounded_box(0.4f, 0.3f, 0.1f), {.friction = 0.9f});
         if (i == 4) w.create_joint(RevoluteJointDef{.base = {.body_a = last, .body_b = body}});
         if (i == 9) w.create_joint(PrismaticJointDef{.base = {.body_a = last, .body_b = body}});
         if (i == 14) w.create_joint(DistanceJointDef{.base = {.body_a = last, .body_b = body}});

@@ -123,9 +123,9 @@ namespace {
 inline constexpr std::uint32_t checked_grain = 4;  // words of 64 joints that are worth a task
 
 // 1/s, of the last substep
-ISLET_PART float substep_rate(const Core& core) { return is_positive(core.state->last_substep) ? 1.0f / core.state->last_substep : 0; }
+float substep_rate(const Core& core) { return is_positive(core.state->last_substep) ? 1.0f / core.state->last_substep : 0; }
 
-ISLET_PART bool breaks(const Joint& j, float inv_h) {
+bool breaks(const Joint& j, float inv_h) {
     if ((j.generation & 1u) == 0 || !j.can_break()) return false;
     return (j.flags & joint_torn) != 0 || bears_too_much(j, inv_h);
 }

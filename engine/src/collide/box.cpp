@@ -101,9 +101,8 @@ ISLET_COPIED bool clip_boxes(const Box ref, const Box inc, View v, bool second_a
     return m.count > 0 && (bound <= separation_tie || min(gap_high, gap_low) <= bound + separation_tie);
 }
 
-// Corner i of a box is where its face i begins. Half of the box's diagonal to a corner, in which the signs along axis0 and axis1 are these.
+// Half of the box's diagonal to a corner, in which the signs along axis0 and axis1 are these. Corner i of a box is where its face i begins.
 Vec2 to_corner(const Box& box, bool plus0, bool plus1) { return (plus0 ? box.h0 : -box.h0) * box.axis0 + (plus1 ? box.h1 : -box.h1) * left_perp(box.axis0); }
-std::uint32_t corner_index(bool plus0, bool plus1) { return plus0 ? (plus1 ? 1 : 0) : (plus1 ? 2 : 3); }
 
 /// The corner of a box that is nearest to another box, and the point of that which is nearest to the corner.
 struct NearCorner {
@@ -115,20 +114,14 @@ struct NearCorner {
 ISLET_SHARED NearCorner nearest_corner(const Box& box, const Box& other) {
     NearCorner best;
     const Vec2 axis1 = left_perp(box.axis0);
-    for (const bool plus0 : {false, true}) {
-        for (const bool plus1 : {false, true}) {
-            const Vec2 half = to_corner(other, plus0, plus1), from_center = other.center - box.center + half;
-            const Vec2 at = {dot(box.axis0, from_center), dot(axis1, from_center)};
-            const Vec2 on = {clamp(at.x, -box.h0, box.h0), clamp(at.y, -box.h1, box.h1)};
-            const Vec2 out = at - on;
-            if (!(length_squared(out) < best.squared)) continue;
-            best = {length_squared(out),
-                    other.center + half,
-                    box.center + on.x * box.axis0 + on.y * axis1,
-                    out.x * box.axis0 + out.y * axis1,
-                    corner_index(plus0, plus1),
-                    corner_index(at.x > 0, at.y > 0)};
-        }
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const Vec2 half = to_corner(other, i < 2, i - 1 < 2), from_center = other.center - box.center + half;
+        const Vec2 at = {dot(box.axis0, from_center), dot(axis1, from_center)};
+        const Vec2 on = {clamp(at.x, -box.h0, box.h0), clamp(at.y, -box.h1, box.h1)};
+        const Vec2 out = at - on;
+        if (!(length_squared(out) < best.squared)) continue;
+        const std::uint32_t quarter = at.x > 0 ? (at.y > 0 ? 1 : 0) : (at.y > 0 ? 2 : 3);
+        best = {length_squared(out), other.center + half, box.center + on.x * box.axis0 + on.y * axis1, out.x * box.axis0 + out.y * axis1, i, quarter};
     }
     return best;
 }
@@ -153,8 +146,8 @@ ISLET_NEVER_INLINE Manifold collide_corners(const Box& a, const Box& b, const Ga
 
     // If a face is as far away as the nearest points, but for rounding, its normal is right: where corners are near corners, rounding may have chosen the wrong
     // ones, and has made a direction of its own between them. So it is if the boxes overlap, though their faces miss each other.
-    const bool near_face = gap < linear_slop && gap <= bound + 1e-6f * (1.0f + magnitude(d.x) + magnitude(d.y)), at_face = near_face || overlap;
-    const bool reference_is_b = at_face ? gaps.of_b() > gaps.of_a() : of_a.squared < of_b.squared, behind = at_face && !(near_face && bound > 0);
+    const bool at_face = overlap || (gap < linear_slop && gap <= bound + 1e-6f * (1.0f + magnitude(d.x) + magnitude(d.y)));
+    const bool reference_is_b = at_face ? gaps.of_b() > gaps.of_a() : of_a.squared < of_b.squared;
     const Box &ref = reference_is_b ? b : a, &other = reference_is_b ? a : b;
     NearCorner near = reference_is_b ? of_a : of_b;
     Vec2 n = (1.0f / gap) * near.between;
@@ -162,16 +155,11 @@ ISLET_NEVER_INLINE Manifold collide_corners(const Box& a, const Box& b, const Ga
         const bool second_axis = reference_is_b ? gaps.b1 > gaps.b0 : gaps.a1 > gaps.a0;
         n = second_axis ? left_perp(ref.axis0) : ref.axis0;
         if (dot(other.center - ref.center, n) < 0) n = -n;
+        near.foot = near.corner - bound * n;
     }
-    if (!near_face && overlap) {  // the deepest corner
-        const bool plus0 = dot(n, other.axis0) < 0, plus1 = cross(other.axis0, n) < 0;
-        near.corner = other.center + to_corner(other, plus0, plus1);
-        near.index = corner_index(plus0, plus1);
-    }
-    if (behind) near.foot = near.corner - bound * n;
-    const float apart = behind ? bound : gap;
-    return reference_is_b ? point_manifold(near.corner, a.radius, near.foot, b.radius, -n, apart, feature_id(near.index, near.foot_index))
-                          : point_manifold(near.foot, a.radius, near.corner, b.radius, n, apart, feature_id(near.foot_index, near.index));
+    const float apart = at_face ? bound : gap;
+    if (!reference_is_b) return point_manifold(near.foot, a.radius, near.corner, b.radius, n, apart, feature_id(near.foot_index, near.index));
+    return point_manifold(near.corner, a.radius, near.foot, b.radius, -n, apart, feature_id(near.index, near.foot_index));
 }
 
 }  // namespace

@@ -14,8 +14,7 @@ bool is_box(const Polygon& p) {
                        magnitude_of(n3.x + n1.x) + magnitude_of(n3.y + n1.y);
     const Vec2 side0 = p.vertices[1] - p.vertices[0], side1 = p.vertices[2] - p.vertices[1], rest = p.vertices[3] - p.vertices[0] - side1;
     const float off = magnitude_of(dot(side0, n0)) + magnitude_of(dot(side1, n1)) + magnitude_of(rest.x) + magnitude_of(rest.y);
-    const float size = magnitude_of(dot(side0, n1)) + magnitude_of(dot(side1, n0));
-    return p.count == 4 && skew == 0.0f && off <= 0.1f * min_length + 1.0e-6f * size;
+    return p.count == 4 && skew == 0.0f && off <= 0.1f * min_length;
 }
 
 }  // namespace islet::detail

@@ -135,10 +135,10 @@ ISLET_APART void plan_links(const Core& core, Plan& plan, const Islands& islands
         const std::uint32_t parent = parent_of(link);
         if (Forest::moves(core, link.body)) root_of[link.body] = parent != null_index ? root_of[parent] : link.body;
         if (is_root(link)) first_of[link.body] = 0;
-        ++first_of[tree_of(link)];
+        const std::uint32_t root = tree_of(link);
+        ++first_of[root];
+        ++plan.batches[islands.batch_of(root)].link_count;
     }
-    for (std::uint32_t i = 0; i < count; ++i)
-        if (is_root(ordered[i])) plan.batches[islands.batch_of(ordered[i].body)].link_count += first_of[ordered[i].body];
     for (std::uint32_t b = 0; b < plan.batch_count; ++b) {
         next[b] = plan.batches[b].first_link = plan.link_count;
         plan.link_count += plan.batches[b].link_count;
