@@ -132,7 +132,8 @@ TEST(PairsOfAll, WhatIsNotUsedMakesADifference) {
     }
 }
 
-// A world in which continuous collision, sleep or seamless floors are switched off later goes on alike in an engine that has none, which loads its snapshot. (Hooks are in none.)
+// A world in which continuous collision, sleep or seamless floors are switched off later goes on alike in an engine that has none, which loads its snapshot.
+// (Hooks are in none.)
 TEST(PairsLater, SwitchedOffAndLeftOutAreOneHash) {
     for (const std::string name : {"continuous", "sleep", "seamless_floors"}) {
         const std::string image = testing::TempDir() + "islet_without_" + name + ".image";

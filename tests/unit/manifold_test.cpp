@@ -260,10 +260,8 @@ TEST(PolygonManifold, BoxesCornerToCornerAreApartAlongTheNormal) {
         ASSERT_GE(m.count, 1u) << "case " << i;
         ASSERT_GE(exact::gap_along(ca, cb, exact::of(m.normal)), apart - 2 * tie) << "case " << i;
         ASSERT_NEAR(deepest(m), apart, 2 * tie) << "case " << i;
-        for (std::uint32_t k = 0; k < m.count; ++k) {
-            ASSERT_LE(exact::to_core(ca, on_a(m, k)), 2 * tie) << "case " << i;
-            ASSERT_LE(exact::to_core(cb, on_b(m, k)), 2 * tie) << "case " << i;
-        }
+        for (std::uint32_t k = 0; k < m.count; ++k)
+            ASSERT_LE(std::max(exact::to_core(ca, on_a(m, k)), exact::to_core(cb, on_b(m, k))), 2 * tie) << "case " << i;
         ++measured;
     }
     EXPECT_GT(measured, cases(50000));
@@ -285,10 +283,8 @@ TEST(PolygonManifold, BoxesThatOverlapAtTheirCornersTouchThere) {
         ASSERT_GE(m.count, 1u) << "case " << i;
         ASSERT_NEAR(exact::gap_along(ca, cb, exact::of(m.normal)), bound, tie + rounding) << "case " << i;
         ASSERT_NEAR(deepest(m), bound, tie + rounding) << "case " << i;
-        for (std::uint32_t k = 0; k < m.count; ++k) {
-            ASSERT_LE(exact::to_outline(ca, on_a(m, k)), rounding) << "case " << i;
-            ASSERT_LE(exact::to_outline(cb, on_b(m, k)), rounding) << "case " << i;
-        }
+        for (std::uint32_t k = 0; k < m.count; ++k)
+            ASSERT_LE(std::max(exact::to_outline(ca, on_a(m, k)), exact::to_outline(cb, on_b(m, k))), rounding) << "case " << i;
         ++overlapping;
     }
     EXPECT_GT(overlapping, cases(10000));

@@ -102,7 +102,7 @@ public:
     /// WorldDef::continuous.
     bool continuous() const;
     void enable_continuous(bool enable);
-    /// WorldDef::seamless_floors. Contacts that keep their manifolds follow when these are made anew.
+    /// WorldDef::seamless_floors. A change holds for each contact from when its points are found anew. Error: feature_cut.
     bool seamless_floors() const;
     void enable_seamless_floors(bool enable);
 

@@ -131,8 +131,8 @@ ISLET_SHARED Manifold collide_point(Vec2 a, float radius_a, Vec2 center, float r
 // Up to two points where the incident face lies over the reference face; none where they do not lie over each other.
 Manifold clip_faces(const Face& reference, const Face& incident, bool reference_is_b, Vec2 origin, float margin);
 
-// Two polygons that are rectangles by their normals. The manifold is that of other polygons (collide_cores), but for rounding, and
-// for points between corners within linear_slop, which may be 0.3 mm elsewhere.
+// Of two boxes (is_box). It is that of other polygons (collide_cores) but for rounding, and for points between corners within linear_slop, which may be
+// 0.3 mm elsewhere.
 Manifold collide_boxes(const Polygon& a, const Polygon& b, const Transform& b_in_a, float margin);
 
 }  // namespace islet::detail

@@ -60,13 +60,12 @@ struct Plan {
     std::uint32_t* joints = nullptr;  // run by run; null_index in the padding
     JointRun* runs = nullptr;
     std::uint32_t run_count = 0;
-    std::uint32_t joint_count = 0;      // in runs
-    std::uint32_t awake_joints = 0;     // in runs or joint trees
-    bool has_trees = false;             // joint trees
-    std::uint32_t overflow_joints = 0;  // without a colour
-    PlannedLink* links = nullptr;       // of joint trees: batch by batch, tree by tree; in each what holds it, then leaves first
-    std::uint32_t* parent_links =
-        nullptr;  // by link: its parent's place among the tree's links; null_index if the parent cannot be pushed, or there is none: a root
+    std::uint32_t joint_count = 0;          // in runs
+    std::uint32_t awake_joints = 0;         // in runs or joint trees
+    bool has_trees = false;                 // joint trees
+    std::uint32_t overflow_joints = 0;      // without a colour
+    PlannedLink* links = nullptr;           // of joint trees: batch by batch, tree by tree; in each what holds it, then leaves first
+    std::uint32_t* parent_links = nullptr;  // by link: its parent's place among the tree's; null_index: a root, whose parent cannot be pushed or is none
     std::uint32_t link_count = 0;
     float* lightness = nullptr;  // by body: the solve takes its mass for so many times smaller (shock propagation); null: all masses as they are
     std::uint32_t colors = 0;    // bits of the colours in use

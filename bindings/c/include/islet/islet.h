@@ -2466,7 +2466,7 @@ ISLET_C_API uint32_t islet_world_lanes(const IsletWorld* world);
 ISLET_C_API bool islet_world_continuous(const IsletWorld* world);
 ISLET_C_API IsletError islet_world_enable_continuous(IsletWorld* world, bool enable);
 
-/// IsletWorldDef.seamless_floors. Contacts that keep their manifolds follow when these are made anew.
+/// IsletWorldDef.seamless_floors. A change holds for each contact from when its points are found anew. Error: feature_cut.
 ISLET_C_API bool islet_world_seamless_floors(const IsletWorld* world);
 ISLET_C_API IsletError islet_world_enable_seamless_floors(IsletWorld* world, bool enable);
 
