@@ -29,7 +29,7 @@ using islet::test::TestWorld;
 using Pairs = std::set<std::uint64_t>;
 
 Pairs contacts_of(const World& world) {
-    const Core& c = Core::of(world);
+    const detail::Core& c = detail::Core::of(world);
     Pairs pairs;
     for (std::uint32_t i = 0; i < c.state->contact_pool.high_water; ++i) {
         if (!pool_live(c.state->contact_pool, c.contacts, i)) continue;
@@ -236,7 +236,7 @@ TEST(Pairs, NothingIsLookedForWhenNothingMoved) {
     w.add_ground();
     for (int i = 0; i < 10; ++i) w.add_box({2.0f * static_cast<float>(i), 0.5f});
     w.step(120);
-    Core& core = Core::of(*w);
+    detail::Core& core = detail::Core::of(*w);
     EXPECT_EQ(core.state->moved_count, 0u);
     EXPECT_EQ(core.moved_shapes.count(), 0u);
     const std::uint64_t before = w->hash();
@@ -253,7 +253,7 @@ TEST(Pairs, AShapeIsMarkedOnlyWhenItLeavesItsFatBox) {
     int marked = 0;
     for (int i = 0; i < 60; ++i) {
         w.step();
-        marked += static_cast<int>(Core::of(*w).state->moved_count);
+        marked += static_cast<int>(detail::Core::of(*w).state->moved_count);
     }
     EXPECT_GE(marked, 5);
     EXPECT_LE(marked, 20);

@@ -187,7 +187,7 @@ constexpr std::size_t joint_row_capacity(const Capacity& c) { return c.joints + 
 constexpr std::uint32_t tree_capacity(const Capacity& c) { return c.joints + (c.bodies < c.joints ? c.bodies : c.joints); }
 
 /// An array has one element for each of these.
-enum class Per : std::uint8_t { world, body, shape, geometry, bucket, tree_node, contact, pair, joint, hit, event };
+enum class Per : std::uint8_t { world, body, shape, geometry, bucket, tree_node, contact, pair, clearance, joint, hit, event };
 
 /// Elements that there is room for.
 constexpr std::size_t room_for(Per per, const Capacity& c) {
@@ -200,6 +200,7 @@ constexpr std::size_t room_for(Per per, const Capacity& c) {
         case Per::tree_node: return std::size_t{2} * c.shapes - 1;
         case Per::contact: return c.contacts;
         case Per::pair: return has_pair_set ? next_power_of_two(2 * c.contacts) : 0;
+        case Per::clearance: return layout_lanes > 1 ? c.contacts : 0;
         case Per::joint: return c.joints;
         case Per::hit: return hit_capacity(c);
         case Per::event: return event_capacity(c);
@@ -232,6 +233,7 @@ inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bit
     X(contacts,         contact_bytes,            contact,   saved,    8) \
     X(manifolds,        manifold_bytes,           contact,   saved,    9) \
     X(pairs,            8,                        pair,      derived,  0) \
+    X(clearances,       4,                        clearance, derived,  0) /* of any value but too much, which spares work */ \
     X(joints,           joint_bytes,              joint,     saved,    5) \
     X(awake_bodies,     one_bit,                  body,      saved,   11) \
     X(awake_contacts,   one_bit,                  contact,   saved,   12) \

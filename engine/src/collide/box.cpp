@@ -142,7 +142,7 @@ ISLET_NEVER_INLINE Manifold collide_corners(const Box& a, const Box& b, const Ga
     const float gap = sqrt(min(of_a.squared, of_b.squared));
     const bool overlap = gap <= 1e-5f;  // m; or too close for a direction between corners
     if (clipped.count > 0 && (overlap || least_separation(clipped) <= gap - radii + separation_tie)) return clipped;
-    if (gap > margin + radii) return {};
+    if (gap > margin + radii) return none_within(gap - radii);
 
     // If a face is as far away as the nearest points, but for rounding, its normal is right: where corners are near corners, rounding may have chosen the wrong
     // ones, and has made a direction of its own between them. So it is if the boxes overlap, though their faces miss each other.
@@ -179,7 +179,10 @@ Manifold collide_boxes(const Polygon& pa, const Polygon& pb, const Transform& b_
                        magnitude(from_b.x) - b.h0 - (c * a.h0 + s * a.h1), magnitude(from_b.y) - b.h1 - (s * a.h0 + c * a.h1)};
     const float gap_a = gaps.of_a(), gap_b = gaps.of_b(), bound = max(gap_a, gap_b);
     Manifold m;
-    if (bound > margin + (a.radius + b.radius)) return m;
+    if (bound > margin + (a.radius + b.radius)) {
+        m.note(bound - (a.radius + b.radius));
+        return m;
+    }
 
     // The reference face is A's unless B's is clearly better.
     const bool decided = gap_b > gap_a + separation_tie ? clip_boxes(b, a, from_b, gaps.b1 > gaps.b0, true, bound, margin, m)

@@ -8,6 +8,7 @@
 
 #include "../geometry/convex.hpp"
 #include "islet/geometry.hpp"
+#include "islet/layout.hpp"
 
 namespace islet::detail {
 
@@ -20,11 +21,32 @@ struct ManifoldPoint {
     std::uint16_t id = 0;  // feature id: which vertex or edge of A and of B; stable from step to step while the features are the same
 };
 
-struct Manifold {
+/// How far two shapes are apart. Builds for one lane, which may be small, do not note it.
+template <bool is_noted = (max_lanes > 1)>
+struct Clearance {
+    float clearance = 0;  // m that the shapes are apart at least, if there are no points and that is known; else 0
+
+    void note(float apart) { clearance = apart; }
+};
+template <>
+struct Clearance<false> {
+    static constexpr float clearance = 0;
+
+    void note(float) {}
+};
+
+struct Manifold : Clearance<> {
     Vec2 normal;  // unit, frame A, from A to B
     ManifoldPoint points[2];
     std::uint32_t count = 0;  // 0: no contact closer than the margin
 };
+
+/// The manifold of shapes that are so far apart (m) at least.
+inline Manifold none_within(float clearance) {
+    Manifold none;
+    none.note(clearance);
+    return none;
+}
 
 /// The separation of the nearest point, m. There must be one.
 inline float least_separation(const Manifold& m) { return m.count == 2 ? min(m.points[0].separation, m.points[1].separation) : m.points[0].separation; }

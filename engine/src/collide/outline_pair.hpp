@@ -48,9 +48,9 @@ ISLET_COPIED Manifold collide_cores(const A& a, const B& b, Vec2 origin, float m
     const float radii = a.radius + b.radius;
     const float limit = margin + radii;
     const Axis axis_a = best_axis(a, b);
-    if (axis_a.separation > limit) { return {}; }
+    if (axis_a.separation > limit) { return none_within(axis_a.separation - radii); }
     const Axis axis_b = best_axis(b, a);
-    if (axis_b.separation > limit) { return {}; }
+    if (axis_b.separation > limit) { return none_within(axis_b.separation - radii); }
 
     // A is the reference unless B is clearly better.
     const bool reference_is_b = axis_b.separation > axis_a.separation + separation_tie;
@@ -68,7 +68,7 @@ ISLET_COPIED Manifold collide_cores(const A& a, const B& b, Vec2 origin, float m
         return axis_b.separation > axis_a.separation ? deepest_corner(b, axis_b, a, true, origin) : deepest_corner(a, axis_a, b, false, origin);
     }
     if (clipped.count > 0 && least_separation(clipped) <= near.distance - radii + separation_tie) { return clipped; }
-    if (near.distance > limit) { return {}; }
+    if (near.distance > limit) { return none_within(near.distance - radii); }
     return point_manifold(near.point_a + origin, a.radius, near.point_b + origin, b.radius, near.normal, near.distance,
                           feature_id(near.index_a[0], near.index_b[0]));
 }

@@ -15,6 +15,7 @@ struct Row {
     static constexpr Per per = array_rows[place].per;
     static constexpr Kept kept = array_rows[place].kept;
     static constexpr std::uint32_t hash = array_rows[place].hash;
+    static constexpr bool is_there = room_for(per, {1, 1, 1, 1, 1, 1, 1}) != 0;  // in this build
 
     /// Bytes of `n` elements in an image. (With the size as a constant, for the compiler's sake.)
     static constexpr std::size_t image_bytes(std::uint32_t n) { return (size == one_bit ? words_for(n) : n) * (size == one_bit ? 8 : image_size); }
@@ -52,7 +53,7 @@ struct Counts {
 
     template <Per per>
     constexpr std::uint32_t of() const {
-        static_assert(per != Per::bucket && per != Per::pair && per != Per::hit && per != Per::event, "nobody counts these");
+        static_assert(per != Per::bucket && per != Per::pair && per != Per::clearance && per != Per::hit && per != Per::event, "nobody counts these");
         if constexpr (per == Per::world) return 1;
         if constexpr (per == Per::body) return bodies;
         if constexpr (per == Per::shape) return shapes;

@@ -85,6 +85,7 @@ struct Core {
     Contact* contacts = nullptr;
     ContactManifold* manifolds = nullptr;
     PairSet pairs;
+    float* clearances = nullptr;  // m, by contact: step/clearance.hpp
     Joint* joints = nullptr;
     BitSet awake_bodies;    // dynamic and kinematic bodies that move or may move
     BitSet awake_contacts;  // contacts of an awake body

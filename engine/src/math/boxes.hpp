@@ -32,6 +32,10 @@ ISLET_LANE Aabb swept(const Aabb& box, Vec2 way, float turn) {
     return __builtin_bit_cast(Aabb, __builtin_shufflevector(min(from, to) - turn, max(from, to) + turn, 0, 1, 6, 7));
 #endif
 }
+/// m between two boxes along the axis along which they are farther apart; negative if they overlap.
+ISLET_LANE float gap_between(const Aabb& a, const Aabb& b) {
+    return max(max(b.lower.x - a.upper.x, a.lower.x - b.upper.x), max(b.lower.y - a.upper.y, a.lower.y - b.upper.y));
+}
 /// The box of two points.
 ISLET_SHARED Aabb box_around(Vec2 a, Vec2 b) { return {min(a, b), max(a, b)}; }
 

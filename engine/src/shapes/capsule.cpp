@@ -61,7 +61,8 @@ Manifold collide(const Capsule& a, const Capsule& b, const Transform& b_in_a, fl
     const Vec2 b2 = transform_point(t, b.point2);
     // Most capsules that the broad phase pairs are further apart than this; it saves the square roots.
     const float limit = margin + a.radius + b.radius;
-    if (!meet(expand(box_around({}, end), limit), box_around(b1, b2))) { return {}; }
+    const Aabb box_a = box_around({}, end), box_b = box_around(b1, b2);
+    if (!meet(expand(box_a, limit), box_b)) { return none_within(gap_between(box_a, box_b) - (a.radius + b.radius)); }
     return collide_cores(outline_of({}, end, a.radius), outline_of(b1, b2, b.radius), origin, margin);
 }
 

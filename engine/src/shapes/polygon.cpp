@@ -138,7 +138,7 @@ Manifold collide(const Polygon& a, const Circle& b, const Transform& b_in_a, flo
         face = s > separation ? i : face;
         separation = max(s, separation);
     }
-    if (separation > limit) { return {}; }
+    if (separation > limit) { return none_within(separation - (a.radius + b.radius)); }
 
     // The corner closest to a centre outside always belongs to the face it is furthest in front of.
     const std::uint32_t next = face + 1 < a.count ? face + 1 : 0;

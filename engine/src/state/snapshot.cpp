@@ -253,6 +253,7 @@ void take_over(Core& core, const ImageHeader& h, const std::byte* image) {
     for_each_bit_set(core, h, clear_rest);
     rebuild_pairs(core, h);
     rebuild_buckets(core);
+    if constexpr (max_lanes > 1) std::memset(core.clearances, 0, std::size_t{h.used.contacts} * sizeof(float));
 
     core.end_count = h.ended;
     tell_nothing(core);

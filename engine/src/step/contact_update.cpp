@@ -18,6 +18,7 @@
 #include "../math/scalar.hpp"
 #include "../shapes/manifolds.hpp"
 #include "../shapes/shape_types.hpp"
+#include "../step/clearance.hpp"
 #include "../step/continuous.hpp"
 #include "../step/inner_edges.hpp"
 #include "../step/one_way.hpp"
@@ -156,16 +157,20 @@ ISLET_APART MadeFor make_manifold(const Core& core, std::uint32_t index, const A
     return made;
 }
 
-// True if the circles around two bodies are farther apart than points of a manifold may be, so that `remake` would find none. That is so of many contacts
-// between bodies that pass each other. (The circles are taken a little larger, so that rounding cannot hide a point: neither that of the circles, nor that of
-// shapes far from where their bodies are placed. What comes fast to a link is looked at again where it may touch. Builds for one lane, which may be small, do
-// without.)
-[[maybe_unused]] ISLET_SHARED bool are_far_apart(const Core& core, const Contact& c, const ContactManifold& m, const Pose& a, const Pose& b,
-                                                 const Approach& approach) {
-    const Vec2 of_a = core.bodies[m.body_a].local_center, of_b = core.bodies[m.body_b].local_center;
-    const float sizes = a.max_extent + b.max_extent, inexact = 1e-5f * (sizes + abs(of_a.x) + abs(of_a.y) + abs(of_b.x) + abs(of_b.y));
-    const float most = margin_ahead(approach) + linear_slop + sizes + inexact;
-    return length_squared(b.center - a.center) > most * most && !(comes_fast(approach) && is_link(core, c));
+// True if two shapes are farther apart than points of a manifold may be, so that `remake` would find none: by their clearance, or by the circles around their
+// bodies, of which many pass each other. (What comes fast to a link is looked at again where it may touch. Builds for one lane, which may be small, do
+// without.) Notes how far.
+[[maybe_unused]] ISLET_SHARED bool are_far_apart(Core& core, std::uint32_t index, const Pose& a, const Pose& b, const Approach& approach) {
+    const ContactManifold& m = core.manifolds[index];
+    const float inexact = inexact_by(core, m, a, b), margin = margin_ahead(approach) + inexact, most = margin + a.max_extent + b.max_extent;
+    float clearance = 0;
+    if (!(length_squared(b.center - a.center) > most * most)) {
+        clearance = clearance_now(core, index, a, b, margin);
+        if (!(clearance > 0)) return false;
+    }
+    if (comes_fast(approach) && is_link(core, core.contacts[index])) return false;
+    core.clearances[index] = clearance;
+    return true;
 }
 
 // Notes that a contact without points has none, as the bodies stand now: what `remake` would note.
@@ -187,6 +192,7 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
     ContactManifold& m = core.manifolds[index];
     const Vec2 center_a = core.bodies[m.body_a].local_center;
     MadeFor made = make_manifold(core, index, approach, dt);
+    note_clearance(core, index, made.fresh);
     Manifold& fresh = made.fresh;
     const bool has_pieces = (core.bodies[m.body_a].shape_count | core.bodies[m.body_b].shape_count) > 1;
     if (fresh.count > 0 && has_seamless(core) && (has_pieces || has_floor(core.poses[m.body_a], core.poses[m.body_b])))
@@ -282,7 +288,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
         ++kept.manifolds;
         if (max_lanes > 1 && !lags && (m.flags & contact_special) == 0 && may_be_settled(m, a, b)) ++kept.settled;
-    } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(core, core.contacts[index], m, a, b, approach)) {
+    } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(core, index, a, b, approach)) {
         note_apart(m, a, b);
     } else {
         if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);

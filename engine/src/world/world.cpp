@@ -76,7 +76,9 @@ void point(BitSet& set, std::byte* at, std::size_t bits) {
 void point(PairSet& set, std::byte* at, std::size_t keys) { set = {reinterpret_cast<std::uint64_t*>(at), static_cast<std::uint32_t>(keys) - 1}; }
 
 void point_into(Core& core, std::byte* block, const Layout& l) {
-    for_each_array(core, [&](auto& array, auto row) { point(array, block + l[row.array], room_for(row.per, core.capacity)); });
+    for_each_array(core, [&](auto& array, auto row) {
+        if constexpr (row.is_there) point(array, block + l[row.array], room_for(row.per, core.capacity));
+    });
     core.scratch = block + l.scratch;
     core.scratch_end = block + l.end;
 }
