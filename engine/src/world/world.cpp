@@ -73,7 +73,9 @@ void point(T*& array, std::byte* at, std::size_t) {
 void point(BitSet& set, std::byte* at, std::size_t bits) {
     set = {reinterpret_cast<std::uint64_t*>(at), static_cast<std::uint32_t>(words_for(static_cast<std::uint32_t>(bits)))};
 }
-void point(PairSet& set, std::byte* at, std::size_t keys) { set = {reinterpret_cast<std::uint64_t*>(at), static_cast<std::uint32_t>(keys) - 1}; }
+[[maybe_unused]] void point(PairSet& set, std::byte* at, std::size_t keys) {
+    set = {reinterpret_cast<std::uint64_t*>(at), static_cast<std::uint32_t>(keys) - 1};
+}
 
 void point_into(Core& core, std::byte* block, const Layout& l) {
     for_each_array(core, [&](auto& array, auto row) {
