@@ -88,14 +88,18 @@ TEST(Clearance, IsNeverMoreThanTheExactDistance) {
 
 // -- what a world makes of it --------------------------------------------------------------------------------------------------------------
 
-// A heap of bodies of one to three shapes of all kinds, in a box that is open above, and what users do to them while they fall and roll.
+// A heap of bodies of one to three shapes of all kinds on a rough floor of segments, and what users do to them while they fall and roll.
 struct Heap {
     TestWorld w{roomy, {.enable_sleep = false}};
     std::vector<BodyId> bodies;
 
     explicit Heap(std::uint64_t seed) {
         Random random(seed);
-        w.add_ground(0, 8);
+        const BodyId ground = w->create_body({});
+        for (int i = -16; i < 16; ++i) {
+            const auto at = [](int corner) { return Vec2{0.5f * static_cast<float>(corner), corner % 2 == 0 ? 0.0f : 0.1f}; };
+            w->create_shape(ground, Segment{at(i), at(i + 1)});
+        }
         w.add_box({-8, 4}, 0.5f, 5, {}, BodyType::static_body);
         w.add_box({8, 4}, 0.5f, 5, {}, BodyType::static_body);
         for (int i = 0; i < 60; ++i) {

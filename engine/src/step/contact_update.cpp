@@ -192,11 +192,11 @@ ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approa
     ContactManifold& m = core.manifolds[index];
     const Vec2 center_a = core.bodies[m.body_a].local_center;
     MadeFor made = make_manifold(core, index, approach, dt);
-    note_clearance(core, index, made.fresh);
     Manifold& fresh = made.fresh;
     const bool has_pieces = (core.bodies[m.body_a].shape_count | core.bodies[m.body_b].shape_count) > 1;
     if (fresh.count > 0 && has_seamless(core) && (has_pieces || has_floor(core.poses[m.body_a], core.poses[m.body_b])))
         mend_inner_edges(core, c, made.b_in_a, made.margin, fresh);
+    note_clearance(core, index, fresh);
 
     m.normal = rotate(m.rotation_a, fresh.normal);
     const bool lands = fresh.count > 0 && approach.turn - dot(m.normal, approach.way) > 2.0f * speculative_distance;
