@@ -45,7 +45,6 @@ inline constexpr std::size_t profile_bytes = 0;
 #else
 inline constexpr std::size_t profile_bytes = 56;
 #endif
-inline constexpr std::size_t core_bytes = sizeof(void*) >= 8 ? 640 : 360 + profile_bytes;  // room for Core inside World
 
 // The most constraints that an engine for this processor can have in a block decide how constraint rows are padded in scratch. They depend on the processor
 // alone, never on compiler flags, because a program and the engine are compiled apart and must agree.
@@ -60,6 +59,9 @@ inline constexpr std::uint32_t max_lanes = ISLET_MAX_LANES;
 inline constexpr std::uint32_t min_lanes = ISLET_MIN_LANES < ISLET_MAX_LANES ? ISLET_MIN_LANES : ISLET_MAX_LANES;
 inline constexpr std::uint32_t max_block_lanes = max_lanes < layout_lanes ? max_lanes : layout_lanes;  // constraints in a block; two blocks make sixteen
 static_assert(max_lanes <= layout_lanes || (max_lanes == 16 && layout_lanes == 8), "this processor has no such ISLET_MAX_LANES");
+
+// Room for Core inside World.
+inline constexpr std::size_t core_bytes = sizeof(void*) >= 8 ? 640 : (layout_lanes > 1 ? 368 : 360) + profile_bytes;
 
 // What arrays begin at a multiple of: a cache line, or what their elements need where there are no lanes, and memory is small.
 inline constexpr std::size_t line_bytes = layout_lanes > 1 ? 64 : 8;
