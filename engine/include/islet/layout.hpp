@@ -235,7 +235,7 @@ inline constexpr std::size_t one_bit = 0;  // size of an element of a set of bit
     X(contacts,         contact_bytes,            contact,   saved,    8) \
     X(manifolds,        manifold_bytes,           contact,   saved,    9) \
     X(pairs,            8,                        pair,      derived,  0) \
-    X(clearances,       4,                        clearance, derived,  0) /* of any value but too much, which spares work */ \
+    X(clearances,       4,                        clearance, derived,  0) /* never too large; 0, as after a restore, costs time alone */ \
     X(joints,           joint_bytes,              joint,     saved,    5) \
     X(awake_bodies,     one_bit,                  body,      saved,   11) \
     X(awake_contacts,   one_bit,                  contact,   saved,   12) \
