@@ -41,21 +41,22 @@ struct TimesOfCore<false> {
 /// What the next step may take over from the last one. A build without lanes, whose memory may be small, keeps nothing.
 template <bool is_there = keeps_plan>
 struct KeptOfCore {
-    Plan* plan = nullptr;                // at the end of scratch, if the next step would make the same one
-    std::uint32_t settled_contacts = 0;  // how many lanes kept, or about how many they would have kept (solver/settled_contacts.hpp)
+    Plan* plan = nullptr;         // at the end of scratch, if the next step would make the same one
+    bool keeps_in_lanes = false;  // lanes pay for contacts that touch, and for those without points (step/lane_update.hpp)
+    bool parts_in_lanes = false;
 
     void keep(Plan* made) { plan = made; }
     void forget() { plan = nullptr; }
-    void note_settled(std::uint32_t count) { settled_contacts = count; }
+    void note_lanes(bool keeps, bool parts) { keeps_in_lanes = keeps, parts_in_lanes = parts; }
 };
 template <>
 struct KeptOfCore<false> {
     static constexpr Plan* plan = nullptr;
-    static constexpr std::uint32_t settled_contacts = 0;
+    static constexpr bool keeps_in_lanes = false, parts_in_lanes = false;
 
     void keep(Plan*) {}
     void forget() {}
-    void note_settled(std::uint32_t) {}
+    void note_lanes(bool, bool) {}
 };
 
 struct Core {

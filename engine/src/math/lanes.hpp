@@ -156,6 +156,8 @@ struct Lane4 {
             if ((bits >> i & 1u) != 0) store4(base + std::size_t{stride} * index[i], r[i]);
     }
     ISLET_LANE static std::uint32_t bits(i4 mask) { return mask_bits(mask); }
+    /// The lanes whose bits are set.
+    ISLET_LANE static i4 mask(std::uint32_t bits) { return (static_cast<std::int32_t>(bits) & i4{1, 2, 4, 8}) != 0; }
     /// Writes the numbers of the set bits, counted from `first`, in order. Returns how many there are.
     ISLET_LANE static std::uint32_t list(std::uint32_t bits, std::uint32_t first, std::uint32_t* out) {
         std::uint32_t count = 0;
@@ -238,6 +240,7 @@ struct Lane8 {
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), numbers);
         return static_cast<std::uint32_t>(__builtin_popcount(bits));
     }
+    ISLET_LANE static i8 mask(std::uint32_t bits) { return (static_cast<std::int32_t>(bits) & i8{1, 2, 4, 8, 16, 32, 64, 128}) != 0; }
     ISLET_LANE static std::uint32_t bits(i8 mask) { return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<f8>(mask))); }
     ISLET_LANE static std::uint32_t positive(F a) { return bits(a > F{}); }
 

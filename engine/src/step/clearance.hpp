@@ -8,6 +8,7 @@
 #include "../data/core.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
+#include "../shapes/shape_types.hpp"
 
 namespace islet::detail {
 
@@ -35,5 +36,21 @@ ISLET_PART float clearance_now(const Core& core, std::uint32_t contact, const Po
     const float clearance = noted - length(b.center - a.center - m.offset) - turned;
     return clearance > margin ? clearance : 0;
 }
+
+/// Notes that a contact without points has none, as the bodies stand now: what the narrow phase would leave behind (step/contact_update.cpp).
+ISLET_SHARED void note_apart(ContactManifold& m, const Pose& a, const Pose& b) {
+    m.forget_points();
+    m.forget_impulses();
+    m.ids = 0;
+    m.anchors[0] = m.anchors[1] = {0, 0};
+    m.offset = b.center - a.center;
+    m.rotation_a = a.q;
+    m.rotation_b = b.q;
+    m.normal = rotate(a.q, {0, 0});  // zeros with the same signs
+    m.flags |= contact_posed;
+}
+
+/// True if shape A of a contact is a piece of a chain.
+inline bool is_link(const Core& core, const Contact& c) { return kind_of(core.geometries[core.shapes[c.shape_a].geometry]) == ShapeKind::front; }
 
 }  // namespace islet::detail

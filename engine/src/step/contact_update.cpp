@@ -21,6 +21,7 @@
 #include "../step/clearance.hpp"
 #include "../step/continuous.hpp"
 #include "../step/inner_edges.hpp"
+#include "../step/lane_update.hpp"
 #include "../step/one_way.hpp"
 #include "../step/recycling.hpp"
 
@@ -67,9 +68,6 @@ Manifold manifold_at(const Core& core, const Contact& c, const ContactManifold& 
 // m that points may be apart which meet in the rest of a step. (It lasts at most a second, and no body moves faster, whatever velocity it was given.)
 float margin_ahead(const Approach& approach, float rest = 1) { return speculative_distance + 2.0f * rest * min(approach.most(), max_speed_limit); }
 
-// True if shape A is a piece of a chain.
-bool is_link(const Core& core, const Contact& c) { return kind_of(core.geometries[core.shapes[c.shape_a].geometry]) == ShapeKind::front; }
-
 // Makes the manifold with which two shapes will touch in this step. If they are about to meet, it is made as they will stand at the time of impact; the motion
 // until then is treated as slip. (A plane through the points that are nearest now would throw back a shape that is about to pass.) After the first point has
 // met, another one comes down up to twice as fast, as the body turns about the first.
@@ -100,7 +98,7 @@ Manifold manifold_ahead(const Core& core, const Contact& c, const ContactManifol
 ISLET_APART bool rolls(const Core& core, const Contact& c, const ContactManifold& m, float dt) {
     const float wa = core.motions[m.body_a].w, wb = core.motions[m.body_b].w, spin = abs(wb - wa);
     if (m.count() != 1 || !(spin > roll_rate && spin * dt < most_roll && abs(wa) * dt < 1) || m.separation[0] > speculative_distance) return false;
-    if (has_shock(core.state->solver) || (!has_floor(core.poses[m.body_a], core.poses[m.body_b]) && is_between_others(core, m))) return false;
+    if (has_shock(core.state->solver) || (!has_floor(core.poses[m.body_a], core.poses[m.body_b]) && is_between_others(core.bodies, m))) return false;
     bool round = false, moves_about = false;
     for (const bool is_a : {true, false}) {
         const std::uint32_t body = is_a ? m.body_a : m.body_b;
@@ -173,19 +171,6 @@ ISLET_APART MadeFor make_manifold(const Core& core, std::uint32_t index, const A
     return true;
 }
 
-// Notes that a contact without points has none, as the bodies stand now: what `remake` would note.
-[[maybe_unused]] ISLET_SHARED void note_apart(ContactManifold& m, const Pose& a, const Pose& b) {
-    m.forget_points();
-    m.forget_impulses();
-    m.ids = 0;
-    m.anchors[0] = m.anchors[1] = {0, 0};
-    m.offset = b.center - a.center;
-    m.rotation_a = a.q;
-    m.rotation_b = b.q;
-    m.normal = rotate(a.q, {0, 0});  // zeros with the same signs
-    m.flags |= contact_posed;
-}
-
 // Makes the manifold anew. Points whose features the old manifold had keep their impulses.
 ISLET_SHARED void remake(Core& core, std::uint32_t index, const Approach& approach, float dt) {
     const Contact& c = core.contacts[index];
@@ -240,25 +225,23 @@ ISLET_SHARED bool is_deep(const Core& core, const ContactManifold& m) {
     return min(m.separation[0], m.separation[1]) < -share * core.bodies[body].min_extent;
 }
 
-/// Contacts that kept their manifolds; of these, those that lanes keep (keep_settled).
-struct KeptCount {
-    std::uint32_t manifolds = 0, settled = 0;
-};
-
 enum class Change : std::uint8_t { none, changes, parts };
 
 // Updates one contact and touches nothing else, so contacts may be updated in any order or in parallel. Changes to shared state are only reported.
-// `looks_settled` is false if it is known not to be settled.
-ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, const LoadFollower& loads, KeptCount& kept,
-                         [[maybe_unused]] bool looks_settled) {
+ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, const LoadFollower& loads, UpdateCount& count) {
     ContactManifold& m = core.manifolds[index];
+    const bool touches = m.count() != 0;
+    const bool is_new = !(touches ? core.kept.keeps_in_lanes : core.kept.parts_in_lanes);  // to this step: lanes have not looked at it
+    [[maybe_unused]] LaneShare& share = touches ? count.touching : count.apart;
+    [[maybe_unused]] const std::uint32_t in_lanes = is_new && (touches ? lanes_keep(m.flags) : lanes_tell_apart(m.flags)) ? 1 : 0;
+    if constexpr (max_lanes > 1) share.all += in_lanes;
     const Pose& a = core.poses[m.body_a];
     const Pose& b = core.poses[m.body_b];
-    if (!short_loops && looks_settled && ((a.flags | b.flags) & pose_moved) == 0 && is_settled(core.motions, m, a, b)) {
+    if (!short_loops && is_new && ((a.flags | b.flags) & pose_moved) == 0 && is_settled(core.motions, m, a, b)) {
         loads.follow(m);
-        ++kept.manifolds;
+        ++count.kept;
         const bool sunk = is_continuous(core) && has_sunk(core, m);
-        if (max_lanes > 1 && !sunk && (m.flags & contact_special) == 0) ++kept.settled;
+        if (max_lanes > 1 && !sunk) share.done += in_lanes;
         return sunk && is_deep(core, m) ? Change::changes : Change::none;
     }
     if (((a.flags | b.flags) & pose_moved) != 0) {
@@ -283,13 +266,13 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     const bool fast = ((a.flags | b.flags) & pose_fast) != 0 && (calm || has_floor(a, b));
     Approach approach;
     if (fast && m.count() == 0) approach = approach_to(core, m, dt, fall);
-    const bool lags = abs(inv_mul(m.rotation_a, a.q).s) > least_lag && turn_together(core.motions[m.body_a].w, core.motions[m.body_b].w, has_floor(a, b));
     if (may_recycle(m) && m.count() != 0) turn_along(core, m, a, b);
     if (!comes_fast(approach) && can_recycle(core, m, a, b)) {
-        ++kept.manifolds;
-        if (max_lanes > 1 && !lags && (m.flags & contact_special) == 0 && may_be_settled(m, a, b)) ++kept.settled;
+        ++count.kept;
+        if constexpr (max_lanes > 1) share.done += in_lanes;
     } else if (max_lanes > 1 && m.count() == 0 && !one_way && are_far_apart(core, index, a, b, approach)) {
         note_apart(m, a, b);
+        share.done += in_lanes;
     } else {
         if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);
         remake(core, index, approach, dt);
@@ -392,32 +375,6 @@ void commit(Core& core, std::uint32_t index, BitSet to_wake) {
     }
 }
 
-// Keeps the settled contacts of a word of awake ones, W at a time, and counts them. Returns the bits of the others.
-template <std::uint32_t W>
-std::uint64_t keep_settled_of(const Core& core, std::uint32_t word, LoadRate rate, KeptCount& kept) {
-    const ContactsToKeep in{core.manifolds, core.contacts, core.poses, core.motions, core.boxes, widest_box, rate, is_continuous(core)};
-    std::uint64_t bits = core.awake_contacts.words[word], others = 0;
-    while (bits != 0) {
-        std::uint32_t contact[W], count = 0;
-        std::uint64_t bit[W];
-        for (; count < W && bits != 0; ++count, bits &= bits - 1) {
-            contact[count] = 64 * word + trailing_zeros_of_long(bits);
-            bit[count] = bits & -bits;
-        }
-        for (std::uint32_t i = count; i < W; ++i) contact[i] = contact[0];
-        std::uint32_t settled;
-        if constexpr (W == 8) {
-            settled = keep_settled_8(in, contact);
-        } else {
-            settled = keep_settled_4(in, contact);
-        }
-        for (std::uint32_t left = ~settled & ((1u << count) - 1); left != 0; left &= left - 1, --count) others |= bit[trailing_zeros(left)];
-        kept.manifolds += count;
-        kept.settled += count;
-    }
-    return others;
-}
-
 // Applies all contacts' changes to shared state, in the order of their slots. Those that parted, and of which nobody else knows, are in `parted` alone.
 void commit_all(Core& core, BitSet changed, BitSet parted, BitSet to_wake, [[maybe_unused]] Arena arena) {
 #if ISLET_THREADS
@@ -480,31 +437,31 @@ void update_contacts(Core& core, float dt) {
     const LoadFollower loads(*core.state, dt);
     const std::uint32_t words = core.awake_contacts.word_count;
     const std::uint32_t grain = fine_grain(core, update_grain), ranges = range_count(words, grain);
-    KeptCount* const kept_in = arena.take<KeptCount>(ranges);
-    const bool many_settled = max_lanes > 1 && core.lanes > 1 && 4 * core.kept.settled_contacts > core.awake_contacts.count();  // in the last step
-    const BitSet open = many_settled ? take_bits(core.capacity.contacts) : core.awake_contacts;                                 // to be looked at one by one
-    std::memset(static_cast<void*>(kept_in), 0, ranges * sizeof(KeptCount));
+    UpdateCount* const counts = arena.take<UpdateCount>(ranges);
+    const bool uses_lanes = max_lanes > 1 && core.lanes > 1 && (core.kept.keeps_in_lanes || core.kept.parts_in_lanes);
+    const BitSet open = uses_lanes ? take_bits(core.capacity.contacts) : core.awake_contacts;  // to be looked at one by one
+    ContactsInLanes in_lanes;
+    if constexpr (max_lanes > 1) in_lanes = contacts_in_lanes(core, loads.rate, dt, fall);
+    std::memset(static_cast<void*>(counts), 0, ranges * sizeof(UpdateCount));
     for_ranges(core, words, grain, [&](std::uint32_t first, std::uint32_t end) {
-        KeptCount kept;
-        if constexpr (max_lanes > 1) {
-            for (std::uint32_t w = first; many_settled && w < end; ++w)
-                open.words[w] = core.lanes >= 8 ? keep_settled_of<max_block_lanes>(core, w, loads.rate, kept) : keep_settled_of<4>(core, w, loads.rate, kept);
-        }
+        UpdateCount count;
+        if constexpr (max_lanes > 1)
+            if (uses_lanes) update_in_lanes(core, in_lanes, first, end, open, count);
         open.for_each_in(first, end, [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
-            const Change change = update(core, i, dt, fall, loads, kept, max_lanes == 1 || !many_settled);
+            const Change change = update(core, i, dt, fall, loads, count);
             if (change == Change::none) return;
             if (change == Change::parts) parted.set(i);
             if (!has_threads || change == Change::changes || is_known(core.manifolds[i])) changed.set(i);
         });
-        kept_in[first / grain] = kept;
+        counts[first / grain] = count;
     });
-    KeptCount kept;
+    UpdateCount count;
     for (std::uint32_t i = 0; i < ranges; ++i) {
-        kept.manifolds += kept_in[i].manifolds;
-        kept.settled += kept_in[i].settled;
+        count.kept += counts[i].kept;
+        count.add(counts[i]);
     }
-    core.report.recycled_contacts = kept.manifolds;
-    core.kept.note_settled(kept.settled);
+    core.report.recycled_contacts = count.kept;
+    if constexpr (max_lanes > 1) core.kept.note_lanes(core.lanes > 1 && count.touching.pays(), core.lanes > 1 && count.apart.pays());
 
     commit_all(core, changed, parted, to_wake, arena);
     for_ranges(core, core.awake_bodies.word_count, clear_grain, [&](std::uint32_t first, std::uint32_t end) {

@@ -18,7 +18,7 @@
 #include "../data/core.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
-#include "../solver/settled_contacts.hpp"
+#include "../solver/contact_lanes.hpp"
 
 namespace islet::detail {
 
@@ -26,16 +26,11 @@ inline constexpr float contact_load_rate = 0.07f;            // 1/s, at which th
 inline constexpr float worth_learning = 0.4f * linear_slop;  // m; a contact that would rise by less learns its load slowly
 inline constexpr float learning_tilt = 0.01f;                // sine of the angle between gravity and the normal of a face that learns, at most
 inline constexpr float learning_friction = 0.5f;             // its friction, as a share of its load, at most
-inline constexpr float wedged_turn_rate = 0.15f;             // rad/s of bodies with which a manifold turns that do not meet with one level face
-inline constexpr float held_turn = 0.09f;                    // of what is between others, as a share of sqrt(g / size); arches fold if it is less
-inline constexpr float bearing_share = 0.1f;                 // of the impulse at the other point: if a point bears less, that face is none
 inline constexpr float most_creep = 15.0f * linear_slop;     // m that faces of what is between others may slip before a manifold is made anew
 inline constexpr float creep_share = 0.15f;                  // the same as a share of the smaller body's size, but recycle_distance at least
 inline constexpr float sticking_share = 0.9f;                // of the friction that there may be: what sticks needs less
-inline constexpr float turn_alike = 0.1f;                    // share of their rates by which two bodies on a level face may differ
 inline constexpr float roll_rate = 0.05f;                    // rad/s of two bodies against each other from which on a round shape rolls
 inline constexpr float most_roll = 0.1f;                     // rad in a step; faster things are not followed: bridges that roll at their banks would be thrown
-inline constexpr float level_face = 0.3f;                    // tangent of the angle between gravity and the normal of a level face, at most
 
 // How the load of a contact follows the force that it bore in the last step. It is slow: a pile moves as if its contacts did not know their load. But when an
 // island has come to rest (pose_learns), level faces, as those of columns and walls, learn their load at once. So a stack rises by most of what it has sunk by
@@ -75,12 +70,6 @@ struct LoadFollower {
 
 // True if one of the two bodies is not dynamic.
 ISLET_SHARED bool has_floor(const Pose& a, const Pose& b) { return !(min(a.inv_mass, b.inv_mass) > 0); }
-
-// True if other bodies are at both bodies of a contact, too, as at the parts of an arch or of a house of cards, but not at what lies on a board.
-inline bool is_between_others(const Core& core, const ContactManifold& m) {
-    const std::uint32_t own = m.sharers();
-    return core.bodies[m.body_a].contact_count > own && core.bodies[m.body_b].contact_count > own;
-}
 
 // True if the surfaces have slipped by less than `most` at the points of a contact that has `count` of them, 1 or 2.
 ISLET_PART bool has_kept_points(const ContactManifold& m, const Pose& a, const Pose& b, std::uint32_t count, Rot turn_a, Rot turn_b, float most) {
@@ -123,7 +112,7 @@ ISLET_SHARED void turn_along(const Core& core, ContactManifold& m, const Pose& a
     const float p = m.normal_impulse[0], q = m.normal_impulse[1];
     const bool on_face = level && min(p, q) > bearing_share * max(p, q);
     const float pace = sqrt(length(gravity) / min(a.max_extent, b.max_extent));
-    if (!floor && !on_face && !(slower > held_turn * pace) && is_between_others(core, m)) return;
+    if (!floor && !on_face && !(slower > held_turn * pace) && is_between_others(core.bodies, m)) return;
     m.normal = rotate(turn, m.normal);
     m.normal = (1.5f - 0.5f * length_squared(m.normal)) * m.normal;  // a unit vector, however often it is turned
     m.offset = rotate(turn, m.offset);
@@ -155,7 +144,7 @@ inline bool can_recycle(const Core& core, const ContactManifold& m, const Pose& 
     for (bool creeps = false;; creeps = true) {
         if (has_kept_points(m, a, b, count, turn_a, turn_b, most)) return true;
         const float rubs = abs(m.tangent_impulse[0] + m.tangent_impulse[1]), pressed = m.normal_impulse[0] + m.normal_impulse[1];
-        if (creeps || count != 2 || has_floor(a, b) || !(rubs < sticking_share * m.friction * pressed) || !is_between_others(core, m)) return false;
+        if (creeps || count != 2 || has_floor(a, b) || !(rubs < sticking_share * m.friction * pressed) || !is_between_others(core.bodies, m)) return false;
         most = max(recycle_distance, min(most_creep, creep_share * min(a.max_extent, b.max_extent)));
     }
 }
