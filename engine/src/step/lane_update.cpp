@@ -24,80 +24,92 @@ void tell_by(const ContactsInLanes& in, const std::uint32_t* contact, ToldApart&
     tell_apart_4(in, contact, out);
 }
 
-// Contacts of one kind, until there are as many as lanes.
+// Contacts of one kind: those of a word of the set, and what the words before it left, which were too few for lanes.
 template <std::uint32_t W>
 struct Gathered {
-    std::uint32_t contact[W];
+    std::uint32_t contact[64 + W];
     std::uint32_t count = 0;
 
-    // Returns whether there are as many now.
-    ISLET_INLINE bool add(std::uint32_t index) {
-        contact[count++] = index;
-        return count == W;
+    // Calls visit(contacts, count) for as many at once as there are lanes, and keeps the rest.
+    template <class Visit>
+    ISLET_INLINE void take_full(Visit&& visit) {
+        std::uint32_t first = 0;
+        for (; first + W <= count; first += W) visit(contact + first, W);
+        for (std::uint32_t i = first; i < count; ++i) contact[i - first] = contact[i];
+        count -= first;
     }
-    // Fills the lanes that are left with the first contact. Returns a bit for each lane that counts.
-    std::uint32_t fill() {
+    // The same for the rest: lanes that are left have the first contact.
+    template <class Visit>
+    ISLET_INLINE void take_rest(Visit&& visit) {
+        if (count == 0) return;
         for (std::uint32_t i = count; i < W; ++i) contact[i] = contact[0];
-        return (1u << count) - 1;
+        visit(contact, count);
     }
 };
 
-template <std::uint32_t W>
-void open_those(const Gathered<W>& all, std::uint32_t which, BitSet open) {
-    for (; which != 0; which &= which - 1) open.set(all.contact[trailing_zeros(which)]);
+void open_those(const std::uint32_t* contact, std::uint32_t which, BitSet open) {
+    for (; which != 0; which &= which - 1) open.set(contact[trailing_zeros(which)]);
 }
 
+// `all`: how many of the contacts count.
 template <std::uint32_t W>
-void keep_those(const ContactsInLanes& in, Gathered<W>& touching, BitSet open, UpdateCount& count) {
-    const std::uint32_t counting = touching.fill();
-    const std::uint32_t keeps = counting & keep_by<W>(in, touching.contact);
-    const std::uint32_t kept = BitSet::bits_of(keeps);
+void keep_those(const ContactsInLanes& in, const std::uint32_t* contact, std::uint32_t all, BitSet open, UpdateCount& count) {
+    const std::uint32_t counting = (1u << all) - 1, keeps = counting & keep_by<W>(in, contact);
+    std::uint32_t kept = all;
+    if (keeps != counting) {
+        kept = BitSet::bits_of(keeps);
+        open_those(contact, counting & ~keeps, open);
+    }
     count.kept += kept;
-    count.touching.add({touching.count, kept});
-    open_those(touching, counting & ~keeps, open);
-    touching.count = 0;
+    count.touching.add({all, kept});
 }
 
 template <std::uint32_t W>
-void tell_those(Core& core, const ContactsInLanes& in, Gathered<W>& parted, BitSet open, UpdateCount& count) {
-    const std::uint32_t counting = parted.fill();
+void tell_those(Core& core, const ContactsInLanes& in, const std::uint32_t* contact, std::uint32_t all, BitSet open, UpdateCount& count) {
     ToldApart told;
-    tell_by<W>(in, parted.contact, told);
-    const std::uint32_t keeps = counting & told.kept;
+    tell_by<W>(in, contact, told);
+    const std::uint32_t counting = (1u << all) - 1, keeps = counting & told.kept;
     std::uint32_t apart = counting & told.apart;
     // What comes fast to a link is looked at again where it may touch.
     for (std::uint32_t fast = apart & told.fast; fast != 0; fast &= fast - 1) {
         const std::uint32_t i = trailing_zeros(fast);
-        if (is_link(core, core.contacts[parted.contact[i]])) apart &= ~(1u << i);
+        if (is_link(core, core.contacts[contact[i]])) apart &= ~(1u << i);
     }
     for (std::uint32_t left = apart; left != 0; left &= left - 1) {
-        const std::uint32_t i = trailing_zeros(left), contact = parted.contact[i];
-        ContactManifold& m = core.manifolds[contact];
-        core.clearances[contact] = told.clearance[i];
+        const std::uint32_t i = trailing_zeros(left);
+        ContactManifold& m = core.manifolds[contact[i]];
+        core.clearances[contact[i]] = told.clearance[i];
         note_apart(m, core.poses[m.body_a], core.poses[m.body_b]);
     }
     count.kept += BitSet::bits_of(keeps);
-    count.apart.add({parted.count, BitSet::bits_of(keeps | apart)});
-    open_those(parted, counting & ~(keeps | apart), open);
-    parted.count = 0;
+    count.apart.add({all, BitSet::bits_of(keeps | apart)});
+    open_those(contact, counting & ~(keeps | apart), open);
 }
 
 template <std::uint32_t W>
 void update_by(Core& core, const ContactsInLanes& in, std::uint32_t first, std::uint32_t end, BitSet open, UpdateCount& count) {
     const bool keeps = core.kept.keeps_in_lanes, parts = core.kept.parts_in_lanes;
     Gathered<W> touching, parted;
-    for (std::uint32_t w = first; w < end; ++w) open.words[w] = 0;
-    core.awake_contacts.for_each_in(first, end, [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
-        if (core.manifolds[i].count() != 0) {
-            if (!keeps) return open.set(i);
-            if (touching.add(i)) keep_those(in, touching, open, count);
-        } else {
-            if (!parts) return open.set(i);
-            if (parted.add(i)) tell_those(core, in, parted, open, count);
+    const auto keep = [&](const std::uint32_t* contact, std::uint32_t all) { keep_those<W>(in, contact, all, open, count); };
+    const auto tell = [&](const std::uint32_t* contact, std::uint32_t all) { tell_those<W>(core, in, contact, all, open, count); };
+    const auto leave = [&](const std::uint32_t* contact, std::uint32_t all) { open_those(contact, (1u << all) - 1, open); };
+    for (std::uint32_t w = first; w < end; ++w) {
+        open.words[w] = 0;
+        // Without a branch, as which kind a contact is can't be foreseen: each is written to both lists, and counts in one.
+        std::uint32_t touch = touching.count, part = parted.count;
+        for (std::uint64_t bits = core.awake_contacts.words[w]; bits != 0; bits &= bits - 1) {
+            const std::uint32_t i = 64 * w + trailing_zeros_of_long(bits), touches = core.manifolds[i].count() != 0 ? 1 : 0;
+            touching.contact[touch] = parted.contact[part] = i;
+            touch += touches;
+            part += 1 - touches;
         }
-    });
-    if (touching.count != 0) keep_those(in, touching, open, count);
-    if (parted.count != 0) tell_those(core, in, parted, open, count);
+        touching.count = touch;
+        parted.count = part;
+        keeps ? touching.take_full(keep) : touching.take_full(leave);
+        parts ? parted.take_full(tell) : parted.take_full(leave);
+    }
+    keeps ? touching.take_rest(keep) : touching.take_rest(leave);
+    parts ? parted.take_rest(tell) : parted.take_rest(leave);
 }
 
 }  // namespace
