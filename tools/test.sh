@@ -133,8 +133,13 @@ build_tests() {
         options+=(-DISLET_PRECOMPILE="$extras" -DISLET_BROWSER_TESTS="$extras" -DISLET_BUILD_PYTHON="$extras")
         ;;
     esac
+    options+=(-DISLET_TOGETHER="$(IFS=';' && echo "${targets[*]}")")
     configure "$preset" -DISLET_BUILD_SAMPLES=ON -DISLET_BUILD_TOOLS="$tools" -DISLET_BUILD_TESTS=ON "${options[@]}"
-    build "$preset" "${targets[@]}"
+    if [ ${#targets[@]} -gt 0 ]; then
+        build "$preset" --target islet_together
+    else
+        build "$preset"
+    fi
     lap "$preset: build"
 }
 
@@ -314,7 +319,7 @@ if $all || ! $coverage; then
     if $all; then
         # Once more by the other compiler, under sanitizers; but what is compared with other engines has been, and so have a user's compile flags.
         # (What lacks a feature has no code that the whole engine lacks, and the small profile is fuzzed.)
-        targets=(--target islet_{unit,queries,robustness,determinism,c}_tests)
+        targets=(islet_{unit,queries,robustness,determinism,c}_tests)
         if $release; then targets+=(islet_{embedded,features,physics,control,samples,tools_islet,tools_lab}_tests islet_runner islet-lab islet_python_made); fi
         targets+=(islet_hashes islet_fuzz_{api,c,small} islet_lockstep islet_lcp_search islet_scene_mutants islet_c_{calls,lcp,refusals} islet_fleet_workers)
         start_building asan-ubsan
@@ -350,7 +355,7 @@ if $all; then
     run_tests asan-ubsan --exclude-regex "$left_out"
     tools=OFF
     # What two workers share by mistake.
-    targets=(--target islet_hashes islet_fleet_workers)
+    targets=(islet_hashes islet_fleet_workers)
     build_tests tsan
     run_tests tsan --tests-regex '^determinism\.workers_share'
     finish_fuzzers

@@ -114,6 +114,32 @@ struct LaneBoxes {
     ISLET_LANE std::uint32_t have_ends(float widest) const { return L::bits(a[2] - a[0] <= L::splat(widest)); }
 };
 
+/// What the update reads of contacts, and the poses of their bodies.
+template <class L>
+struct LaneContacts {
+    static constexpr std::uint32_t stride = sizeof(ContactManifold) / 4;
+    using F = typename L::F;
+    using I = decltype(F{} < F{});
+
+    typename L::template Columns<4> head;         // bodies, flags, ids
+    typename L::template Columns<8> frame, a, b;  // normal, offset, rotations; poses
+    std::uint32_t body_a[L::width], body_b[L::width];
+
+    ISLET_LANE LaneContacts(const ContactsInLanes& in, const std::uint32_t* contact) {
+        const float* const words = reinterpret_cast<const float*>(in.manifolds);
+        L::template gather4<stride>(words, contact, head);
+        std::memcpy(body_a, &head[0], sizeof body_a);
+        std::memcpy(body_b, &head[1], sizeof body_b);
+        L::template gather8<sizeof(Pose) / 4>(reinterpret_cast<const float*>(in.poses), body_a, a);
+        L::template gather8<sizeof(Pose) / 4>(reinterpret_cast<const float*>(in.poses), body_b, b);
+        L::template gather8<stride>(words + 4, contact, frame);
+    }
+    /// ContactFlags; PoseFlags of A and B.
+    ISLET_LANE I flags() const { return reinterpret_cast<I>(head[2]); }
+    ISLET_LANE I states_a() const { return reinterpret_cast<I>(a[7]); }
+    ISLET_LANE I states_b() const { return reinterpret_cast<I>(b[7]); }
+};
+
 /// A manifold's frame in lanes, with all that it holds of how the bodies stood.
 template <class F>
 struct LaneFrame {
@@ -171,22 +197,16 @@ ISLET_LANE std::uint32_t keep_touching(const ContactsInLanes& in, const std::uin
     using F = typename L::F;
     using I = decltype(F{} < F{});
     using Vec = LaneVec<F>;
-    constexpr std::uint32_t manifold_stride = sizeof(ContactManifold) / 4, pose_stride = sizeof(Pose) / 4;
-    typename L::template Columns<4> head, surface;        // bodies, flags, ids; load, separations, friction
-    typename L::template Columns<8> frame, points, a, b;  // normal, offset, rotations; anchors, impulses; poses
+    constexpr std::uint32_t stride = LaneContacts<L>::stride;
+    const LaneContacts<L> all(in, contact);
+    const auto &a = all.a, &b = all.b, &frame = all.frame;
+    typename L::template Columns<8> points;   // anchors, impulses
+    typename L::template Columns<4> surface;  // load, separations, friction
     float* const words = reinterpret_cast<float*>(in.manifolds);
-    L::template gather4<manifold_stride>(words, contact, head);
-    std::uint32_t body_a[W], body_b[W];
-    std::memcpy(body_a, &head[0], sizeof body_a);
-    std::memcpy(body_b, &head[1], sizeof body_b);
-    L::template gather8<pose_stride>(reinterpret_cast<const float*>(in.poses), body_a, a);
-    L::template gather8<pose_stride>(reinterpret_cast<const float*>(in.poses), body_b, b);
-    L::template gather8<manifold_stride>(words + 4, contact, frame);
-    L::template gather8<manifold_stride>(words + 12, contact, points);
-    L::template gather4<manifold_stride>(words + 20, contact, surface);
-    const I flags = reinterpret_cast<I>(head[2]);
+    L::template gather8<stride>(words + 12, contact, points);
+    L::template gather4<stride>(words + 20, contact, surface);
+    const I flags = all.flags(), states = all.states_a() | all.states_b();
     const std::uint32_t two = L::bits((flags & static_cast<std::int32_t>(2u << contact_count_shift)) != 0);
-    const I states = reinterpret_cast<I>(a[7]) | reinterpret_cast<I>(b[7]);
     std::uint32_t kept = L::bits((flags & static_cast<std::int32_t>(asked_flags | contact_special)) == static_cast<std::int32_t>(settled_flags)) &
                          L::bits((states & static_cast<std::int32_t>(pose_learns)) == 0);
     const std::uint32_t moved = kept & L::bits((states & static_cast<std::int32_t>(pose_moved)) != 0);
@@ -203,7 +223,7 @@ ISLET_LANE std::uint32_t keep_touching(const ContactsInLanes& in, const std::uin
     std::uint32_t turns = kept & L::bits(L::abs(turn_a.y) > L::splat(least_lag));
     if (turns != 0) {
         const std::uint32_t alone = two & L::bits((flags & static_cast<std::int32_t>(3u << contact_sharers_shift)) == 0);
-        turns &= turns_along<L>(in, contact, body_a, body_b, m.normal, size, points[4], points[5], alone, moving);
+        turns &= turns_along<L>(in, contact, all.body_a, all.body_b, m.normal, size, points[4], points[5], alone, moving);
     }
     if (turns != 0) {
         const LaneFrame<F> turned = turned_frame<L>(m, turn_a, stands_a);
@@ -241,9 +261,9 @@ ISLET_LANE std::uint32_t keep_touching(const ContactsInLanes& in, const std::uin
         const F stood[4] = {m.normal.x, m.normal.y, m.offset.x, m.offset.y};
         const F turned[4] = {m.rotation_a.x, m.rotation_a.y, m.rotation_b.x, m.rotation_b.y};
         const F anchors[4] = {m.anchors[0].x, m.anchors[0].y, m.anchors[1].x, m.anchors[1].y};
-        L::template scatter4_where<manifold_stride>(turns, words + 4, contact, stood);
-        L::template scatter4_where<manifold_stride>(turns, words + 8, contact, turned);
-        L::template scatter4_where<manifold_stride>(turns, words + 12, contact, anchors);
+        L::template scatter4_where<stride>(turns, words + 4, contact, stood);
+        L::template scatter4_where<stride>(turns, words + 8, contact, turned);
+        L::template scatter4_where<stride>(turns, words + 12, contact, anchors);
     }
     return kept;
 }
@@ -262,19 +282,10 @@ ISLET_LANE void tell_apart(const ContactsInLanes& in, const std::uint32_t* conta
     using F = typename L::F;
     using I = decltype(F{} < F{});
     using Vec = LaneVec<F>;
-    constexpr std::uint32_t manifold_stride = sizeof(ContactManifold) / 4, pose_stride = sizeof(Pose) / 4;
-    typename L::template Columns<4> head, motion_a, motion_b, center_a, center_b;  // bodies, flags, ids; v, w, slack; local centres, damping
-    typename L::template Columns<8> frame, a, b;                                   // normal, offset, rotations; poses
-    const float* const words = reinterpret_cast<const float*>(in.manifolds);
-    L::template gather4<manifold_stride>(words, contact, head);
-    std::uint32_t body_a[W], body_b[W];
-    std::memcpy(body_a, &head[0], sizeof body_a);
-    std::memcpy(body_b, &head[1], sizeof body_b);
-    L::template gather8<pose_stride>(reinterpret_cast<const float*>(in.poses), body_a, a);
-    L::template gather8<pose_stride>(reinterpret_cast<const float*>(in.poses), body_b, b);
-    L::template gather8<manifold_stride>(words + 4, contact, frame);
-    const I flags = reinterpret_cast<I>(head[2]);
-    const I states_a = reinterpret_cast<I>(a[7]), states_b = reinterpret_cast<I>(b[7]);
+    const LaneContacts<L> all(in, contact);
+    const auto &a = all.a, &b = all.b, &frame = all.frame;
+    typename L::template Columns<4> motion_a, motion_b, center_a, center_b;  // v, w, slack; local centres, damping
+    const I flags = all.flags(), states_a = all.states_a(), states_b = all.states_b();
     const std::uint32_t moving = L::positive(min(a[4], b[4]));
     const Vec way = Vec{b[0], b[1]} - Vec{a[0], a[1]};
 
@@ -285,8 +296,8 @@ ISLET_LANE void tell_apart(const ContactsInLanes& in, const std::uint32_t* conta
     Vec rush = {L::splat(0), L::splat(0)};
     F rush_turn = L::splat(0), come = L::splat(0);
     if (hurries != 0) {
-        L::template gather4<sizeof(Motion) / 4>(reinterpret_cast<const float*>(in.motions), body_a, motion_a);
-        L::template gather4<sizeof(Motion) / 4>(reinterpret_cast<const float*>(in.motions), body_b, motion_b);
+        L::template gather4<sizeof(Motion) / 4>(reinterpret_cast<const float*>(in.motions), all.body_a, motion_a);
+        L::template gather4<sizeof(Motion) / 4>(reinterpret_cast<const float*>(in.motions), all.body_b, motion_b);
         const F wa = motion_a[2], wb = motion_b[2], dt = L::splat(in.dt);
         rush = dt * (Vec{motion_b[0], motion_b[1]} - Vec{motion_a[0], motion_a[1]} - cross(select(a[6] < b[6], wb, wa), way));
         rush_turn = min(dt * L::abs(wb - wa), L::splat(2.0f)) * min(a[6], b[6]) + L::splat(in.fall);
@@ -315,8 +326,8 @@ ISLET_LANE void tell_apart(const ContactsInLanes& in, const std::uint32_t* conta
     out.apart = out.fast = 0;
     if (open == 0) return;
 
-    L::template gather4<sizeof(Body) / 4>(reinterpret_cast<const float*>(in.bodies) + 2, body_a, center_a);
-    L::template gather4<sizeof(Body) / 4>(reinterpret_cast<const float*>(in.bodies) + 2, body_b, center_b);
+    L::template gather4<sizeof(Body) / 4>(reinterpret_cast<const float*>(in.bodies) + 2, all.body_a, center_a);
+    L::template gather4<sizeof(Body) / 4>(reinterpret_cast<const float*>(in.bodies) + 2, all.body_b, center_b);
     const F reach = a[6] + b[6];
     const F inexact = L::splat(linear_slop) + L::splat(1e-5f) * (reach + L::abs(center_a[0]) + L::abs(center_a[1]) + L::abs(center_b[0]) + L::abs(center_b[1]));
     const F margin = L::splat(speculative_distance) + L::splat(2.0f) * min(come, L::splat(max_speed_limit)) + inexact;
