@@ -2,6 +2,7 @@
 // step/contact_update.cpp does the same for one contact, by the same arithmetic, operation by operation, so that lanes keep no manifold that it would not keep.
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 
 #include "../collide/manifold.hpp"
@@ -190,7 +191,7 @@ ISLET_LANE std::uint32_t turns_along(const ContactsInLanes& in, const std::uint3
 
 /// Keeps the manifolds of those contacts that touch and have slipped little, as many as there are lanes: the loads follow, and manifolds turn along. Returns a
 /// bit for each that is kept. None is whose boxes changed and meet no more, or that creeps (can_recycle), or, if `follows_deep`, that has sunk deep into a
-/// floor. Of each, lanes_keep.
+/// floor. All must have points.
 template <class L>
 ISLET_LANE std::uint32_t keep_touching(const ContactsInLanes& in, const std::uint32_t* contact) {
     constexpr std::uint32_t W = L::width;
@@ -268,14 +269,15 @@ ISLET_LANE std::uint32_t keep_touching(const ContactsInLanes& in, const std::uin
     return kept;
 }
 
-/// Contacts without points: a bit for each that stays as it is, since its bodies have hardly moved; for each whose shapes are too far apart for points, of
-/// which `clearance` (m) is what is known of that (step/clearance.hpp); and for each of these whose bodies come together fast.
+/// What lanes know of contacts without points: a bit for each contact.
 struct ToldApart {
-    std::uint32_t kept = 0, apart = 0, fast = 0;
-    float clearance[max_block_lanes];
+    std::uint32_t kept = 0;            // it stays as it is, since its bodies have hardly moved
+    std::uint32_t apart = 0;           // its shapes are too far apart for points
+    std::uint32_t fast = 0;            // the same, and its bodies come together fast
+    float clearance[max_block_lanes];  // m, of those apart: see step/clearance.hpp
 };
 
-/// Looks at contacts without points, as many as there are lanes; of each, lanes_tell_apart. It may take bodies that fall together for such as come together.
+/// Looks at contacts without points, as many as there are lanes. It may take bodies that fall together for such as come together.
 template <class L>
 ISLET_LANE void tell_apart(const ContactsInLanes& in, const std::uint32_t* contact, ToldApart& out) {
     constexpr std::uint32_t W = L::width;
@@ -326,8 +328,9 @@ ISLET_LANE void tell_apart(const ContactsInLanes& in, const std::uint32_t* conta
     out.apart = out.fast = 0;
     if (open == 0) return;
 
-    L::template gather4<sizeof(Body) / 4>(reinterpret_cast<const float*>(in.bodies) + 2, all.body_a, center_a);
-    L::template gather4<sizeof(Body) / 4>(reinterpret_cast<const float*>(in.bodies) + 2, all.body_b, center_b);
+    const float* const local_centers = reinterpret_cast<const float*>(in.bodies) + offsetof(Body, local_center) / 4;
+    L::template gather4<sizeof(Body) / 4>(local_centers, all.body_a, center_a);
+    L::template gather4<sizeof(Body) / 4>(local_centers, all.body_b, center_b);
     const F reach = a[6] + b[6];
     const F inexact = L::splat(linear_slop) + L::splat(1e-5f) * (reach + L::abs(center_a[0]) + L::abs(center_a[1]) + L::abs(center_b[0]) + L::abs(center_b[1]));
     const F margin = L::splat(speculative_distance) + L::splat(2.0f) * min(come, L::splat(max_speed_limit)) + inexact;
