@@ -5,6 +5,7 @@
 #include "../bodies/impulses.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../graph/contacts.hpp"
+#include "../math/boxes.hpp"
 #include "../math/inlining.hpp"
 
 namespace islet::detail {
@@ -46,11 +47,38 @@ Aabb shape_aabb(const Core& core, std::uint32_t shape) {
     return aabb_of(core.geometries[s.geometry], body_transform(core, s.body));
 }
 
-Aabb tight_box(const Geometry& g, const Transform& t) { return expand(aabb_of(g, t), 0.5f * speculative_distance); }
+namespace {
 
-float room_in(const Aabb& outer, const Aabb& inner) {
-    return min(min(inner.lower.x - outer.lower.x, inner.lower.y - outer.lower.y), min(outer.upper.x - inner.upper.x, outer.upper.y - inner.upper.y));
+inline constexpr float tight_margin = 0.5f * speculative_distance;
+
+#if ISLET_MAX_LANES > 1
+// The box of corners as aabb_of makes it, but two corners at once, and wider by tight_margin. (That is why it does not matter which of two zeros is less.)
+ISLET_LANE f4 tight_box_at_once(const Corners& corners, const Transform& t) {
+    const float* const points = &corners.points[0].x;
+    const float* const last = points + 2 * (corners.count - 1);
+    f4 lower = rotate_two(t.q, f4{last[0], last[1], points[0], points[1]}), upper = lower;
+    for (std::uint32_t i = 1; i + 1 < corners.count; i += 2) {
+        const f4 two = rotate_two(t.q, load4(points + 2 * i));
+        lower = min(lower, two);
+        upper = max(upper, two);
+    }
+    lower = min(lower, __builtin_shufflevector(lower, lower, 2, 3, 0, 1));
+    upper = max(upper, __builtin_shufflevector(upper, upper, 2, 3, 0, 1));
+    const f4 box = __builtin_shufflevector(lower, upper, 0, 1, 6, 7) + f4{t.p.x, t.p.y, t.p.x, t.p.y};
+    return expand_held(expand_held(box, corners.radius), tight_margin);
 }
+#endif
+
+ISLET_LANE HeldBox held_tight_box(const Geometry& g, const Transform& t) {
+#if ISLET_MAX_LANES > 1
+    if (!is_endless(g)) return tight_box_at_once(corners_of(g), t);
+#endif
+    return expand_held(hold(aabb_of(g, t)), tight_margin);
+}
+
+}  // namespace
+
+float room_in_box(const Aabb& box, const Geometry& g, const Transform& t) { return room_in(hold(box), held_tight_box(g, t)); }
 
 void fit_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t* marked, std::uint32_t newest) {
     const bool is_static = core.bodies[body].type() == BodyType::static_body;
@@ -59,16 +87,15 @@ void fit_boxes(Core& core, std::uint32_t body, bool force, std::uint32_t* marked
     for (std::uint32_t s = core.bodies[body].shape_head; s != null_index && newest != 0; s = core.shapes[s].next, --newest) {
         Shape& shape = core.shapes[s];
         const Geometry& g = core.geometries[shape.geometry];
-        const Aabb tight = tight_box(g, t);
+        const HeldBox tight = held_tight_box(g, t);
         Aabb& fat = core.boxes[s];
-        const bool leaves = force || is_endless(g) || !contains(fat, tight);
-        if (leaves) {
+        if (force || is_endless(g) || !is_inside(hold(fat), tight)) {
             const bool is_new = force || fat.lower.x > fat.upper.x;  // otherwise the shape keeps its margin
             if (is_new) shape.margin = is_static ? 0 : min(max_box_margin, box_margin_fraction * extent_of(g, middle_of(g)).max);
-            fat = expand(tight, shape.margin);
+            fat = as_box(expand_held(tight, shape.margin));
             mark_moved(core, s, marked);
         }
-        slack = min(slack, room_in(fat, tight));
+        slack = min(slack, room_in(hold(fat), tight));
     }
     core.motions[body].slack = is_beyond(core.poses[body].center) ? -1.0f : slack;
 }

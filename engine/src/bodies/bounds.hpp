@@ -18,10 +18,9 @@ inline constexpr std::uint32_t every_shape = 0xffffffffu;
 Transform body_transform(const Core& core, std::uint32_t body);
 /// Tight box of a shape in the world.
 Aabb shape_aabb(const Core& core, std::uint32_t shape);
-/// The box that a shape's fat box has to hold. Contacts are made a little before surfaces meet; each of the two boxes has room for half of that distance.
-Aabb tight_box(const Geometry& g, const Transform& t);
-/// How far the inner box may move before it leaves the outer box, m; negative if it is not inside.
-float room_in(const Aabb& outer, const Aabb& inner);
+/// How far a shape with a body at `t` may move before it leaves its fat box, m; negative if it has left it. A fat box has to hold the tight box and a margin:
+/// contacts are made a little before surfaces meet, and each of the two boxes has room for half of that distance.
+float room_in_box(const Aabb& box, const Geometry& g, const Transform& t);
 /// True if a body with this centre will be put back by the next step, which does not count as its way.
 inline bool is_beyond(Vec2 center) { return max(abs(center.x), abs(center.y)) > max_position; }
 /// Updates the body's fat boxes, marks those that changed, and sets the slack. Unless `force` is set, a shape keeps a fat box that still holds it.

@@ -3,6 +3,8 @@
 
 #include "../collide/outline.hpp"
 
+#include "../math/lanes.hpp"
+
 namespace islet::detail {
 
 Outline outline_of(const Polygon& p, const Transform& t, Vec2 origin) {
@@ -12,10 +14,19 @@ Outline outline_of(const Polygon& p, const Transform& t, Vec2 origin) {
     // One corner takes the rounding of a large offset, the others follow it: the shape itself is not distorted.
     const Vec2 base = p.vertices[0];
     const Vec2 moved = rotate(t.q, base) + (t.p - origin);
+#if ISLET_MAX_LANES > 1
+    // Two corners at once; what stands behind the last one counts for nothing.
+    const f4 to = {moved.x, moved.y, moved.x, moved.y}, from = {base.x, base.y, base.x, base.y};
+    for (std::uint32_t i = 0; i < p.count; i += 2) {
+        store4(&o.vertices[i].x, to + rotate_two(t.q, load4(&p.vertices[i].x) - from));
+        store4(&o.normals[i].x, rotate_two(t.q, load4(&p.normals[i].x)));
+    }
+#else
     for (std::uint32_t i = 0; i < p.count; ++i) {
         o.vertices[i] = moved + rotate(t.q, p.vertices[i] - base);
         o.normals[i] = rotate(t.q, p.normals[i]);
     }
+#endif
     return o;
 }
 

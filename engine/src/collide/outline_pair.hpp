@@ -7,6 +7,7 @@
 
 #include "../collide/distance.hpp"
 #include "../collide/outline.hpp"
+#include "../math/lanes.hpp"
 
 namespace islet::detail {
 
@@ -29,6 +30,39 @@ ISLET_COPIED Axis best_axis(const P& p, const Q& q) {
     }
     return best;
 }
+
+#if ISLET_MAX_LANES > 1
+/// Four vectors as columns.
+struct FourPoints {
+    f4 x, y;
+
+    ISLET_LANE explicit FourPoints(const Vec2* points) {
+        const f4 first = load4(&points[0].x), last = load4(&points[2].x);
+        x = __builtin_shufflevector(first, last, 0, 2, 4, 6);
+        y = __builtin_shufflevector(first, last, 1, 3, 5, 7);
+    }
+};
+
+// The same for four faces at once. (Those behind the last one count for nothing.)
+template <class Q>
+ISLET_LANE Axis best_axis(const Outline& p, const Q& q) {
+    static_assert(max_polygon_vertices % 4 == 0);
+    float separations[max_polygon_vertices];
+    for (std::uint32_t i = 0; i < p.count; i += 4) {
+        const FourPoints n(p.normals + i), v(p.vertices + i);
+        const auto along = [&](Vec2 point) ISLET_INLINED_LAMBDA { return n.x * Lane4::splat(point.x) + n.y * Lane4::splat(point.y); };
+        f4 nearest = along(q.vertices[0]);
+        for (std::uint32_t j = 1; j < q.count; ++j) nearest = min(nearest, along(q.vertices[j]));
+        store4(separations + i, nearest - (n.x * v.x + n.y * v.y));
+    }
+    Axis best = {-3e38f, 0};
+    for (std::uint32_t i = 0; i < p.count; ++i) {
+        best.face = separations[i] > best.separation ? i : best.face;
+        best.separation = max(separations[i], best.separation);
+    }
+    return best;
+}
+#endif
 
 // Overlapping outlines whose faces miss each other: the deepest corner alone.
 template <class Reference, class Other>

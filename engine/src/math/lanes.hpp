@@ -97,6 +97,9 @@ ISLET_LANE std::uint32_t mask_bits(i4 mask) {
 #endif
 }
 
+/// Two vectors, each as rotate() turns it.
+ISLET_LANE f4 rotate_two(Rot q, f4 two) { return f4{q.c, q.c, q.c, q.c} * two + f4{-q.s, q.s, -q.s, q.s} * __builtin_shufflevector(two, two, 1, 0, 3, 2); }
+
 ISLET_LANE void transpose4(f4 r0, f4 r1, f4 r2, f4 r3, f4* out) {
     const f4 a = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
     const f4 b = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);

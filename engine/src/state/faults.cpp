@@ -277,7 +277,7 @@ float room_of(const Core& c, std::uint32_t s) {
     const Vec2 center = c.poses[body].center;
     const Vec2 here = is_endless(g) ? Vec2{0, 0} : center;  // what has no end reaches equally far wherever it is
     const Vec2 origin = center - here - rotate(q, c.bodies[body].local_center);
-    return room_in({c.boxes[s].lower - here, c.boxes[s].upper - here}, tight_box(g, {origin, q}));
+    return room_in_box({c.boxes[s].lower - here, c.boxes[s].upper - here}, g, {origin, q});
 }
 
 const char* fault_in_place(const Core& c, std::uint32_t i) {
