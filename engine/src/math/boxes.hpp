@@ -50,7 +50,7 @@ inline const HeldBox& hold(const Aabb& box) { return box; }
 inline const Aabb& as_box(const HeldBox& box) { return box; }
 inline HeldBox expand_held(const HeldBox& box, float margin) { return expand(box, margin); }
 inline bool is_inside(const HeldBox& outer, const HeldBox& inner) { return contains(outer, inner); }
-ISLET_SHARED float room_in(const HeldBox& outer, const HeldBox& inner) {
+inline float room_in(const HeldBox& outer, const HeldBox& inner) {
     const Vec2 below = inner.lower - outer.lower, above = outer.upper - inner.upper;
     return min(min(below.x, below.y), min(above.x, above.y));
 }
