@@ -436,13 +436,13 @@ void update_contacts(Core& core, float dt) {
     const float fall = fall_in(core, dt);
     const LoadFollower loads(*core.state, dt);
     const std::uint32_t words = core.awake_contacts.word_count;
-    const std::uint32_t grain = fine_grain(core, update_grain), ranges = range_count(words, grain);
+    const std::uint32_t grain = fine_grain(core, update_grain), ranges = has_workers(core) && words > grain ? range_count(words, grain) : 1;
     UpdateCount* const counts = arena.take<UpdateCount>(ranges);
+    counts[0] = {};
     const bool uses_lanes = max_lanes > 1 && core.lanes > 1 && (core.kept.keeps_in_lanes || core.kept.parts_in_lanes);
     const BitSet open = uses_lanes ? take_bits(core.capacity.contacts) : core.awake_contacts;  // to be looked at one by one
     ContactsInLanes in_lanes;
     if constexpr (max_lanes > 1) in_lanes = contacts_in_lanes(core, loads.rate, dt, fall);
-    std::memset(static_cast<void*>(counts), 0, ranges * sizeof(UpdateCount));
     for_ranges(core, words, grain, [&](std::uint32_t first, std::uint32_t end) {
         UpdateCount count;
         if constexpr (max_lanes > 1)
@@ -455,8 +455,8 @@ void update_contacts(Core& core, float dt) {
         });
         counts[first / grain] = count;
     });
-    UpdateCount count;
-    for (std::uint32_t i = 0; i < ranges; ++i) {
+    UpdateCount& count = counts[0];
+    for (std::uint32_t i = 1; i < ranges; ++i) {
         count.kept += counts[i].kept;
         count.add(counts[i]);
     }

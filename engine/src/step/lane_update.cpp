@@ -33,6 +33,7 @@ struct Gathered {
     // Calls visit(contacts, count) for as many at once as there are lanes, and keeps the rest.
     template <class Visit>
     ISLET_INLINE void take_full(Visit&& visit) {
+        if (count < W) return;
         std::uint32_t first = 0;
         for (; first + W <= count; first += W) visit(contact + first, W);
         for (std::uint32_t i = first; i < count; ++i) contact[i - first] = contact[i];
