@@ -18,8 +18,8 @@ inline constexpr std::uint32_t every_shape = 0xffffffffu;
 Transform body_transform(const Core& core, std::uint32_t body);
 /// Tight box of a shape in the world.
 Aabb shape_aabb(const Core& core, std::uint32_t shape);
-/// How far a shape with a body at `t` may move before it leaves its fat box, m; negative if it has left it. A fat box has to hold the tight box and a margin:
-/// contacts are made a little before surfaces meet, and each of the two boxes has room for half of that distance.
+/// How far a shape of a body at `t` may move before it leaves the fat box `box`, m; negative if it has left it. A fat box has to hold the shape and a little
+/// more: contacts are made before surfaces meet, and each of the two boxes has room for half of that distance.
 float room_in_box(const Aabb& box, const Geometry& g, const Transform& t);
 /// True if a body with this centre will be put back by the next step, which does not count as its way.
 inline bool is_beyond(Vec2 center) { return max(abs(center.x), abs(center.y)) > max_position; }

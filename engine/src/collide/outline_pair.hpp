@@ -43,7 +43,7 @@ struct FourPoints {
     }
 };
 
-// The same for four faces at once. (Those behind the last one count for nothing.)
+// best_axis for four faces at once. (Those behind the last one count for nothing.)
 template <class Q>
 ISLET_LANE Axis best_axis(const Outline& p, const Q& q) {
     static_assert(max_polygon_vertices % 4 == 0);

@@ -432,13 +432,13 @@ void update_contacts(Core& core, float dt) {
     const BitSet parted = take_bits(core.capacity.contacts);
     const BitSet to_wake = take_bits(core.capacity.bodies);
 
-    // Word by word of the set of awake contacts, each range with its own count.
+    // Word by word of the set of awake contacts, each range with its own count. (for_ranges makes one range where there are no workers.)
     const float fall = fall_in(core, dt);
     const LoadFollower loads(*core.state, dt);
     const std::uint32_t words = core.awake_contacts.word_count;
     const std::uint32_t grain = fine_grain(core, update_grain), ranges = has_workers(core) && words > grain ? range_count(words, grain) : 1;
     UpdateCount* const counts = arena.take<UpdateCount>(ranges);
-    counts[0] = {};
+    counts[0] = {};  // for a world without room for contacts, which has no range
     const bool uses_lanes = max_lanes > 1 && core.lanes > 1 && (core.kept.keeps_in_lanes || core.kept.parts_in_lanes);
     const BitSet open = uses_lanes ? take_bits(core.capacity.contacts) : core.awake_contacts;  // to be looked at one by one
     ContactsInLanes in_lanes;
