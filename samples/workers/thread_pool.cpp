@@ -90,12 +90,16 @@ ThreadPool::~ThreadPool() {
 
 TaskSystem ThreadPool::tasks() {
     const auto parallel_for = [](void* pool, std::uint32_t count, Task task, void* data) { static_cast<ThreadPool*>(pool)->parallel_for(count, task, data); };
-    return {parallel_for, this, workers_};
+    return {parallel_for, this, workers_, [](void* pool) { return static_cast<ThreadPool*>(pool)->ready_workers(); }};
+}
+
+std::uint32_t ThreadPool::ready_workers() {
+    if (resting_ != 0) end_rests();
+    return workers_ - resting_;
 }
 
 void ThreadPool::parallel_for(std::uint32_t count, Task task, void* data) {
-    if (resting_ != 0) end_rests();
-    if (workers_ != 1 + resting_ && count > 1) part_from_caller();
+    if (ready_workers() > 1 && count > 1) part_from_caller();
     if (workers_ == 1 + resting_ || count <= 1) {
         for (std::uint32_t i = 0; i < count; ++i) task(data, i);
         return;

@@ -40,7 +40,7 @@ Machine& this_machine();
 /// Whoever is free takes the next task, so the caller finishes alone if the workers do not run. Where another program keeps a core busy, there are two ways in
 /// which a worker can hold up the caller. It has taken a task and then loses its core; or the system has put it on the caller's own core, where it takes the
 /// caller's time, which counts as a millisecond. Such a worker gets no tasks for the next while, 20 times as long as it held up the caller, so it adds
-/// about a twentieth to the steps. If it holds up the caller again soon afterwards, the next rest is twice as long, up to a second. (On Linux, where a thread
+/// about a twentieth to the steps; a world whose workers all rest steps as if it had none. If it holds up the caller again soon afterwards, the next rest is twice as long, up to a second. (On Linux, where a thread
 /// can see on which core it is, and whether another one runs.)
 class ThreadPool {
 public:
@@ -54,8 +54,8 @@ public:
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     std::uint32_t workers() const { return workers_; }
-    /// How many of them get no tasks for now, because they held up the caller.
-    std::uint32_t resting() const { return resting_; }
+    /// How many of them get tasks now: the others rest, because they held up the caller. Ends the rests that are over.
+    std::uint32_t ready_workers();
     /// What WorldDef wants. The pool must outlive the world's last step.
     TaskSystem tasks();
     /// Calls task(data, index) for each index < count and returns when all have returned.

@@ -162,6 +162,7 @@ TEST(Defaults, OfTaskSystem) {
         EXPECT_TRUE(c.parallel_for == nullptr && cpp.parallel_for == nullptr);
         EXPECT_EQ(c.context, cpp.context);
         EXPECT_EQ(c.workers, cpp.workers);
+        EXPECT_TRUE(c.ready_workers == nullptr && cpp.ready_workers == nullptr);
     }
 }
 

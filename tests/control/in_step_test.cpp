@@ -86,6 +86,10 @@ struct Stage {
             came(stage, "parallel_for");
             for (std::uint32_t i = 0; i < count; ++i) task(data, i);
         };
+        def.tasks.ready_workers = [](void* stage) {
+            came(stage, "ready_workers");
+            return std::uint32_t{2};
+        };
         def.tasks.context = this;
         def.tasks.workers = 2;
         world = World::create(block.span(), capacity, def);
@@ -245,6 +249,7 @@ const Place places[] = {
     {"MixRestitutionInAStep", "mix_restitution", step},
     {"ClockInAStep", "clock", step},
     {"TaskSystemInAStep", "parallel_for", step},
+    {"TaskSystemThatCountsItsWorkers", "ready_workers", step},
     {"MixFrictionAsAMaterialChanges", "mix_friction", [](Stage& s) { s.world->set_friction(s.shape, 0.3f); }},
     {"MixRestitutionAsAMaterialChanges", "mix_restitution", [](Stage& s) { s.world->set_material(s.shape, {.restitution = 0.5f}); }},
     {"MixFrictionAsAFlagChanges", "mix_friction", [](Stage& s) { s.world->enable_hit_events(s.shape, true); }},

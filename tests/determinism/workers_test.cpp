@@ -30,6 +30,8 @@ struct Order {
         ++calls;
         tasks += n;
     }
+    // Any number, also 0 and more than there are.
+    static std::uint32_t some(void* order) { return static_cast<Order*>(order)->random.below(12); }
     static void backwards(void* order, std::uint32_t count, Task task, void* data) {
         static_cast<Order*>(order)->count(count);
         for (std::uint32_t i = count; i-- > 0;) task(data, i);
@@ -74,6 +76,11 @@ TEST_P(Workers, OrderOfTasksDecidesNothing) {
 #endif
 }
 
+TEST_P(Workers, HowManyAreReadyMayChangeFromStepToStep) {
+    Order order;
+    expect_golden(GetParam(), {Order::shuffled, &order, 8, Order::some}, "0 to 11 of 8 workers ready");
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Workers, testing::ValuesIn(samples::catalogue()), [](const auto& test) { return std::string(test.param.name); });
 
 TEST(WorkersOnThreads, HashesAreTheSameForAnyNumber) {
@@ -98,6 +105,37 @@ TEST(TaskSystems, OneWorkerOrNoFunctionStepsOnTheCallingThread) {
     expect_golden(info, {Order::backwards, &order, 1}, "one worker");
     EXPECT_EQ(order.calls, 0u);
     expect_golden(info, {nullptr, nullptr, 8}, "no function");
+}
+
+TEST(TaskSystems, AreAskedOnceAStepHowManyWorkersAreReady) {
+    struct Host {
+        std::uint32_t ready = 1, questions = 0, calls = 0;
+    } host;
+    const TaskSystem tasks = {[](void* context, std::uint32_t count, Task task, void* data) {
+                                  ++static_cast<Host*>(context)->calls;
+                                  for (std::uint32_t i = 0; i < count; ++i) task(data, i);
+                              },
+                              &host, 4,
+                              [](void* context) {
+                                  ++static_cast<Host*>(context)->questions;
+                                  return static_cast<Host*>(context)->ready;
+                              }};
+    samples::Scene scene = samples::find_scene("many_pyramids")->make();
+    scene.world.tasks = tasks;
+    samples::IsletEngine engine;
+    engine.load(scene);
+    for (const std::uint32_t ready : {1u, 0u}) {
+        host.ready = ready;
+        for (int i = 0; i < 3; ++i) engine.advance(scene, i, scene.dt);
+        EXPECT_EQ(host.calls, 0u) << "the step gave tasks to workers that are not ready";
+    }
+    EXPECT_EQ(host.questions, 6u);
+#if ISLET_THREADS
+    host.ready = 2;
+    engine.advance(scene, 6, scene.dt);
+    EXPECT_GT(host.calls, 0u);
+    EXPECT_EQ(host.questions, 7u);
+#endif
 }
 
 TEST(TaskSystems, UnusableNumbersOfWorkersAreRefused) {

@@ -165,7 +165,7 @@ struct Quiet {
         pool.parallel_for(
             2, [](void* data, std::uint32_t) { ++*static_cast<std::atomic<int>*>(data); }, &done);
         EXPECT_EQ(done, 2);
-        return pool.resting();
+        return pool.workers() - pool.ready_workers();
     }
 };
 
@@ -201,6 +201,19 @@ TEST(ThreadPool, AWorkerThatHoldsUpTheCallerAgainRestsTwiceAsLongUpToASecond) {
     ASSERT_TRUE(quiet.both_work(milliseconds(3)));
     quiet.machine.time = quiet.machine.time.load() + milliseconds(62);
     EXPECT_EQ(quiet.resting(), 0u);
+}
+
+// A world that steps asks this of its task system.
+TEST(ThreadPool, ItsTaskSystemCountsTheWorkersThatDoNotRest) {
+    Quiet quiet;
+    const islet::TaskSystem tasks = quiet.pool.tasks();
+    EXPECT_EQ(tasks.workers, 2u);
+    EXPECT_EQ(tasks.ready_workers(tasks.context), 2u);
+    ASSERT_TRUE(quiet.both_work(milliseconds(3)));
+    EXPECT_EQ(tasks.ready_workers(tasks.context), 1u);
+    quiet.machine.time = milliseconds(62);
+    EXPECT_EQ(tasks.ready_workers(tasks.context), 2u) << "a world that found one worker gives the pool no tasks, so this question must end the rest";
+    EXPECT_TRUE(quiet.both_work());
 }
 
 TEST(ThreadPool, AWorkerWhoseTaskIsLongIsNotLeftOut) {

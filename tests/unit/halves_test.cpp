@@ -1,6 +1,7 @@
 // Two workers share a large batch by halves: what one sweeps, the other does not touch, and every body's constraints stay in the order of their colours.
 #include <string>
 
+#include "../../engine/src/data/parallel.hpp"
 #include "../../engine/src/island/halves.hpp"
 #include "support/kept_plan.hpp"
 #include "support/random.hpp"
@@ -84,6 +85,51 @@ TEST_F(Halves, StayRightWhenTheNumberOfWorkersChanges) {
         one.w.step();
         changing.w.step();
         ASSERT_EQ(one.w->hash(), changing.w->hash()) << "step " << i;
+    }
+}
+
+// A task system that runs tasks in order, and of whose workers so many are ready.
+TaskSystem with_ready(std::uint32_t workers, std::uint32_t& ready) {
+    TaskSystem tasks = in_order(workers);
+    tasks.context = &ready;
+    tasks.ready_workers = [](void* count) { return *static_cast<std::uint32_t*>(count); };
+    return tasks;
+}
+
+TEST_F(Halves, GoWithTheSecondWorkerAndComeBackWithIt) {
+    std::uint32_t ready = 2;
+    constexpr int base = 60;
+    TestWorld w(heap_room, {.enable_sleep = false, .tasks = with_ready(2, ready)});
+    w.add_ground();
+    for (int row = 0; row < base; ++row)
+        for (int i = 0; i < base - row; ++i) w.add(make_box(0.5f, 0.5f), {static_cast<float>(i) + 0.5f * static_cast<float>(row), 0.5f + static_cast<float>(row)});
+    w.step(20);
+    const detail::Core& core = detail::Core::of(*w);
+    const auto halves_after_a_step = [&] {
+        w.step();
+        EXPECT_TRUE(keeps_plan(*w));
+        return core.kept.plan->half_count();
+    };
+    EXPECT_EQ(halves_after_a_step(), 2u);
+    ready = 1;
+    EXPECT_EQ(halves_after_a_step(), 0u);
+    ready = 2;
+    EXPECT_EQ(halves_after_a_step(), 2u);
+    w->set_tasks({});
+    EXPECT_EQ(detail::worker_count(core), 1u) << "a call between two steps could give tasks to a task system that is gone";
+    EXPECT_EQ(halves_after_a_step(), 0u);
+}
+
+TEST_F(Halves, AStepHasAsManyWorkersAsAreReady) {
+    struct Case {
+        std::uint32_t ready, count;
+    };
+    std::uint32_t ready = 0;
+    TestWorld w(roomy, {.tasks = with_ready(4, ready)});
+    for (const Case& c : {Case{0, 1}, {1, 1}, {3, 3}, {4, 4}, {5, 4}, {256, 4}, {0xffffffffu, 4}}) {
+        ready = c.ready;
+        w.step();
+        EXPECT_EQ(detail::worker_count(detail::Core::of(*w)), c.count) << c.ready << " of 4 are ready";
     }
 }
 

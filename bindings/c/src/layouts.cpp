@@ -95,6 +95,8 @@ static_assert(sizeof(IsletTaskSystem) == sizeof(TaskSystem) + start_of<TaskSyste
 static_assert(offsetof(IsletTaskSystem, parallel_for) == offsetof(TaskSystem, parallel_for) + start_of<TaskSystem> && sizeof(IsletTaskSystem::parallel_for) == sizeof(TaskSystem::parallel_for));
 static_assert(offsetof(IsletTaskSystem, context) == offsetof(TaskSystem, context) + start_of<TaskSystem> && sizeof(IsletTaskSystem::context) == sizeof(TaskSystem::context));
 static_assert(offsetof(IsletTaskSystem, workers) == offsetof(TaskSystem, workers) + start_of<TaskSystem> && sizeof(IsletTaskSystem::workers) == sizeof(TaskSystem::workers));
+static_assert(offsetof(IsletTaskSystem, ready_workers) == offsetof(TaskSystem, ready_workers) + start_of<TaskSystem> && sizeof(IsletTaskSystem::ready_workers) == sizeof(TaskSystem::ready_workers));
+static_assert(sizeof(IsletTaskSystem) > sizeof(First<TaskSystem>));
 static_assert(sizeof(IsletBodyId) == sizeof(BodyId) && alignof(IsletBodyId) == alignof(BodyId));
 static_assert(offsetof(IsletBodyId, index1) == offsetof(BodyId, index1) && sizeof(IsletBodyId::index1) == sizeof(BodyId::index1));
 static_assert(offsetof(IsletBodyId, generation) == offsetof(BodyId, generation) && sizeof(IsletBodyId::generation) == sizeof(BodyId::generation));

@@ -103,6 +103,14 @@ struct First;
 }  // namespace islet::c
 
 template <>
+struct islet::c::First<islet::TaskSystem> {
+    std::uint32_t struct_size;
+    std::uint32_t reserved;
+    void (*parallel_for)(void* context, uint32_t count, void (*task)(void* data, uint32_t index), void* data);
+    void* context;
+    uint32_t workers;
+};
+template <>
 struct islet::c::First<islet::Capacity> {
     std::uint32_t struct_size;
     uint32_t bodies;

@@ -32,7 +32,8 @@ public:
         const auto parallel_for = [](void* self, std::uint32_t count, samples::ThreadPool::Task task, void* data) {
             static_cast<Threads*>(self)->here().parallel_for(count, task, data);
         };
-        return {parallel_for, this, workers_};
+        const auto ready_workers = [](void* self) { return static_cast<Threads*>(self)->here().ready_workers(); };
+        return {parallel_for, this, workers_, ready_workers};
     }
 
 private:

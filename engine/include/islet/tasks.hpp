@@ -17,6 +17,10 @@ struct TaskSystem {
     void (*parallel_for)(void* context, std::uint32_t count, void (*task)(void* data, std::uint32_t index), void* data) = nullptr;
     void* context = nullptr;    ///< passed on to parallel_for
     std::uint32_t workers = 1;  ///< Threads that run tasks, including the calling one, 1 to max_workers. With 1, parallel_for is never called.
+    /// How many of the workers run tasks at the moment, 1 to `workers`, including the calling thread. (0 counts as 1, more than `workers` as `workers`.)
+    /// World::step asks once, at its beginning, and steps with so many. So a pool can say that threads of it have lost their cores to another program, and the
+    /// step is not cut into parts for them, which costs a few per cent. Null: all of them.
+    std::uint32_t (*ready_workers)(void* context) = nullptr;
 };
 
 /// The most workers that a task system may have.

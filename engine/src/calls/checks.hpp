@@ -21,7 +21,7 @@ inline bool check_there(const Core& core, bool there) { return check(core, there
 
 /// False, with in_step recorded, while the world is calling a function of the user's (Inside, Closed). Every public function that changes the world, or reads
 /// all of it, checks this first. Functions with an id check it through the next function.
-ISLET_SHARED bool check_open(const Core& core) { return check(core, core.inside == 0, Error::in_step); }
+ISLET_SHARED bool check_open(const Core& core) { return check(core, core.inside == outside, Error::in_step); }
 
 /// The slot of an object to be changed. (Functions that only read have a const Core, so they call the three functions above.)
 template <class Id>

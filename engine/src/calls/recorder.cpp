@@ -101,7 +101,7 @@ CallWriter::~CallWriter() {
 }  // namespace
 
 void write_call(Core& core, Call call, const void* const* arguments) {
-    if (core.inside != 0) return;  // the call will be refused (in_step), but a replay would make it outside of a step
+    if (core.inside != outside) return;  // the call will be refused (in_step), but a replay would make it outside of a step
     CallWriter writer(core, call);
     switch (call) {
 #define ISLET_WRITE(name, function, ...) \

@@ -21,9 +21,10 @@ struct RecordingHead;  // calls/calls.hpp
 struct Plan;           // island/batches.hpp
 
 /// Why nothing may change the world now: the world is calling a function of the user's.
-enum Inside : std::uint32_t {
-    inside_call = 1u,   // a hook, the task system, the clock, a drawing function
-    inside_error = 2u,  // the error hook, which is told no errors of its own
+enum Inside : std::uint8_t {
+    outside,
+    inside_call,   // a hook, the task system, the clock, a drawing function
+    inside_error,  // the error hook, which is told no errors of its own
 };
 
 /// What the clock told. A build without a profile has no memory for it.
@@ -64,8 +65,9 @@ struct Core {
     std::uint32_t lanes = 1;  // constraints that are solved at once, at most
     // Not part of the world's value: functions that only read record errors too, and close the world while they call the user's functions.
     mutable Error last_error = Error::none;
-    Error kept_error = Error::none;    // the last error before a call of another language (begin_call)
-    mutable std::uint32_t inside = 0;  // Inside
+    Error kept_error = Error::none;  // the last error before a call of another language (begin_call)
+    mutable Inside inside = outside;
+    std::uint8_t workers = 1;  // that run parts of this step, or ran those of the last one (data/parallel.hpp)
     ErrorHook error_hook = nullptr;
     void* error_context = nullptr;
     TaskSystem tasks;
@@ -127,10 +129,11 @@ struct Core {
 
     ISLET_SHARED void fail(Error error) const {
         last_error = error;
-        if (error_hook == nullptr || (inside & inside_error) != 0) return;
-        inside |= inside_error;
+        if (error_hook == nullptr || inside == inside_error) return;
+        const Inside before = inside;
+        inside = inside_error;
         error_hook(error, error_context);
-        inside &= ~std::uint32_t{inside_error};
+        inside = before;
     }
 
     BodyId body_id(std::uint32_t i) const { return {i + 1, bodies[i].generation}; }
@@ -146,11 +149,11 @@ struct Core {
 /// While it lives, nothing may change the world. Within a step, which has closed the world already, it writes nothing: so workers may make one.
 struct Closed {
     const Core* core;
-    explicit Closed(const Core& open) : core(open.inside == 0 ? &open : nullptr) {
+    explicit Closed(const Core& open) : core(open.inside == outside ? &open : nullptr) {
         if (core != nullptr) core->inside = inside_call;
     }
     ~Closed() {
-        if (core != nullptr) core->inside = 0;
+        if (core != nullptr) core->inside = outside;
     }
     Closed(const Closed&) = delete;
     Closed& operator=(const Closed&) = delete;

@@ -28,14 +28,35 @@ inline constexpr bool has_threads = ISLET_THREADS != 0;
 
 inline bool has_workers(const Core& core) {
 #if ISLET_THREADS
-    return core.tasks.parallel_for != nullptr && core.tasks.workers > 1;
+    return core.workers > 1;
 #else
     static_cast<void>(core);
     return false;
 #endif
 }
 
-inline std::uint32_t worker_count(const Core& core) { return has_workers(core) ? core.tasks.workers : 1; }
+inline std::uint32_t worker_count(const Core& core) { return has_workers(core) ? core.workers : 1; }
+
+/// Steps with so many workers from now on. A plan is made for its number of workers.
+inline void set_workers(Core& core, std::uint32_t workers) {
+    if (!has_threads || workers == core.workers) return;
+    core.workers = static_cast<std::uint8_t>(workers);
+    core.forget_plan();
+}
+
+/// The workers of a task system. (Builds without threads have one.)
+inline std::uint32_t workers_of(const TaskSystem& tasks) { return has_threads && tasks.parallel_for != nullptr ? tasks.workers : 1; }
+
+/// Asks the task system how many workers are ready for a step that begins.
+inline void count_workers(Core& core) {
+    const TaskSystem& tasks = core.tasks;
+    std::uint32_t workers = workers_of(tasks);
+    if (workers > 1 && tasks.ready_workers != nullptr) {
+        const std::uint32_t ready = tasks.ready_workers(tasks.context);
+        workers = ready == 0 ? 1 : ready < workers ? ready : workers;
+    }
+    set_workers(core, workers);
+}
 
 /// Whether there are so many workers that it pays if they share work that one alone would do in two thirds of the time.
 inline bool has_many_workers(const Core& core) { return worker_count(core) >= 4; }

@@ -113,7 +113,7 @@ Fleet* Fleet::create(span<std::byte> block, const World& prototype, std::uint32_
     if (reinterpret_cast<std::uintptr_t>(block.data()) % world_alignment != 0) problem = Error::block_misaligned;
     if (block.data() == nullptr || block.size() < wanted) problem = Error::block_too_small;
     if (wanted == 0) problem = Error::out_of_range;
-    if (from.inside != 0) problem = Error::in_step;
+    if (from.inside != outside) problem = Error::in_step;
     if (error != nullptr) *error = problem;
     if (problem != Error::none) return nullptr;
 

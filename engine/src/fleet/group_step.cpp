@@ -47,7 +47,7 @@ void finish(Group& group, float dt) {
 /// Nothing wants to see the steps of this world one by one.
 bool may_join(const Core& core) {
     const bool watched = core.recording != nullptr || core.clock != nullptr;
-    return core.exact && core.inside == 0 && !watched && core.lanes > 1 && core.tasks.parallel_for == nullptr;
+    return core.exact && core.inside == outside && !watched && core.lanes > 1 && core.tasks.parallel_for == nullptr;
 }
 
 }  // namespace

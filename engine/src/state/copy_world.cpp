@@ -23,7 +23,7 @@ WorldDef detail::host_settings(const Core& core) {
 
 World* copy_world(const World& from, span<std::byte> block, const Capacity& capacity, span<std::byte> image, Error* error) {
     const Core& core = Core::of(from);
-    Error problem = core.inside != 0 ? Error::in_step : image.size() < from.snapshot_bytes() ? Error::image_too_small : Error::none;
+    Error problem = core.inside != outside ? Error::in_step : image.size() < from.snapshot_bytes() ? Error::image_too_small : Error::none;
     World* world = nullptr;
     if (problem == Error::none) world = World::create(block, capacity, host_settings(core), &problem);
     if (world != nullptr && !world->restore(image.first(from.save(image)))) {

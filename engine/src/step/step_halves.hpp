@@ -4,6 +4,7 @@
 #include "../bodies/joint_changes.hpp"
 #include "../broadphase/pairs.hpp"
 #include "../calls/recorder.hpp"
+#include "../data/parallel.hpp"
 #include "../graph/contacts.hpp"
 #include "../island/batches.hpp"
 #include "../math/inlining.hpp"
@@ -46,6 +47,7 @@ ISLET_PART void fill_report(Core& core, const Plan& plan) {
 /// Brings the contacts up to date. Until the step ends, nothing may change the world.
 ISLET_PART void begin_step(Core& c, float dt) {
     c.inside = inside_call;
+    count_workers(c);
     note(c, Stage::begin);
     clear_events(c);
     find_pairs(c, dt);
@@ -70,7 +72,7 @@ ISLET_PART void end_step(Core& c, const Plan& plan, SolverBody* bodies, Arena& a
     if (has_joints && c.state->joint_pool.count != 0) finish_joints(c, arena);
     fill_report(c, plan);
     note(c, Stage::finish);
-    c.inside = 0;
+    c.inside = outside;
 }
 
 }  // namespace islet::detail

@@ -7,6 +7,7 @@
 #include "../bodies/sleep.hpp"
 #include "../calls/recorder.hpp"
 #include "../data/arrays.hpp"
+#include "../data/parallel.hpp"
 #include "../graph/hooks.hpp"
 #include "../graph/joint_graph.hpp"
 #include "../graph/sensors.hpp"
@@ -183,7 +184,11 @@ float World::residual(BodyId id) const { ISLET_READ(has_tuning && c.has_residual
 TaskSystem World::tasks() const { return core().tasks; }
 
 void World::set_tasks(const TaskSystem& tasks) {
-    if (check_open(core()) && check(core(), is_usable(tasks), Error::out_of_range)) core().tasks = tasks;
+    Core& c = core();
+    if (!check_open(c) || !check(c, is_usable(tasks), Error::out_of_range)) return;
+    const std::uint32_t most = workers_of(tasks);
+    c.tasks = tasks;
+    set_workers(c, c.workers < most ? c.workers : most);
 }
 
 bool World::sleep_enabled() const { return core().state->enable_sleep != 0; }

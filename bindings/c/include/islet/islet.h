@@ -566,6 +566,10 @@ typedef struct IsletTaskSystem {
     void* context;
     /// Threads that run tasks, including the calling one, 1 to max_workers. With 1, parallel_for is never called.
     uint32_t workers;
+    /// How many of the workers run tasks at the moment, 1 to `workers`, including the calling thread. (0 counts as 1, more than `workers` as `workers`.)
+    /// islet_world_step asks once, at its beginning, and steps with so many. So a pool can say that threads of it have lost their cores to another program,
+    /// and the step is not cut into parts for them, which costs a few per cent. Null: all of them.
+    uint32_t (*ready_workers)(void* context);
 } IsletTaskSystem;
 
 /// The id of a body; null by default. Ids are safe to keep: when its body is destroyed, an id becomes stale, and it never refers to another body. Ids compare
