@@ -13,7 +13,7 @@ constexpr std::uint64_t closed = 0;                  // a share that belongs to 
 constexpr std::chrono::microseconds spin_time{100};  // longer than the stages of a step that have nothing to share
 constexpr int rest_per_wait = 20;                    // a worker that held up the caller rests so many times as long
 constexpr std::chrono::seconds longest_rest{1};
-constexpr std::chrono::milliseconds shared_core_time{1};  // how long a worker on the caller's core is taken to have held it up
+constexpr std::chrono::microseconds shared_core_time{100};  // how long a worker on the caller's core is taken to have held it up
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)

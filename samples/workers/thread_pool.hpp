@@ -39,9 +39,10 @@ Machine& this_machine();
 ///
 /// Whoever is free takes the next task, so the caller finishes alone if the workers do not run. Where another program keeps a core busy, there are two ways in
 /// which a worker can hold up the caller. It has taken a task and then loses its core; or the system has put it on the caller's own core, where it takes the
-/// caller's time, which counts as a millisecond. Such a worker gets no tasks for the next while, 20 times as long as it held up the caller, so it adds
-/// about a twentieth to the steps; a world whose workers all rest steps as if it had none. If it holds up the caller again soon afterwards, the next rest is twice as long, up to a second. (On Linux, where a thread
-/// can see on which core it is, and whether another one runs.)
+/// caller's time, which counts as a tenth of a millisecond. (Threads often begin there, and are put elsewhere when they wake up after a rest.) Such a worker
+/// gets no tasks for the next while, 20 times as long as it held up the caller, so it adds about a twentieth to the steps; and a world whose workers all rest
+/// steps as if it had none. If it holds up the caller again soon afterwards, the next rest is twice as long, up to a second. (On Linux, where a thread can see
+/// on which core it is, and whether another one runs.)
 class ThreadPool {
 public:
     using Task = void (*)(void* data, std::uint32_t index);
