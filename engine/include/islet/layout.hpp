@@ -131,7 +131,7 @@ inline constexpr std::uint32_t joint_kernel_count = 0 ISLET_JOINT_KERNELS(ISLET_
 #undef ISLET_ONE
 inline constexpr std::size_t joint_run_bytes = 24;
 inline constexpr std::size_t tree_link_bytes = 184;  // per link of a joint tree
-inline constexpr std::size_t batch_bytes = ISLET_SMALL ? 92 : 168;
+inline constexpr std::size_t batch_bytes = ISLET_SMALL ? 92 : 172;
 inline constexpr std::size_t plan_bytes = 168;                                 // of the plan itself, without its arrays
 inline constexpr std::uint32_t max_plan_parts = 8;                             // that the touching contacts are cut into while they are planned
 inline constexpr std::size_t sweep_bytes = layout_lanes > 1 ? 148 : 108;       // per shape, while pairs are found by sorting

@@ -23,6 +23,7 @@ struct Batch {
     PlanIndex first_block[color_count + 1] = {};
     PlanIndex first_overflow = 0, end_overflow = 0;
     PlanIndex first_run = 0, end_run = 0;          // of joints
+    PlanIndex weight = 0;                          // an estimate of how long its solve takes, by which workers share batches
     std::uint32_t first_link = 0, link_count = 0;  // of joint trees
     std::uint32_t sweeps = 0;                      // that the solve has made of it
 
