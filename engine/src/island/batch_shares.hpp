@@ -10,9 +10,9 @@ namespace islet::detail {
 inline constexpr std::uint32_t max_shares = 2 * max_workers;
 
 /// Gives items to 1 to max_shares shares, so that these weigh about the same, and calls visit(item, share) for each. weight_of(item) says how much an item
-/// weighs; those that weigh 0 are left out. Heavy ones, of half a fair share and more, go one after another to the share that is lightest so far. Of the others,
-/// neighbours stay together: they fill up the shares in their order, each where its middle comes to lie. So no share gets more than its heavy items, a fair share
-/// and the weight of one item that is not heavy.
+/// weighs; those that weigh 0 are left out. Heavy ones, of half a fair share and more, go one after another to the share that is lightest so far. The others
+/// fill up the shares in their order, each where its middle comes to lie; so neighbours stay together. A share gets at most its heavy items or a fair share,
+/// whichever is more, and the weight of one light item.
 template <class WeightOf, class Visit>
 inline void share_out(std::uint32_t items, std::uint32_t shares, WeightOf&& weight_of, Visit&& visit) {
     std::uint64_t total = 0, loads[max_shares] = {};

@@ -48,8 +48,8 @@ struct SharedSolve {
         }
         return all;
     }
-    // An estimate of how long the batch takes, in contacts: a joint counts for two, a link of a tree for ten. A lane that lands, which is solved again and again,
-    // counts for five. (Measured in seven of the benchmark scenes, which say 3 to 6, on a Zen 5 with sixteen lanes.)
+    // An estimate of how long the batch takes, in contacts: a joint counts for two, a link of a tree for ten. A lane that lands counts for five, as it is
+    // solved again and again. (Measured in seven of the benchmark scenes, which say 3 to 6, on a Zen 5 with sixteen lanes.)
     PlanIndex estimate(const Batch& b) const {
         const std::uint32_t contacts = blocks_of(b) * W + 4 * landing_of(b) + 4 * (b.end_overflow - b.first_overflow);
         const std::uint32_t all = contacts + 2 * joints_of(b) + 10 * b.link_count + b.body_count / 2 + 1;
