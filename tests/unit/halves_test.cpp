@@ -102,7 +102,10 @@ TEST_F(Halves, GoWithTheSecondWorkerAndComeBackWithIt) {
     TestWorld w(heap_room, {.enable_sleep = false, .tasks = with_ready(2, ready)});
     w.add_ground();
     for (int row = 0; row < base; ++row)
-        for (int i = 0; i < base - row; ++i) w.add(make_box(0.5f, 0.5f), {static_cast<float>(i) + 0.5f * static_cast<float>(row), 0.5f + static_cast<float>(row)});
+        for (int i = 0; i < base - row; ++i) {
+            const float x = static_cast<float>(i) + 0.5f * static_cast<float>(row), y = 0.5f + static_cast<float>(row);
+            w.add(make_box(0.5f, 0.5f), {x, y});
+        }
     w.step(20);
     const detail::Core& core = detail::Core::of(*w);
     const auto halves_after_a_step = [&] {
