@@ -173,15 +173,23 @@ ISLET_PART void prepare_point(typename ContactRows<L::width>::Point& p, const Bo
 /// (m/s^2) its rate of change, and `behind` (m) by how much the point's separation exceeds that of the contact's nearer point. A point that meets later in the
 /// step bounces nearly by the speed that it has before the first one meets: of a body that lands a little tilted, both bounces together give back what a bounce
 /// gives that is solved event by event.
+///
+/// To what comes out of free flight fast enough to bounce, a substep's gain is added, `free_gain` (m/s^2). In flight velocities change before positions do,
+/// which conserves v^2 / 2 + g y - g h v / 2 instead of the energy (semi-implicit Euler; Hairer, Lubich and Wanner, Geometric Numerical Integration). So where
+/// what falls is too slow by g h / 2, what rises is too fast by as much, and g h lies between them. (Without it, a ball with restitution 1 lost that speed in
+/// every bounce, and 12 % of its half metre in five. What bore in the last step did not fly: an octagon on a floor would rock itself into hops.)
 template <class L>
-ISLET_PART typename L::F approach_of(const StepNumbers& n, typename L::F speed, typename L::F separation, typename L::F gain, typename L::F behind) {
+ISLET_PART typename L::F approach_of(const StepNumbers& n, typename L::F speed, typename L::F separation, typename L::F gain, typename L::F behind,
+                                     typename L::F free_gain) {
     using F = typename L::F;
     const F zero = L::splat(0.0f);
     const F fastest = L::splat(-2.0f * n.max_speed);  // two bodies cannot meet faster, whatever pulls at them
     const F gap = max(separation, zero);
     const F time = select(speed < zero, min(gap / max(zero - speed, L::splat(1.0e-9f)), L::splat(n.dt)), zero);
-    const F meeting = (speed + time * gain) * select(behind > L::splat(2.0f * linear_slop), L::splat(late_share), L::splat(1.0f));
-    return select(meeting < fastest, fastest, meeting);
+    const F share = select(behind > L::splat(2.0f * linear_slop), L::splat(late_share), L::splat(1.0f));
+    const F meeting = (speed + time * gain) * share;
+    const F bounced = meeting + select(meeting < L::splat(-n.restitution_threshold), L::splat(n.h) * free_gain * share, zero);
+    return select(bounced < fastest, fastest, bounced);
 }
 
 /// Fills the rolling row and returns the impulse that it starts from. A contact without rolling resistance starts from none, even if another contact of its
@@ -263,11 +271,14 @@ ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r,
     const F vn = dot(n, s.vb - s.va), gain = normal_gain<L>(in, r, n);
     F first = m.separation(0);
     if (r.two_points) first = select(has_point<L>(lanes, 1) > L::splat(0.0f), min(first, m.separation(1)), first);
+    F bears = L::load(normal_impulse_of(r, 0));
+    if (r.two_points) bears = bears + L::load(normal_impulse_of(r, 1));
+    const F zero = L::splat(0.0f), free_gain = select(bears > zero, zero, gain);
     const std::uint32_t points = r.two_points ? 2 : 1;
     for (std::uint32_t i = 0; i < points; ++i) {
         const F rna = L::load(r.points[i].rna), rnb = rna + rn_ab;
         const F speed = vn + s.wb * rnb - s.wa * rna;
-        note_approach<L>(in.numbers, r, i, approach_of<L>(in.numbers, speed, L::load(r.points[i].separation), gain, m.separation(i) - first));
+        note_approach<L>(in.numbers, r, i, approach_of<L>(in.numbers, speed, L::load(r.points[i].separation), gain, m.separation(i) - first, free_gain));
     }
 }
 
