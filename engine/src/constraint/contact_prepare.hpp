@@ -271,9 +271,9 @@ ISLET_PART void prepare_bounce(const PrepareInput& in, ContactRows<L::width>& r,
     const F vn = dot(n, s.vb - s.va), gain = normal_gain<L>(in, r, n);
     F first = m.separation(0);
     if (r.two_points) first = select(has_point<L>(lanes, 1) > L::splat(0.0f), min(first, m.separation(1)), first);
-    F bears = L::load(normal_impulse_of(r, 0));
+    F bears = L::load(normal_impulse_of(r, 0));  // what the row starts from: without warm start nobody knows what bore
     if (r.two_points) bears = bears + L::load(normal_impulse_of(r, 1));
-    const F zero = L::splat(0.0f), free_gain = select(bears > zero, zero, gain);
+    const F zero = L::splat(0.0f), free_gain = is_positive(in.numbers.swept_warm) ? select(bears > zero, zero, gain) : zero;
     const std::uint32_t points = r.two_points ? 2 : 1;
     for (std::uint32_t i = 0; i < points; ++i) {
         const F rna = L::load(r.points[i].rna), rnb = rna + rn_ab;
