@@ -120,8 +120,8 @@ options with '(SMALL|WITH_)'
 g++ -std=gnu++17 -fsyntax-only -DWANTED=true -I "$scratch/with/src" "$scratch/check.cpp" || fail "ISLET_WITH_ in islet_options.h puts something not back"
 
 # In the small profile, with what they need beside it, the balls are the same.
-options small '(SMALL|WITH_chains|WITH_continuous) '
-[ "$(grep -c '^#define ISLET_' "$scratch/small/src/islet_options.h")" -eq 5 ] || fail "islet_options.h: the small profile cannot be switched on"
+options small '(SMALL|WITH_chains|WITH_continuous|WITH_seamless_floors) '
+[ "$(grep -c '^#define ISLET_' "$scratch/small/src/islet_options.h")" -eq 6 ] || fail "islet_options.h: the small profile cannot be switched on"
 # (As one file, which must not hold the code of eight lanes and more.)
 find "$scratch/small/src/engine" -name '*.cpp' ! -name '*_avx*.cpp' -printf '#include "%p"\n' | LC_ALL=C sort >"$scratch/small/all.cpp"
 if g++ -std=gnu++17 -O1 -DISLET_MAX_LANES=4 -I "$scratch/small/src" -c "$scratch/small/all.cpp" -o "$scratch/small/islet.o" &&
