@@ -1,6 +1,7 @@
 // The contact update in lanes keeps the manifolds that one lane keeps, and tells those shapes apart that one lane tells apart; all comes to the same bits.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "../../engine/src/broadphase/pairs.hpp"
 #include "../../engine/src/math/boxes.hpp"
 #include "../../engine/src/math/cpu.hpp"
+#include "../../engine/src/solver/update_kernels.hpp"
 #include "../../engine/src/step/clearance.hpp"
 #include "../../engine/src/step/lane_update.hpp"
 #include "../../engine/src/step/recycling.hpp"
@@ -78,6 +80,7 @@ struct RandomContacts {
             const bool apart = random.one_in(3);
             if (apart) m.flags = apart_flags;
             if (random.one_in(6)) m.flags |= others[random.below(8)];
+            if (!apart && random.one_in(20)) m.flags |= contact_ahead | (random.one_in(3) ? std::uint32_t{contact_untold} : 0u);
             if (random.one_in(20)) m.flags &= ~(random.one_in(2) ? std::uint32_t{contact_touching} : std::uint32_t{contact_posed});
             if (random.one_in(4)) m.set_sharers(1 + random.below(3));
             const Pose &a = poses[i], &b = poses[i + 1];
@@ -89,9 +92,11 @@ struct RandomContacts {
             m.offset = b.center - a.center + Vec2{random.between(-slip, slip), random.between(-slip, slip)};
             for (std::uint32_t k = 0; k < 2; ++k) {
                 m.anchors[k] = {random.between(-1, 1), random.between(-1, 1)};
+                m.tangent_impulse[k] = random.between(-1, 1);
                 m.normal_impulse[k] = random.one_in(4) ? random.between(0, 0.5f) : random.between(0, 5);
                 m.separation[k] = random.between(-0.015f, 0.001f);
             }
+            m.friction = 0.6f;
             m.load = random.one_in(30) ? most_load : random.between(-1, 100);
             clearances[i] = random.one_in(4) ? 0.0f : random.between(0, 0.3f);
         }
@@ -112,19 +117,30 @@ struct RandomContacts {
     bool have_moved(std::uint32_t i) const { return ((a(i).flags | b(i).flags) & pose_moved) != 0; }
 };
 
-// Keeps the manifold as one lane does, if that knows at once that it may.
+// Whether lanes have to do with a contact that touches, by its bodies and boxes.
+bool are_for_lanes(const RandomContacts& all, std::uint32_t i) {
+    return ((all.a(i).flags | all.b(i).flags) & pose_learns) == 0 &&
+           (!all.have_moved(i) || (meet(all.box_a(i), all.box_b(i)) && !may_be_endless(all.box_a(i))));
+}
+
+// Keeps the manifold as one lane does, if that may.
 bool keep_by_itself(const RandomContacts& all, std::uint32_t i, bool follows_deep, ContactManifold& m) {
     const Pose &a = all.a(i), &b = all.b(i);
-    if (!lanes_keep(m.flags) || ((a.flags | b.flags) & pose_learns) != 0) return false;
-    if (all.have_moved(i) && (!meet(all.box_a(i), all.box_b(i)) || may_be_endless(all.box_a(i)))) return false;
+    if (!lanes_keep(m.flags) || !are_for_lanes(all, i)) return false;
     if (follows_deep && min(m.separation[0], m.separation[1]) < sunk_from && has_floor(a, b)) return false;
     ContactManifold kept = m;
     all.loads.follow(kept);
     turn_along(all.core, kept, a, b);
-    const Rot turn_a = inv_mul(kept.rotation_a, a.q), turn_b = inv_mul(kept.rotation_b, b.q);
-    if (!have_turned_little(turn_a, turn_b) || !has_kept_points(kept, a, b, kept.count(), turn_a, turn_b, recycle_distance)) return false;
+    if (!can_recycle(all.core, kept, a, b)) return false;
     m = kept;
     return true;
+}
+
+// Whether a contact that touches is for lanes, and needs a new manifold.
+bool needs_a_new_one(const RandomContacts& all, std::uint32_t i, bool is_kept) {
+    const std::uint32_t flags = all.manifolds[i].flags;
+    const bool struck = (flags & contact_ahead) != 0 && lanes_keep(flags & ~static_cast<std::uint32_t>(contact_ahead | contact_untold));
+    return (lanes_keep(flags) || struck) && are_for_lanes(all, i) && !has_floor(all.a(i), all.b(i)) && !is_kept;
 }
 
 using KeepTouching = decltype(keep_touching_4);
@@ -146,25 +162,39 @@ void expect_to_keep_as_one_lane(KeepTouching* keep, bool follows_deep) {
     std::vector<ContactManifold> wanted = all.manifolds;
     all.state.continuous = follows_deep ? 1 : 0;
     const ContactsInLanes in = contacts_in_lanes(all.core, all.loads.rate, dt, fall_in(all.core, dt));
-    std::uint32_t kept = 0, moved = 0, turned = 0;
+    std::uint32_t kept = 0, moved = 0, turned = 0, crept = 0, anew = 0, struck = 0;
     for (std::uint32_t i = 0; i + W <= wanted.size(); i += W) {
         const Some<W> some(i);
-        std::uint32_t bits = 0;
+        std::uint32_t bits = 0, anew_bits = 0;
         for (std::uint32_t k = 0; k < W; ++k) {
-            ContactManifold& m = wanted[some.contact[k]];
-            const Vec2 normal = m.normal;
-            if (!keep_by_itself(all, some.contact[k], follows_deep, m)) continue;
+            const std::uint32_t contact = some.contact[k];
+            ContactManifold& m = wanted[contact];
+            const ContactManifold old = m;
+            const Pose &a = all.a(contact), &b = all.b(contact);
+            const bool is_kept = keep_by_itself(all, contact, follows_deep, m);
+            if (needs_a_new_one(all, contact, is_kept)) {
+                anew_bits |= 1u << k;
+                struck += (m.flags & contact_ahead) != 0;
+            }
+            if (!is_kept) continue;
             bits |= 1u << k;
             ++kept;
-            moved += all.have_moved(some.contact[k]);
-            turned += m.normal != normal;
+            moved += all.have_moved(contact);
+            turned += m.normal != old.normal;
+            crept += !has_kept_points(m, a, b, m.count(), inv_mul(m.rotation_a, a.q), inv_mul(m.rotation_b, b.q), recycle_distance);
         }
-        ASSERT_EQ(keep(in, some.contact), bits) << "contacts from " << i;
+        anew += static_cast<std::uint32_t>(std::popcount(anew_bits));
+        const KeptTouching told = keep(in, some.contact);
+        ASSERT_EQ(told.kept, bits) << "contacts from " << i;
+        ASSERT_EQ(told.anew, anew_bits) << "contacts from " << i;
     }
     EXPECT_EQ(std::memcmp(all.manifolds.data(), wanted.data(), wanted.size() * sizeof(ContactManifold)), 0);
     EXPECT_GT(kept, wanted.size() / 10);
     EXPECT_GT(moved, kept / 8);  // of those whose boxes changed, some are kept
     EXPECT_GT(turned, kept / 20);
+    EXPECT_GT(crept, kept / 100);
+    EXPECT_GT(anew, wanted.size() / 10);
+    EXPECT_GT(struck, anew / 200);
     EXPECT_LT(kept, wanted.size() * 4 / 5);
 }
 
@@ -174,7 +204,7 @@ void expect_to_tell_apart_as_one_lane(TellApart* tell) {
     const std::vector<ContactManifold> before = all.manifolds;
     const float fall = fall_in(all.core, dt);
     const ContactsInLanes in = contacts_in_lanes(all.core, all.loads.rate, dt, fall);
-    std::uint32_t kept = 0, far = 0, fast = 0, by_clearance = 0, on_the_way = 0;
+    std::uint32_t kept = 0, far = 0, fast = 0, by_clearance = 0, on_the_way = 0, anew = 0, parts = 0;
     for (std::uint32_t i = 0; i + W <= before.size(); i += W) {
         const Some<W> some(i);
         ToldApart told;
@@ -196,7 +226,9 @@ void expect_to_tell_apart_as_one_lane(TellApart* tell) {
             const bool circles_apart = length_squared(b.center - a.center) > most * most;
             const float clearance = clearance_now(all.core, contact, a, b, margin);
             if (!lanes_tell_apart(m.flags) || (all.have_moved(contact) && (!near || may_be_endless(all.box_a(contact))))) {
-                ASSERT_FALSE(is_kept || is_apart) << "contact " << contact;
+                ASSERT_EQ((told.parts >> k & 1u) != 0, lanes_tell_apart(m.flags) && !near) << "contact " << contact;
+                parts += told.parts >> k & 1u;
+                ASSERT_FALSE(is_kept || is_apart || (told.anew >> k & 1u) != 0) << "contact " << contact;
                 continue;
             }
             ASSERT_EQ(is_kept, stays && !comes_fast) << "contact " << contact;
@@ -205,7 +237,11 @@ void expect_to_tell_apart_as_one_lane(TellApart* tell) {
             if (is_apart) {
                 ASSERT_EQ(told.clearance[k], circles_apart ? 0 : clearance) << "contact " << contact;
             }
+            ASSERT_EQ(told.parts >> k & 1u, 0u) << "contact " << contact;
+            const bool is_anew = (told.anew >> k & 1u) != 0;
+            ASSERT_EQ(is_anew, !is_apart && !has_floor(a, b) && (!stays || (comes_fast && !undecided))) << "contact " << contact;
             kept += is_kept;
+            anew += is_anew;
             far += is_apart;
             fast += is_fast;
             by_clearance += is_apart && !circles_apart;
@@ -213,7 +249,7 @@ void expect_to_tell_apart_as_one_lane(TellApart* tell) {
         }
     }
     EXPECT_EQ(std::memcmp(all.manifolds.data(), before.data(), before.size() * sizeof(ContactManifold)), 0);
-    for (const std::uint32_t count : {kept, far, fast, by_clearance, on_the_way}) EXPECT_GT(count, 40u);
+    for (const std::uint32_t count : {kept, far, fast, by_clearance, on_the_way, anew, parts}) EXPECT_GT(count, 40u);
 }
 
 TEST(ContactsInLanes, ThoseKeptAreThoseThatOneLaneKeeps) {

@@ -12,9 +12,6 @@
 
 namespace islet::detail {
 
-// Below this difference (m) two directions or two shapes' faces count as equally good, so that a choice does not flicker with rounding.
-inline constexpr float separation_tie = 0.1f * linear_slop;
-
 // A convex core, counter-clockwise, with outward normals, grown by a radius. Capsules and segments are outlines with two corners and two
 // opposite faces; `most` corners have room. Positions are relative to an origin near the contact, to keep digits.
 template <std::uint32_t most>

@@ -1,46 +1,11 @@
-// Vectors of lanes, and the two bodies of a contact or joint as lanes: what the kernels are written in.
+// The two bodies of a contact or joint as lanes: what the kernels are written in.
 #pragma once
 
 #include "../constraint/solver_body.hpp"
-#include "../math/lanes.hpp"
+#include "../math/lane_vec.hpp"
 #include "../math/scalar.hpp"
 
 namespace islet::detail {
-
-template <class F>
-struct LaneVec {
-    F x, y;
-};
-
-template <class F>
-ISLET_LANE LaneVec<F> operator+(LaneVec<F> a, LaneVec<F> b) {
-    return {a.x + b.x, a.y + b.y};
-}
-template <class F>
-ISLET_LANE LaneVec<F> operator-(LaneVec<F> a, LaneVec<F> b) {
-    return {a.x - b.x, a.y - b.y};
-}
-template <class F>
-ISLET_LANE LaneVec<F> operator*(F s, LaneVec<F> a) {
-    return {s * a.x, s * a.y};
-}
-template <class F>
-ISLET_LANE F dot(LaneVec<F> a, LaneVec<F> b) {
-    return a.x * b.x + a.y * b.y;
-}
-template <class F>
-ISLET_LANE F cross(LaneVec<F> a, LaneVec<F> b) {
-    return a.x * b.y - a.y * b.x;
-}
-/// w x r
-template <class F>
-ISLET_LANE LaneVec<F> cross(F w, LaneVec<F> r) {
-    return {-w * r.y, w * r.x};
-}
-template <class F>
-ISLET_LANE LaneVec<F> left_perp(LaneVec<F> a) {
-    return {-a.y, a.x};
-}
 
 /// A vector given along n and along t = right_perp(n).
 template <class F>
@@ -65,11 +30,6 @@ ISLET_LANE typename L::F effect(typename L::F inv_mass, typename L::F impulse) {
 template <class L>
 ISLET_LANE LaneVec<typename L::F> effect(typename L::F inv_mass, LaneVec<typename L::F> impulse) {
     return {effect<L>(inv_mass, impulse.x), effect<L>(inv_mass, impulse.y)};
-}
-
-template <class L>
-ISLET_LANE typename L::F clamp_lanes(typename L::F a, typename L::F lo, typename L::F hi) {
-    return min(max(a, lo), hi);
 }
 
 /// v turned by the angle d, |d| <= pi/2: by the series of sine and cosine, whose error is below 2e-4 there and 1e-9 up to 0.2 rad.

@@ -127,6 +127,9 @@ struct Lane4 {
 #endif
     }
     ISLET_LANE static F abs(F a) { return reinterpret_cast<F>(reinterpret_cast<i4>(a) & 0x7fffffff); }
+    ISLET_LANE static F with_sign_of(F a, F sign) {
+        return reinterpret_cast<F>((reinterpret_cast<i4>(a) & 0x7fffffff) | (reinterpret_cast<i4>(sign) & ~0x7fffffff));
+    }
 
     template <std::uint32_t n>
     using Columns = F[n];
@@ -199,6 +202,9 @@ struct Lane8 {
     ISLET_LANE static void store(float* p, F a) { _mm256_storeu_ps(p, a); }
     ISLET_LANE static F sqrt(F a) { return _mm256_sqrt_ps(a); }
     ISLET_LANE static F abs(F a) { return reinterpret_cast<F>(reinterpret_cast<i8>(a) & 0x7fffffff); }
+    ISLET_LANE static F with_sign_of(F a, F sign) {
+        return reinterpret_cast<F>((reinterpret_cast<i8>(a) & 0x7fffffff) | (reinterpret_cast<i8>(sign) & ~0x7fffffff));
+    }
 
     template <std::uint32_t n>
     using Columns = F[n];

@@ -6,7 +6,7 @@
 #include "../constraint/contact.hpp"
 #include "../constraint/joint_runs.hpp"
 #include "../solver/body_vectors.hpp"
-#include "../solver/contact_lanes.hpp"
+#include "../solver/update_kernels.hpp"
 
 namespace islet::detail {
 
@@ -16,8 +16,9 @@ template struct ContactKernel<8>;
 ContactKinds LoneKernel8::prepare(const PrepareInput& in, Rows* rows, std::uint32_t count) { return prepare_blocks<1>(in, rows, count); }
 void LoneKernel8::solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers) { solve_blocks<1>(bodies, rows, count, numbers); }
 
-std::uint32_t keep_touching_8(const ContactsInLanes& in, const std::uint32_t* contact) { return keep_touching<Lane8>(in, contact); }
+KeptTouching keep_touching_8(const ContactsInLanes& in, const std::uint32_t* contact) { return keep_touching<Lane8>(in, contact); }
 void tell_apart_8(const ContactsInLanes& in, const std::uint32_t* contact, ToldApart& out) { tell_apart<Lane8>(in, contact, out); }
+void remake_8(const ContactsInLanes& in, PairKind kind, const LanePairs& pairs, Remade& out) { out = remake<Lane8>(in, kind, pairs); }
 
 template void solve_joints<8>(JointKernel, SolverBody*, std::byte*, std::uint32_t, const JointSweep&);
 

@@ -247,7 +247,10 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
     if (((a.flags | b.flags) & pose_moved) != 0) {
         const Contact& c = core.contacts[index];
         const Aabb &box_a = core.boxes[c.shape_a], &box_b = core.boxes[c.shape_b];
-        if (!meet(box_a, box_b) && !may_meet(core, m.body_a, box_a, m.body_b, box_b, dt)) return Change::parts;
+        if (!meet(box_a, box_b) && !may_meet(core, m.body_a, box_a, m.body_b, box_b, dt)) {
+            if constexpr (max_lanes > 1) share.done += touches ? 0 : in_lanes;
+            return Change::parts;
+        }
         if (may_be_endless(box_a) && keeps_from_endless(core, c.shape_a, c.shape_b, dt)) return Change::parts;
     }
     if (has_sensors && (m.flags & contact_sensor) != 0)
@@ -275,6 +278,7 @@ ISLET_PART Change update(Core& core, std::uint32_t index, float dt, float fall, 
         share.done += in_lanes;
     } else {
         if (fast && m.count() != 0) approach = approach_to(core, m, dt, 0);
+        if constexpr (max_lanes > 1) share.done += has_floor(a, b) ? 0 : in_lanes;  // which lanes make anew
         remake(core, index, approach, dt);
         if (one_way) mend_one_way(core, index);
     }
@@ -375,8 +379,10 @@ void commit(Core& core, std::uint32_t index, BitSet to_wake) {
     }
 }
 
-// Applies all contacts' changes to shared state, in the order of their slots. Those that parted, and of which nobody else knows, are in `parted` alone.
-void commit_all(Core& core, BitSet changed, BitSet parted, BitSet to_wake, [[maybe_unused]] Arena arena) {
+// Applies all contacts' changes to shared state, in the order of their slots. Those that parted, and of which nobody else knows, are in `sets.parted` alone.
+void commit_all(Core& core, UpdateSets sets, BitSet to_wake, [[maybe_unused]] Arena arena) {
+    BitSet changed = sets.changed;
+    const BitSet parted = sets.parted;
 #if ISLET_THREADS
     const std::uint32_t parts = has_many_workers(core) ? parted.count() : 0;
     if (in_batches(core, parts) && arena.room() >= sizeof(std::uint32_t) * parts + line_bytes) {
@@ -428,8 +434,7 @@ void update_contacts(Core& core, float dt) {
         set.clear_all();
         return set;
     };
-    const BitSet changed = take_bits(core.capacity.contacts);
-    const BitSet parted = take_bits(core.capacity.contacts);
+    UpdateSets sets{take_bits(core.capacity.contacts), take_bits(core.capacity.contacts)};
     const BitSet to_wake = take_bits(core.capacity.bodies);
 
     // Word by word of the set of awake contacts, each range with its own count. (for_ranges makes one range where there are no workers.)
@@ -446,12 +451,11 @@ void update_contacts(Core& core, float dt) {
     for_ranges(core, words, grain, [&](std::uint32_t first, std::uint32_t end) {
         UpdateCount count;
         if constexpr (max_lanes > 1)
-            if (uses_lanes) update_in_lanes(core, in_lanes, first, end, open, count);
+            if (uses_lanes) update_in_lanes(core, in_lanes, first, end, open, sets, count);
         open.for_each_in(first, end, [&](std::uint32_t i) ISLET_INLINED_LAMBDA {
             const Change change = update(core, i, dt, fall, loads, count);
-            if (change == Change::none) return;
-            if (change == Change::parts) parted.set(i);
-            if (!has_threads || change == Change::changes || is_known(core.manifolds[i])) changed.set(i);
+            if (change == Change::parts) sets.part(core.manifolds, i);
+            if (change == Change::changes) sets.changed.set(i);
         });
         counts[first / grain] = count;
     });
@@ -463,7 +467,7 @@ void update_contacts(Core& core, float dt) {
     core.report.recycled_contacts = count.kept;
     if constexpr (max_lanes > 1) core.kept.note_lanes(core.lanes > 1 && count.touching.pays(), core.lanes > 1 && count.apart.pays());
 
-    commit_all(core, changed, parted, to_wake, arena);
+    commit_all(core, sets, to_wake, arena);
     for_ranges(core, core.awake_bodies.word_count, clear_grain, [&](std::uint32_t first, std::uint32_t end) {
         core.awake_bodies.for_each_in(first, end, [&](std::uint32_t body) { core.poses[body].flags &= ~static_cast<std::uint32_t>(pose_moved); });
     });

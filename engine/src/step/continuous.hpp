@@ -15,8 +15,6 @@ inline constexpr float look_fraction = 0.5f;
 /// something.
 BodyPath path_ahead(const Core& core, std::uint32_t body, float dt, bool may_be_held);
 
-inline constexpr float touch_gap = 0.25f * linear_slop;  // m; shapes that are no farther apart touch
-
 /// The fraction of their ways at which two shapes touch: time_of_impact of the whole shapes.
 float time_to_touch(const Core& core, std::uint32_t shape_a, const BodyPath& a, std::uint32_t shape_b, const BodyPath& b);
 

@@ -49,7 +49,6 @@ inline constexpr std::uint32_t most_pieces = 4;            // the most pieces in
 inline constexpr float gap_width = 0.2f * linear_slop;     // m: a neighbour that covers a side holds what is this far in front of it
 inline constexpr float end_reach = 0.8f * linear_slop;     // m: a line holds what is this far beyond its ends; less than where a surface counts as near
 inline constexpr float piece_depth = 2.0f * linear_slop;   // m: of a line as a piece
-inline constexpr float floor_mass = 4;                     // a dynamic body is a floor for what has a quarter of its mass or less: in piles none is
 inline constexpr float nested_depth = 4.0f * linear_slop;  // m: what is this deep in a dynamic body does not slide over it
 inline constexpr std::uint32_t front_face = 2;             // of the box of a line
 inline constexpr float behind_line = 10.0f * linear_slop;  // m: what a line covers of others, behind it; what reaches farther there is past its end
@@ -371,8 +370,7 @@ void mend_inner_edges(const Core& core, const Contact& contact, const Transform&
         if (moves) {
             const Body& own = core.bodies[body];
             // What is static or kinematic stands on nothing: a part of a body that falls into a valley is no floor for the valley's walls.
-            const bool bears = is_positive(core.poses[other].inv_mass) && core.poses[other].inv_mass >= floor_mass * core.poses[body].inv_mass;
-            if (!bears || own.shape_count < 2 || own.contact_count < 2 || least_separation(manifold) < -nested_depth) continue;
+            if (!may_bear(own, core.poses[body], core.poses[other]) || own.contact_count < 2 || least_separation(manifold) < -nested_depth) continue;
         }
         const Geometry &g = geometry_at(core, shape), &other_g = geometry_at(core, other_shape);
         const bool line = is_line(g);

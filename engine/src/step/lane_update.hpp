@@ -2,7 +2,9 @@
 #pragma once
 
 #include "../data/core.hpp"
-#include "../solver/contact_lanes.hpp"
+#include "../data/parallel.hpp"
+#include "../graph/contact_lanes.hpp"
+#include "../graph/contact_parts.hpp"
 
 namespace islet::detail {
 
@@ -43,8 +45,19 @@ struct UpdateCount : LaneShares<> {
 /// What lanes ask of the world's contacts in this step. `fall`: see fall_in (broadphase/pairs.hpp).
 ContactsInLanes contacts_in_lanes(const Core& core, LoadRate rate, float dt, float fall);
 
+/// Sets of contacts that an update makes.
+struct UpdateSets {
+    BitSet changed;  // whose change concerns others
+    BitSet parted;   // whose boxes meet no more
+
+    void part(const ContactManifold* manifolds, std::uint32_t contact) {
+        parted.set(contact);
+        if (!has_threads || is_known(manifolds[contact])) changed.set(contact);
+    }
+};
+
 /// Updates those awake contacts in the words first <= w < end of which lanes know all that there is to do, counts them, and sets these words of `open` to the
-/// others. What lanes do not pay for (Core::kept) is among these. It touches nothing else, so ranges may be updated in parallel.
-void update_in_lanes(Core& core, const ContactsInLanes& in, std::uint32_t first, std::uint32_t end, BitSet open, UpdateCount& count);
+/// others. What lanes do not pay for (Core::kept) is among these. It touches nothing else but these words of the sets, so ranges may be updated in parallel.
+void update_in_lanes(Core& core, const ContactsInLanes& in, std::uint32_t first, std::uint32_t end, BitSet open, UpdateSets sets, UpdateCount& count);
 
 }  // namespace islet::detail

@@ -16,9 +16,9 @@
 
 #include "../collide/manifold.hpp"
 #include "../data/core.hpp"
+#include "../graph/contact_lanes.hpp"
 #include "../math/inlining.hpp"
 #include "../math/scalar.hpp"
-#include "../solver/contact_lanes.hpp"
 
 namespace islet::detail {
 
@@ -26,9 +26,6 @@ inline constexpr float contact_load_rate = 0.07f;            // 1/s, at which th
 inline constexpr float worth_learning = 0.4f * linear_slop;  // m; a contact that would rise by less learns its load slowly
 inline constexpr float learning_tilt = 0.01f;                // sine of the angle between gravity and the normal of a face that learns, at most
 inline constexpr float learning_friction = 0.5f;             // its friction, as a share of its load, at most
-inline constexpr float most_creep = 15.0f * linear_slop;     // m that faces of what is between others may slip before a manifold is made anew
-inline constexpr float creep_share = 0.15f;                  // the same as a share of the smaller body's size, but recycle_distance at least
-inline constexpr float sticking_share = 0.9f;                // of the friction that there may be: what sticks needs less
 inline constexpr float roll_rate = 0.05f;                    // rad/s of two bodies against each other from which on a round shape rolls
 inline constexpr float most_roll = 0.1f;                     // rad in a step; faster things are not followed: bridges that roll at their banks would be thrown
 

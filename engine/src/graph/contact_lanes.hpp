@@ -6,9 +6,8 @@
 #include <cstring>
 
 #include "../collide/manifold.hpp"
-#include "../constraint/lane_vectors.hpp"
 #include "../data/records.hpp"
-#include "../math/lanes.hpp"
+#include "../math/lane_vec.hpp"
 
 namespace islet::detail {
 
@@ -25,6 +24,10 @@ inline constexpr float bearing_share = 0.1f;      // of the impulse at the other
 inline constexpr float turn_alike = 0.1f;         // share of their rates by which two bodies on a level face may differ
 inline constexpr float level_face = 0.3f;         // tangent of the angle between gravity and the normal of a level face, at most
 
+inline constexpr float sticking_share = 0.9f;             // of the friction that there may be: what sticks needs less
+inline constexpr float most_creep = 15.0f * linear_slop;  // m that faces of what is between others may slip before a manifold is made anew
+inline constexpr float creep_share = 0.15f;               // the same as a share of the smaller body's size, but recycle_distance at least
+
 inline constexpr float sunk_from = -2.0f * linear_slop;  // m, separation below which a contact with a floor is looked at by itself
 
 /// How the load of a contact follows the force that it bore: m.load = keep * m.load + gain * (sum of its normal impulses).
@@ -37,6 +40,8 @@ struct LoadRate {
 /// `pose_learns` of either body, and where there are no points `pose_fast`.
 inline constexpr std::uint32_t settled_flags = contact_touching | contact_posed;
 inline constexpr std::uint32_t apart_flags = contact_posed;
+/// The flags of one that touches, and was made ahead of a blow, but perhaps contact_untold.
+inline constexpr std::uint32_t struck_flags = settled_flags | contact_ahead;
 inline constexpr std::uint32_t asked_flags = settled_flags | contact_sensor | contact_asks | contact_one_way | contact_ahead | contact_untold | contact_rolls;
 
 /// True if lanes may keep the manifold of a contact that touches; if they may look how far apart a contact without points is.
@@ -57,7 +62,8 @@ ISLET_LANE bool is_between_others(const Body* bodies, const ContactManifold& m) 
 struct ContactsInLanes {
     ContactManifold* manifolds;
     const Contact* contacts;
-    const float* clearances;  // m, by contact
+    const Geometry* geometries;
+    float* clearances;  // m, by contact
     const Pose* poses;
     const Motion* motions;
     const Body* bodies;
@@ -72,15 +78,6 @@ struct ContactsInLanes {
     bool follows_deep;  // what has sunk deep into a floor is looked at by itself
     bool looks_ahead;   // bodies that both move look ahead for each other
 };
-
-template <class F>
-ISLET_LANE LaneVec<F> turned_in_lanes(LaneVec<F> q, LaneVec<F> v) {  // q: cosine, sine
-    return {q.x * v.x - q.y * v.y, q.y * v.x + q.x * v.y};
-}
-template <class F>
-ISLET_LANE LaneVec<F> turn_between(LaneVec<F> from, LaneVec<F> to) {
-    return {from.x * to.x + from.y * to.y, from.x * to.y - from.y * to.x};
-}
 
 /// A bit for each lane whose surfaces have slipped by less than the root of `most` at a point, but for what they are pressed into each other where they may be.
 template <class L, class F = typename L::F>
@@ -141,6 +138,41 @@ struct LaneContacts {
     ISLET_LANE I states_b() const { return reinterpret_cast<I>(b[7]); }
 };
 
+/// How the bodies of contacts move.
+template <class L>
+struct LaneMotions {
+    using F = typename L::F;
+    LaneVec<F> va, vb;
+    F wa, wb;
+
+    ISLET_LANE LaneMotions(const ContactsInLanes& in, const std::uint32_t* body_a, const std::uint32_t* body_b) {
+        typename L::template Columns<4> a, b;  // v, w, slack
+        L::template gather4<sizeof(Motion) / 4>(reinterpret_cast<const float*>(in.motions), body_a, a);
+        L::template gather4<sizeof(Motion) / 4>(reinterpret_cast<const float*>(in.motions), body_b, b);
+        va = {a[0], a[1]};
+        vb = {b[0], b[1]};
+        wa = a[2];
+        wb = b[2];
+    }
+};
+
+/// How bodies come together within a step: Approach (broadphase/pairs.hpp).
+template <class L>
+struct LaneApproach {
+    using F = typename L::F;
+    LaneVec<F> way = {F{}, F{}};
+    F turn = F{};
+
+    LaneApproach() = default;
+    /// Of bodies that stand `offset` (m) from each other and reach so far (m) from their centres: approach_of.
+    ISLET_LANE LaneApproach(const LaneMotions<L>& m, LaneVec<F> offset, F reach_a, F reach_b, float time, F fall) {
+        const F dt = L::splat(time);
+        way = dt * (m.vb - m.va - cross(select(reach_a < reach_b, m.wb, m.wa), offset));
+        turn = min(dt * L::abs(m.wb - m.wa), L::splat(2.0f)) * min(reach_a, reach_b) + fall;
+    }
+    ISLET_LANE F most() const { return L::abs(way.x) + L::abs(way.y) + turn; }
+};
+
 /// A manifold's frame in lanes, with all that it holds of how the bodies stood.
 template <class F>
 struct LaneFrame {
@@ -189,11 +221,17 @@ ISLET_LANE std::uint32_t turns_along(const ContactsInLanes& in, const std::uint3
     return turns;
 }
 
-/// Keeps the manifolds of those contacts that touch and have slipped little, as many as there are lanes: the loads follow, and manifolds turn along. Returns a
-/// bit for each that is kept. None is whose boxes changed and meet no more, or that creeps (can_recycle), or, if `follows_deep`, that has sunk deep into a
-/// floor. All must have points.
+/// What lanes know of contacts that touch: a bit for each contact.
+struct KeptTouching {
+    std::uint32_t kept = 0;  // it keeps its manifold
+    std::uint32_t anew = 0;  // it needs a new one, between moving bodies
+};
+
+/// Keeps the manifolds of those contacts that touch and have slipped little (can_recycle), as many as there are lanes: the loads follow, and manifolds turn
+/// along. None is kept, or said to need a new one, whose boxes changed and meet no more, or, if `follows_deep`, that has sunk deep into a floor. All must have
+/// points.
 template <class L>
-ISLET_LANE std::uint32_t keep_touching(const ContactsInLanes& in, const std::uint32_t* contact) {
+ISLET_LANE KeptTouching keep_touching(const ContactsInLanes& in, const std::uint32_t* contact) {
     constexpr std::uint32_t W = L::width;
     using F = typename L::F;
     using I = decltype(F{} < F{});
@@ -208,16 +246,19 @@ ISLET_LANE std::uint32_t keep_touching(const ContactsInLanes& in, const std::uin
     L::template gather4<stride>(words + 20, contact, surface);
     const I flags = all.flags(), states = all.states_a() | all.states_b();
     const std::uint32_t two = L::bits((flags & static_cast<std::int32_t>(2u << contact_count_shift)) != 0);
-    std::uint32_t kept = L::bits((flags & static_cast<std::int32_t>(asked_flags | contact_special)) == static_cast<std::int32_t>(settled_flags)) &
-                         L::bits((states & static_cast<std::int32_t>(pose_learns)) == 0);
-    const std::uint32_t moved = kept & L::bits((states & static_cast<std::int32_t>(pose_moved)) != 0);
+    const std::uint32_t moving = L::positive(min(a[4], b[4]));
+    const I asked = flags & static_cast<std::int32_t>(asked_flags | contact_special);
+    const std::uint32_t settled = L::bits(asked == static_cast<std::int32_t>(settled_flags));
+    const std::uint32_t struck = moving & L::bits((asked & ~static_cast<std::int32_t>(contact_untold)) == static_cast<std::int32_t>(struck_flags));
+    std::uint32_t open = (settled | struck) & L::bits((states & static_cast<std::int32_t>(pose_learns)) == 0);
+    const std::uint32_t moved = open & L::bits((states & static_cast<std::int32_t>(pose_moved)) != 0);
     if (moved != 0) {
         const LaneBoxes<L> boxes(in, contact);
-        kept &= (boxes.meet() & boxes.have_ends(in.widest_box)) | ~moved;
+        open &= (boxes.meet() & boxes.have_ends(in.widest_box)) | ~moved;
     }
+    std::uint32_t kept = open & settled;
 
     LaneFrame<F> m = {{frame[0], frame[1]}, {frame[2], frame[3]}, {frame[4], frame[5]}, {frame[6], frame[7]}, {{points[0], points[1]}, {points[2], points[3]}}};
-    const std::uint32_t moving = L::positive(min(a[4], b[4]));
     const F size = min(a[6], b[6]);
     const Vec stands_a = {a[2], a[3]}, stands_b = {b[2], b[3]};
     Vec turn_a = turn_between(m.rotation_a, stands_a);
@@ -242,14 +283,24 @@ ISLET_LANE std::uint32_t keep_touching(const ContactsInLanes& in, const std::uin
     const Vec turn_b = turn_between(m.rotation_b, stands_b);
     kept &= L::bits(min(turn_a.x, turn_b.x) >= L::splat(0)) & L::bits(max(L::abs(turn_a.y), L::abs(turn_b.y)) <= L::splat(recycle_turn));
     const F turn = L::abs(turn_b.y * turn_a.x - turn_b.x * turn_a.y);
-    const F reach = L::splat(recycle_distance) - L::splat(2.0f) * size * turn;
-    const F most = reach * reach;
-    kept &= L::positive(reach);
     const Vec shift = Vec{b[0], b[1]} - Vec{a[0], a[1]} - turned_in_lanes(turn_b, m.offset);
     const Vec apart = turn_b - turn_a;
-    const std::uint32_t pressed = two & moving;  // faces of moving bodies
-    kept &= slips_little<L>(m.anchors[0], m.normal, shift, apart, size, most, pressed) &
-            (slips_little<L>(m.anchors[1], m.normal, shift, apart, size, most, pressed) | ~two);
+    const std::uint32_t faces = two & moving;
+    const auto slip_less_than = [&](F most) ISLET_INLINED_LAMBDA {
+        const F reach = most - L::splat(2.0f) * size * turn, square = reach * reach;
+        return L::positive(reach) & slips_little<L>(m.anchors[0], m.normal, shift, apart, size, square, faces) &
+               (slips_little<L>(m.anchors[1], m.normal, shift, apart, size, square, faces) | ~two);
+    };
+    std::uint32_t creep = kept & faces;
+    kept &= slip_less_than(L::splat(recycle_distance));
+    creep &= ~kept;
+    // Faces of what is between others may creep, where friction holds them.
+    if (creep != 0) creep &= L::bits(L::abs(points[6] + points[7]) < L::splat(sticking_share) * surface[3] * (points[4] + points[5]));
+    for (std::uint32_t left = creep; left != 0; left &= left - 1) {
+        const std::uint32_t i = trailing_zeros(left);
+        if (!is_between_others(in.bodies, in.manifolds[contact[i]])) creep &= ~(1u << i);
+    }
+    if (creep != 0) kept |= creep & slip_less_than(max(L::splat(recycle_distance), min(L::splat(most_creep), L::splat(creep_share) * size)));
     if (in.follows_deep) kept &= moving | L::bits(min(surface[1], surface[2]) >= L::splat(sunk_from));
 
     const F load = L::splat(in.rate.keep) * surface[0] + L::splat(in.rate.gain) * (points[4] + points[5]);
@@ -266,7 +317,7 @@ ISLET_LANE std::uint32_t keep_touching(const ContactsInLanes& in, const std::uin
         L::template scatter4_where<stride>(turns, words + 8, contact, turned);
         L::template scatter4_where<stride>(turns, words + 12, contact, anchors);
     }
-    return kept;
+    return {kept, open & moving & ~kept};
 }
 
 /// What lanes know of contacts without points: a bit for each contact.
@@ -274,6 +325,8 @@ struct ToldApart {
     std::uint32_t kept = 0;            // it stays as it is, since its bodies have hardly moved
     std::uint32_t apart = 0;           // its shapes are too far apart for points
     std::uint32_t fast = 0;            // the same, and its bodies come together fast
+    std::uint32_t anew = 0;            // between moving bodies, its shapes must be looked at
+    std::uint32_t parts = 0;           // its boxes meet no more
     float clearance[max_block_lanes];  // m, of those apart: see step/clearance.hpp
 };
 
@@ -286,7 +339,7 @@ ISLET_LANE void tell_apart(const ContactsInLanes& in, const std::uint32_t* conta
     using Vec = LaneVec<F>;
     const LaneContacts<L> all(in, contact);
     const auto &a = all.a, &b = all.b, &frame = all.frame;
-    typename L::template Columns<4> motion_a, motion_b, center_a, center_b;  // v, w, slack; local centres, damping
+    typename L::template Columns<4> center_a, center_b;  // local centres, damping
     const I flags = all.flags(), states_a = all.states_a(), states_b = all.states_b();
     const std::uint32_t moving = L::positive(min(a[4], b[4]));
     const Vec way = Vec{b[0], b[1]} - Vec{a[0], a[1]};
@@ -295,22 +348,21 @@ ISLET_LANE void tell_apart(const ContactsInLanes& in, const std::uint32_t* conta
     const std::uint32_t hurries = L::bits(((states_a | states_b) & static_cast<std::int32_t>(pose_fast)) != 0);
     const std::uint32_t both = moving & L::bits((states_a & states_b & static_cast<std::int32_t>(pose_fast)) != 0);
     const std::uint32_t looks = hurries & (~moving | (in.looks_ahead ? L::bits((flags & static_cast<std::int32_t>(contact_bouncy)) == 0) : 0u));
-    Vec rush = {L::splat(0), L::splat(0)};
-    F rush_turn = L::splat(0), come = L::splat(0);
+    LaneApproach<L> approach;
+    F come = L::splat(0);
     if (hurries != 0) {
-        L::template gather4<sizeof(Motion) / 4>(reinterpret_cast<const float*>(in.motions), all.body_a, motion_a);
-        L::template gather4<sizeof(Motion) / 4>(reinterpret_cast<const float*>(in.motions), all.body_b, motion_b);
-        const F wa = motion_a[2], wb = motion_b[2], dt = L::splat(in.dt);
-        rush = dt * (Vec{motion_b[0], motion_b[1]} - Vec{motion_a[0], motion_a[1]} - cross(select(a[6] < b[6], wb, wa), way));
-        rush_turn = min(dt * L::abs(wb - wa), L::splat(2.0f)) * min(a[6], b[6]) + L::splat(in.fall);
-        come = select(L::mask(looks), L::abs(rush.x) + L::abs(rush.y) + rush_turn, come);
+        approach = LaneApproach<L>(LaneMotions<L>(in, all.body_a, all.body_b), way, a[6], b[6], in.dt, L::splat(in.fall));
+        come = select(L::mask(looks), approach.most(), come);
     }
     std::uint32_t open = L::bits((flags & static_cast<std::int32_t>((asked_flags & ~std::uint32_t{contact_posed}) | contact_special)) == 0);
     const std::uint32_t moved = L::bits(((states_a | states_b) & static_cast<std::int32_t>(pose_moved)) != 0);
+    out.parts = 0;
     if (moved != 0) {
         const std::uint32_t leaves = L::bits(((states_a | states_b) & static_cast<std::int32_t>(pose_leaves)) != 0);
         const LaneBoxes<L> boxes(in, contact);
-        open &= ((boxes.meet() | (leaves & boxes.may_meet(rush, rush_turn))) & boxes.have_ends(in.widest_box)) | ~moved;
+        const std::uint32_t near = boxes.meet() | (leaves & boxes.may_meet(approach.way, approach.turn));
+        out.parts = open & moved & ~near;
+        open &= (near & boxes.have_ends(in.widest_box)) | ~moved;
     }
     const std::uint32_t fast = L::bits(come > L::splat(in.comes_fast));
 
@@ -325,7 +377,7 @@ ISLET_LANE void tell_apart(const ContactsInLanes& in, const std::uint32_t* conta
                                 L::positive(room) & L::bits(moved_by < room * room);
     out.kept = open & stays & ~fast;
     open &= ~stays | (fast & ~both);
-    out.apart = out.fast = 0;
+    out.apart = out.fast = out.anew = 0;
     if (open == 0) return;
 
     const float* const local_centers = reinterpret_cast<const float*>(in.bodies) + offsetof(Body, local_center) / 4;
@@ -343,13 +395,8 @@ ISLET_LANE void tell_apart(const ContactsInLanes& in, const std::uint32_t* conta
     const F clearance = L::load(known) - L::sqrt(moved_by) - turned;
     out.apart = open & (circles | (posed & L::bits(clearance > margin)));
     out.fast = out.apart & fast;
+    out.anew = open & moving & ~out.apart;
     L::store(out.clearance, select(L::mask(circles), L::splat(0), clearance));
 }
-
-/// The same of four contacts (kernel_scalar.cpp), and of eight (kernel_avx2.cpp), for processors with AVX2 alone.
-std::uint32_t keep_touching_4(const ContactsInLanes& in, const std::uint32_t* contact);
-std::uint32_t keep_touching_8(const ContactsInLanes& in, const std::uint32_t* contact);
-void tell_apart_4(const ContactsInLanes& in, const std::uint32_t* contact, ToldApart& out);
-void tell_apart_8(const ContactsInLanes& in, const std::uint32_t* contact, ToldApart& out);
 
 }  // namespace islet::detail
