@@ -77,6 +77,7 @@ LaneShape lane_shape_of(const Geometry& g) {
 class ShapeMemo {
 public:
     LaneShape of(const Geometry* geometries, std::uint32_t which) {
+        if (is_empty_) clear();
         const std::uint32_t at = which % room;
         if (asked_[at] != which) {
             asked_[at] = which;
@@ -84,14 +85,17 @@ public:
         }
         return is_[at];
     }
-    ShapeMemo() {
-        for (std::uint32_t& asked : asked_) asked = null_index;
-    }
 
 private:
+    ISLET_NEVER_INLINE void clear() {
+        for (std::uint32_t& asked : asked_) asked = null_index;
+        is_empty_ = false;
+    }
+
     static constexpr std::uint32_t room = 32;
     std::uint32_t asked_[room];
-    LaneShape is_[room] = {};
+    LaneShape is_[room];
+    bool is_empty_ = true;
 };
 
 // The kind of a pair. False if lanes do not know it. A has the higher rank.
@@ -148,10 +152,15 @@ public:
         open_those(contact, counting & ~(keeps | apart | parts | anew), open_);
     }
 
+    // Pairs that are left: but few of a kind take less time one by one.
     void finish() {
-        for (std::uint32_t kind = 0; kind < pair_kinds; ++kind) {
+        for (; kinds_ != 0; kinds_ &= kinds_ - 1) {
+            const std::uint32_t kind = trailing_zeros(kinds_);
             Listed& pairs = listed_[kind];
-            if (pairs.count == 0) continue;
+            if (4 * pairs.count <= W) {
+                open_those(pairs.of.contact, (1u << pairs.count) - 1, open_);
+                continue;
+            }
             for (std::uint32_t i = pairs.count; i < W; ++i) {
                 pairs.of.contact[i] = pairs.of.contact[0];
                 pairs.of.geometry_a[i] = pairs.of.geometry_a[0];
@@ -164,7 +173,7 @@ public:
 private:
     struct Listed {
         LanePairs of;
-        std::uint32_t count = 0;
+        std::uint32_t count;
     };
 
     void remake(const std::uint32_t* contact, std::uint32_t which, LaneShare& share) {
@@ -188,7 +197,10 @@ private:
         if (!kind_of_pair(shape_a, shape_b, kind)) return false;
         // A round shape may roll, where no others are at both bodies.
         if ((shape_a <= LaneShape::capsule || shape_b <= LaneShape::capsule) && m.count() == 1 && !is_between_others(core_.bodies, m)) return false;
+        const std::uint32_t bit = 1u << static_cast<std::uint32_t>(kind);
         Listed& pairs = listed_[static_cast<std::uint32_t>(kind)];
+        if ((kinds_ & bit) == 0) pairs.count = 0;
+        kinds_ |= bit;
         pairs.of.contact[pairs.count] = c;
         pairs.of.geometry_a[pairs.count] = a;
         pairs.of.geometry_b[pairs.count] = b;
@@ -211,6 +223,7 @@ private:
     UpdateSets sets_;
     UpdateCount& count_;
     ShapeMemo shapes_;
+    std::uint32_t kinds_ = 0;  // a bit for each that has been listed
     Listed listed_[pair_kinds];
 };
 
