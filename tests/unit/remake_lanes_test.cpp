@@ -1,11 +1,12 @@
 // Manifolds that lanes make are those that the narrow phase makes for one pair, bit by bit; where lanes leave a pair, that has corners that meet.
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
 #include "../../engine/src/broadphase/pairs.hpp"
+#include "../../engine/src/collide/distance.hpp"
 #include "../../engine/src/collide/outline.hpp"
 #include "../../engine/src/geometry/convex.hpp"
 #include "../../engine/src/graph/contacts.hpp"
@@ -262,6 +263,9 @@ void expect_to_remake_as_one_lane(PairKind kind, decltype(remake_4)* remake) {
         EXPECT_EQ(left, left_early);  // no corners meet: all are decided
     }
     EXPECT_LT(left, 16000u / 2);
+    if (kind != PairKind::boxes) {
+        EXPECT_LT(left - left_early, 16000u / 6);  // what overlaps where faces do not meet, and what alone of its lanes has corners that meet
+    }
 }
 
 TEST(RemakeInLanes, ManifoldsAreThoseOfOnePair) {
@@ -271,6 +275,69 @@ TEST(RemakeInLanes, ManifoldsAreThoseOfOnePair) {
         if (cpu_has_avx2()) expect_to_remake_as_one_lane<8>(static_cast<PairKind>(kind), remake_8);
 #endif
     }
+}
+
+// Two outlines that look at each other across a gap of any size, or overlap; their sides are often parallel, or nearly so.
+struct TwoCores {
+    Vec2 corners[2][max_polygon_vertices];
+    std::uint32_t count[2];
+
+    explicit TwoCores(test::Random& random) {
+        const float angle = random.one_in(3) ? 0.0f : random.between(-3, 3), lean = random.one_in(2) ? 0.0f : random.between(-1e-4f, 1e-4f);
+        const float gaps[] = {0.01f, 1e-3f, 1e-5f, 1e-7f, 0, -0.01f, -0.5f};
+        const float gap = gaps[random.below(7)] * random.between(0.5f, 1.5f), along = random.between(-1.5f, 1.5f);
+        for (std::uint32_t k = 0; k < 2; ++k) {
+            // The half of a rounded outline below or above a line, and of a capsule the line alone.
+            const float side = k == 0 ? -1.0f : 1.0f;
+            count[k] = 2 + random.below(7);
+            for (std::uint32_t i = 0; i < count[k]; ++i) {
+                const float turn = side * 3.1415927f * static_cast<float>(i) / static_cast<float>(count[k] - 1) + (k == 0 ? 0.0f : lean);
+                const Vec2 at = rotate(make_rot(turn), {0.5f, 0});
+                corners[k][i] = rotate(make_rot(angle), at + (k == 0 ? Vec2{0, 0} : Vec2{along, gap}));
+            }
+        }
+    }
+};
+
+TEST(RemakeInLanes, CoresAreAsFarApartAsOnePairOfThem) {
+    using L = Lane4;
+    test::Random random(11);
+    std::uint32_t apart = 0, along_edges = 0, others = 0;
+    for (std::uint32_t turn = 0; turn < 20000; ++turn) {
+        std::vector<TwoCores> pairs;
+        for (std::uint32_t k = 0; k < L::width; ++k) pairs.emplace_back(random);
+        LaneOutline<L> outlines[2];
+        for (std::uint32_t side = 0; side < 2; ++side) {
+            LaneOutline<L>& o = outlines[side];
+            o.most = 2;
+            for (const TwoCores& pair : pairs) o.most = std::max(o.most, pair.count[side]);
+            for (std::uint32_t i = 0; i < o.most; ++i)
+                for (std::uint32_t k = 0; k < L::width; ++k) {
+                    const Vec2 corner = pairs[k].corners[side][i < pairs[k].count[side] ? i : 0];
+                    o.vertices[i].x[k] = corner.x;
+                    o.vertices[i].y[k] = corner.y;
+                }
+        }
+        const LaneDistances<L> found = core_distances(outlines[0], outlines[1], 15);
+        for (std::uint32_t k = 0; k < L::width; ++k) {
+            const TwoCores& pair = pairs[k];
+            const DistanceResult wanted = core_distance(pair.corners[0], pair.count[0], pair.corners[1], pair.count[1]);
+            const bool is_other = wanted.normal == Vec2{};
+            ASSERT_EQ((found.others >> k & 1u) != 0, is_other) << "turn " << turn;
+            others += is_other;
+            if (is_other) continue;
+            ++apart;
+            along_edges += wanted.count == 2;
+            ASSERT_EQ(found.distance[k], wanted.distance) << "turn " << turn;
+            ASSERT_EQ((Vec2{found.normal.x[k], found.normal.y[k]}), wanted.normal) << "turn " << turn;
+            ASSERT_EQ((Vec2{found.point_a.x[k], found.point_a.y[k]}), wanted.point_a) << "turn " << turn;
+            ASSERT_EQ((Vec2{found.point_b.x[k], found.point_b.y[k]}), wanted.point_b) << "turn " << turn;
+            ASSERT_EQ(found.id[k], wanted.index_a[0] << 8 | wanted.index_b[0]) << "turn " << turn;
+        }
+    }
+    EXPECT_GT(apart, 20000u);
+    EXPECT_GT(along_edges, 10000u);
+    EXPECT_GT(others, 10000u);
 }
 
 #endif

@@ -1,39 +1,14 @@
 // The narrow phase in lanes: the manifolds of as many pairs of shapes as there are lanes, all of one kind.
 //
 // Each kind is that of one function `collide` (shapes/manifolds.hpp), or of collide_boxes (collide/box.cpp), by the same arithmetic, operation by operation.
-// What few pairs need is left to these: where corners may be nearer than the faces that look at each other, a pair is undecided.
+// What few pairs need is left to these: a pair is undecided where boxes' corners may be nearer than their faces, or where other outlines overlap, though no
+// face of theirs says how.
 #pragma once
 
-#include <cstddef>
-
-#include "../collide/manifold.hpp"
-#include "../data/records.hpp"
-#include "../math/lane_vec.hpp"
+#include "../collide/lane_distance.hpp"
+#include "../collide/lane_outlines.hpp"
 
 namespace islet::detail {
-
-/// The types of shapes A and B.
-enum class PairKind : std::uint8_t { boxes, polygons, polygon_capsule, capsules, polygon_circle, capsule_circle, circles };
-inline constexpr std::uint32_t pair_kinds = 7;
-
-/// Pairs of one kind, as many as there are lanes at most.
-struct LanePairs {
-    std::uint32_t contact[max_block_lanes];
-    std::uint32_t geometry_a[max_block_lanes], geometry_b[max_block_lanes];
-};
-
-/// Whole numbers, or masks, in lanes.
-template <class L>
-using LaneInts = decltype(typename L::F{} < typename L::F{});
-
-template <class I>
-ISLET_LANE I pick(I mask, I a, I b) {
-    return (mask & a) | (~mask & b);
-}
-template <class I>
-ISLET_LANE I ids_of(I index_a, I index_b) {  // feature_id
-    return (index_a << 8) | index_b;
-}
 
 /// A point of a manifold: where (m, frame A), how far apart (m), and its feature id.
 template <class L>
@@ -57,50 +32,7 @@ struct PairManifolds {
     std::uint32_t undecided = 0;  // for each whose manifold this is not
 };
 
-/// What all kinds are asked: the shapes' geometries, where B's body is in A's (turn: cosine and sine; m), and how far apart points may be (m).
-template <class L>
-struct LaneStands {
-    const float* geometries;
-    const std::uint32_t *a, *b;
-    LaneVec<typename L::F> turn, to;
-    typename L::F margin;
-
-    ISLET_LANE LaneVec<typename L::F> place(LaneVec<typename L::F> in_b) const { return turned_in_lanes(turn, in_b) + to; }  // transform_point
-};
-
-/// Four words of each geometry.
-template <class L>
-struct LaneWords {
-    typename L::template Columns<4> columns;
-
-    ISLET_LANE LaneWords(const float* geometries, const std::uint32_t* which, std::size_t first) {
-        L::template gather4<sizeof(Geometry) / 4>(geometries + first, which, columns);
-    }
-    ISLET_LANE LaneVec<typename L::F> first() const { return {columns[0], columns[1]}; }
-    ISLET_LANE LaneVec<typename L::F> second() const { return {columns[2], columns[3]}; }
-};
-inline constexpr std::size_t circle_words = offsetof(Geometry, circle) / 4;  // centre, radius
-inline constexpr std::size_t capsule_words = offsetof(Geometry, capsule) / 4;
-inline constexpr std::size_t polygon_words = offsetof(Geometry, polygon) / 4;
-inline constexpr std::size_t normal_words = polygon_words + offsetof(Polygon, normals) / 4;
-inline constexpr std::size_t rest_words = polygon_words + offsetof(Polygon, centroid) / 4;  // centroid, radius, count
-static_assert(offsetof(Capsule, radius) == 2 * sizeof(Vec2) && offsetof(Circle, radius) == sizeof(Vec2));
-static_assert(offsetof(Polygon, vertices) == 0 && offsetof(Polygon, count) == offsetof(Polygon, centroid) + 12);
-
 // -------------------------------------------------------------------------------- one point
-
-/// direction_of
-template <class L>
-struct LaneDirections {
-    LaneVec<typename L::F> unit;
-    typename L::F length;
-
-    ISLET_LANE LaneDirections(LaneVec<typename L::F> v, LaneVec<typename L::F> fallback) {
-        const typename L::F squared = dot(v, v);
-        length = L::sqrt(squared);
-        unit = select(squared < L::splat(1e-14f), fallback, (L::splat(1.0f) / length) * v);
-    }
-};
 
 /// point_manifold, of pairs whose bits are in `some`.
 template <class L, class F = typename L::F>
@@ -139,65 +71,6 @@ ISLET_LANE PairManifolds<L> collide_capsule_circle(const LaneStands<L>& s) {
 }
 
 // -------------------------------------------------------------------------------- outlines
-
-/// OutlineOf: behind the last corner stands the first one again, up to `most` corners.
-template <class L>
-struct LaneOutline {
-    LaneVec<typename L::F> vertices[max_polygon_vertices], normals[max_polygon_vertices];
-    LaneInts<L> count;
-    typename L::F radius;
-    std::uint32_t most = 0;
-
-    ISLET_LANE void pad(std::uint32_t from, std::uint32_t to) {
-        for (std::uint32_t i = from; i < to; ++i) vertices[i] = vertices[0], normals[i] = normals[0];
-    }
-};
-
-/// The corners and normals of polygons as they stand in their bodies.
-template <class L>
-ISLET_LANE void load_polygons(const float* geometries, const std::uint32_t* which, LaneOutline<L>& o) {
-    const LaneWords<L> rest(geometries, which, rest_words);
-    o.radius = rest.columns[2];
-    o.count = reinterpret_cast<LaneInts<L>>(rest.columns[3]);
-    o.most = 3;
-    while (o.most < max_polygon_vertices && L::bits(o.count > static_cast<std::int32_t>(o.most)) != 0) ++o.most;
-    for (std::uint32_t i = 0; i < o.most; i += 2) {
-        const LaneWords<L> vertices(geometries, which, polygon_words + 2 * i), normals(geometries, which, normal_words + 2 * i);
-        o.vertices[i] = vertices.first();
-        o.vertices[i + 1] = vertices.second();
-        o.normals[i] = normals.first();
-        o.normals[i + 1] = normals.second();
-    }
-    for (std::uint32_t i = 3; i < o.most; ++i) {
-        const LaneInts<L> is = o.count > static_cast<std::int32_t>(i);
-        o.vertices[i] = select(is, o.vertices[i], o.vertices[0]);
-        o.normals[i] = select(is, o.normals[i], o.normals[0]);
-    }
-}
-
-/// outline_of(p, t, origin): polygons of B's body in frame A.
-template <class L>
-ISLET_LANE void place_polygons(const LaneStands<L>& s, LaneVec<typename L::F> origin, LaneOutline<L>& o) {
-    using Vec = LaneVec<typename L::F>;
-    const Vec base = o.vertices[0], moved = turned_in_lanes(s.turn, base) + (s.to - origin);
-    for (std::uint32_t i = 0; i < o.most; ++i) {
-        o.vertices[i] = moved + turned_in_lanes(s.turn, o.vertices[i] - base);
-        o.normals[i] = turned_in_lanes(s.turn, o.normals[i]);
-    }
-}
-
-/// outline_of(p1, p2, radius)
-template <class L>
-ISLET_LANE void outline_lines(LaneVec<typename L::F> p1, LaneVec<typename L::F> p2, typename L::F radius, LaneOutline<L>& o) {
-    o.count = LaneInts<L>{} + 2;
-    o.most = 2;
-    o.radius = radius;
-    o.vertices[0] = p1;
-    o.vertices[1] = p2;
-    const LaneVec<typename L::F> unit = LaneDirections<L>(p2 - p1, {L::splat(1), L::splat(0)}).unit;
-    o.normals[0] = {unit.y, -unit.x};
-    o.normals[1] = {-o.normals[0].x, -o.normals[0].y};
-}
 
 /// A face of each outline: Face without its radius.
 template <class L>
@@ -290,7 +163,7 @@ ISLET_LANE PairManifolds<L> clip_faces(const LaneFaces<L>& reference, const Lane
     return m;
 }
 
-/// collide_cores, up to where corners are looked at.
+/// collide_cores. Undecided are those that touch or overlap where their faces do not say how.
 template <class L>
 ISLET_LANE PairManifolds<L> collide_cores(LaneOutline<L>& a, LaneOutline<L>& b, LaneVec<typename L::F> origin, typename L::F margin) {
     using F = typename L::F;
@@ -320,10 +193,26 @@ ISLET_LANE PairManifolds<L> collide_cores(LaneOutline<L>& a, LaneOutline<L>& b, 
         clip_faces<L>(face, other, next_index<L>(face.index1, ref_count), next_index<L>(other.index1, inc_count), ref_radius, inc_radius, is_b, origin, margin);
     const F bound = max(axis_a.separation, axis_b.separation), tie = L::splat(separation_tie);
     const std::uint32_t fits = m.some & L::bits((bound <= tie) | (least_separation(m) <= bound - radii + tie)), apart = L::bits(far);
-    m.undecided = ~apart & ~fits;
+    m.undecided = ((1u << L::width) - 1) & ~apart & ~fits;
     m.some &= ~apart;
     m.two &= ~apart;
     m.clearance = select(far_a, axis_a.separation, axis_b.separation) - radii;
+    if ((m.undecided & (m.undecided - 1)) == 0) return m;  // none, or one alone: that takes less time by itself
+
+    // Corners may be nearer than faces.
+    const LaneDistances<L> near = core_distances(a, b, m.undecided);
+    const std::uint32_t open = m.undecided & ~near.others & ~L::bits(near.distance <= L::splat(1e-5f));
+    const std::uint32_t clipped = open & m.some & L::bits(least_separation(m) <= near.distance - radii + tie);
+    const std::uint32_t corners = open & ~clipped, none = corners & L::bits(near.distance > limit), points = corners & ~none;
+    const PairManifolds<L> c =
+        point_manifolds<L>(near.point_a + origin, a.radius, near.point_b + origin, b.radius, near.normal, near.distance, near.id, points);
+    const I is_point = L::mask(points);
+    m.normal = select(is_point, c.normal, m.normal);
+    m.points[0] = select<L>(is_point, c.points[0], m.points[0]);
+    m.some = (m.some & ~corners) | points;
+    m.two &= ~corners;
+    m.clearance = select(L::mask(none), near.distance - radii, m.clearance);
+    m.undecided &= ~open;
     return m;
 }
 
