@@ -14,7 +14,7 @@ namespace islet::detail {
 
 inline constexpr float linear_slop = min_length;                   // m: a length that is numerically large and visually small
 inline constexpr float speculative_distance = 4.0f * linear_slop;  // m: contacts are made this long before surfaces meet
-inline constexpr float touch_gap = 0.25f * linear_slop;            // m; shapes that come no nearer within a step touch, as do those that far apart
+inline constexpr float touch_gap = 0.25f * linear_slop;            // m: shapes that are no farther apart touch
 
 // Below this difference (m) two directions or two shapes' faces count as equally good, so that a choice does not flicker with rounding.
 inline constexpr float separation_tie = 0.1f * linear_slop;

@@ -176,6 +176,7 @@ private:
         std::uint32_t count;
     };
 
+    // Lists contacts that need new manifolds, and counts them; those that are none of lanes' pairs are left open.
     void remake(const std::uint32_t* contact, std::uint32_t which, LaneShare& share) {
         for (; which != 0; which &= which - 1) {
             const std::uint32_t c = contact[trailing_zeros(which)];

@@ -16,7 +16,7 @@ struct LaneShare {
         all += other.all;
         done += other.done;
     }
-    /// True if lanes do enough of them to be worth it. (In `smash` they do two in five of those that touch, and spare nothing.)
+    /// True if lanes do enough of them to be worth it.
     bool pays() const { return 3 * done > all; }
 };
 
