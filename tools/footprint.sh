@@ -43,10 +43,10 @@ targets=(cortex-m3 cortex-m4f cortex-m4f-lto cortex-m7 cortex-m33 cortex-m55 ris
 # by 0.9 kB with contacts of what rolls, made for the middle of the step; by 0.1 kB with sharers of a contact that are counted in a time that does not grow
 # with their square. Every function and the large program rose by 1.9 kB with boxes that meet corner to corner without the general search, and with trees of
 # hinges that are planned one by one; the small one fell by 5.7 kB without hulls and seamless floors, and without the ways of bodies where there is no
-# continuous collision.)
+# continuous collision. Rows that two blocks of lanes can take in turns cost all 0.03 kB, and take 0.6 % fewer instructions.)
 declare -A most_flash=(
-    [cortex-m3]='243100 110800 57800' [cortex-m4f]='222450 94950 49550' [cortex-m4f-lto]='- 89400 47150' [cortex-m7]='222450 94950 49550'
-    [cortex-m33]='222450 94950 49550' [cortex-m55]='222850 95100 49600' [riscv32]='237400 101500 53650'
+    [cortex-m3]='243100 110800 57800' [cortex-m4f]='222500 94950 49550' [cortex-m4f-lto]='- 89400 47150' [cortex-m7]='222500 94950 49550'
+    [cortex-m33]='222500 94950 49550' [cortex-m55]='222900 95100 49600' [riscv32]='237450 101500 53650'
 )
 most_stack=4096          # bytes
 most_instructions=600000       # a step of the pyramid, in the mean

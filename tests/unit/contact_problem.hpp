@@ -122,9 +122,10 @@ struct Solved {
 };
 
 /// Runs the kernel of the engine: prepare, warm start, then for each pair of sweeps one of each kind with an integration of positions between.
+/// `in_twos`: the blocks of a group are solved as those of a colour are.
 template <class Lane>
 Solved run_kernel(const ContactProblem& problem, const detail::SweepNumbers& biased, const detail::SweepNumbers& relaxed, int sweeps,
-                  bool restitution) {
+                  bool restitution, bool in_twos = false) {
     using namespace detail;
     using Kernel = ContactKernel<Lane::width>;
     constexpr std::uint32_t W = Lane::width;
@@ -156,15 +157,24 @@ Solved run_kernel(const ContactProblem& problem, const detail::SweepNumbers& bia
         b.dp = {};
         b.dq = 0;
     }
+    const auto sweep = [&](const SweepNumbers& numbers) {
+        for (auto& blocks : rows) {
+            if (in_twos) {
+                solve_color<Kernel>(out.bodies.data(), blocks.data(), count(blocks), numbers);
+            } else {
+                Kernel::solve(out.bodies.data(), blocks.data(), count(blocks), numbers);
+            }
+        }
+    };
     for (int i = 0; i < sweeps; ++i) {
-        for (auto& blocks : rows) Kernel::solve(out.bodies.data(), blocks.data(), count(blocks), biased);
+        sweep(biased);
         for (SolverBody& b : out.bodies) {
             b.dp += problem.numbers.h * b.v;
             b.dq += problem.numbers.h * b.w;
         }
-        for (auto& blocks : rows) Kernel::solve(out.bodies.data(), blocks.data(), count(blocks), relaxed);
+        sweep(relaxed);
     }
-    if (restitution)
+    for (std::uint32_t i = 0; restitution && i < restitution_sweeps; ++i)
         for (auto& blocks : rows) Kernel::restitute(out.bodies.data(), blocks.data(), count(blocks), 1.0f);
     for (auto& blocks : rows) Kernel::store(out.manifolds.data(), blocks.data(), count(blocks));
     return out;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -286,6 +287,9 @@ TEST(Filters, EqualGroupsGoBeforeMasks) {
     EXPECT_TRUE(collide_with({.mask = 0, .group = 3}, {.mask = 0, .group = 3}));
     EXPECT_FALSE(collide_with({.group = -3}, {.group = -3}));
     EXPECT_TRUE(collide_with({.group = -3}, {.group = -4}));
+    EXPECT_TRUE(collide_with({.group = -3}, {.group = -3 - 65536})) << "the low bits alone are the same";
+    EXPECT_FALSE(collide_with({.group = -65536}, {.group = -65536})) << "the low bits are 0, as of no group";
+    EXPECT_FALSE(collide_with({.group = std::numeric_limits<std::int32_t>::min()}, {.group = std::numeric_limits<std::int32_t>::min()}));
     EXPECT_TRUE(collide_with({.group = 3}, {.group = -3}));
     EXPECT_FALSE(collide_with({.mask = 0, .group = 3}, {.mask = 0, .group = 4}));
     EXPECT_FALSE(collide_with({.mask = 0, .group = 0}, {.mask = 0, .group = 0}));

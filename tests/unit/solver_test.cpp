@@ -62,6 +62,25 @@ TEST(ContactKernel, OneLaneAndFourGiveTheSameBits) {
     }
 }
 
+// Two blocks of a colour are solved at once if both have as many points, whatever else their contacts have; else one by one.
+TEST(ContactKernel, BlocksInTwosGiveTheBitsOfEachAlone) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        for (const std::uint32_t per_group : {3u, 8u, 11u, 32u, 65u}) {
+            ContactProblem p = random_problem(seed, 4, per_group, seed % 2 == 0);
+            Random random(seed);
+            for (ContactManifold& m : p.manifolds) {
+                if (seed % 5 == 0 && random.one_in(4)) m.flags |= contact_ahead;  // lands
+                if (seed % 7 == 0 && random.one_in(4)) m.flags |= 1u << contact_sharers_shift;
+            }
+            SweepNumbers soft = soft_numbers();
+            soft.shares = seed % 7 == 0;
+            const Solved one = run_kernel<Lane1>(p, soft, rigid_numbers(), 4, true);
+            ASSERT_NO_FATAL_FAILURE(expect_same_bits(one, run_kernel<Lane4>(p, soft, rigid_numbers(), 4, true, true)))
+                << "seed " << seed << ", " << per_group << " contacts a group";
+        }
+    }
+}
+
 TEST(ContactKernel, TheLanesOfAWorldDoNotChangeItsBits) {
     const auto run = [](std::uint32_t lanes, Schedule schedule) {
         WorldDef def;
@@ -259,12 +278,12 @@ TEST(ContactKernel, WhatDoesNotBounceIsLeftAlone) {
     for (const bool two_points : {false, true}) {
         std::vector<SolverBody> bodies(5);
         ContactRows<4> rows{};
-        rows.bouncy = true;
+        rows.bouncy = rows.rebounds = true;
         rows.two_points = two_points;
         for (std::uint32_t i = 0; i < 4; ++i) {
             bodies[i + 1].v = {0, -3};
             bodies[i + 1].inv_mass = bodies[i + 1].inv_inertia = 1;
-            rows.body_b[i] = i + 1;
+            rows.body_b[i] = slot_scale<4> * (i + 1);
             rows.ny[i] = 1;
             rows.restitution[i] = i == still ? 0 : 0.5f;
             for (std::uint32_t k = 0; k < (two_points ? 2u : 1u); ++k) {
@@ -291,7 +310,7 @@ SolverBody land_with_overflow() {
     ContactManifold manifold;
     ContactRows<W> rows{};
     set_contact(rows, 0, 0, &manifold);
-    rows.body_b[0] = 1;
+    rows.body_b[0] = slot_scale<W>;
     *normal_y(rows) = 1;
     *friction_of(rows) = 1;
     rows.extra_passes[0] = 4;

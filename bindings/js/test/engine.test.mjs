@@ -425,7 +425,7 @@ test('the package holds what it needs, within its size', () => {
     assert.equal(JSON.parse(readFileSync(new URL('../package.json', import.meta.url), 'utf8')).version, version);
     // What a browser loads: the limits are what there is, rounded up, so that growth is seen.
     const bytes = (names) => Buffer.concat(names.map((name) => readFileSync(new URL(name, dist))));
-    for (const [name, whole, packed] of [['islet-simd.wasm', 441e3, 141e3], ['islet.wasm', 268e3, 102e3]]) {
+    for (const [name, whole, packed] of [['islet-simd.wasm', 451e3, 144e3], ['islet.wasm', 268e3, 102e3]]) {
         const size = bytes([name]).length, small = brotliCompressSync(bytes([name])).length;
         assert.ok(size <= whole && small <= packed, `${name}: ${size} bytes, ${small} compressed`);
     }

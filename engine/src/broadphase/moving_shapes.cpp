@@ -45,7 +45,7 @@ void close_columns(Columns& c) {
 ISLET_SHARED Aabb box_to_meet_in(const Core& core, std::uint32_t shape, float dt) {
     const std::uint32_t body = core.shapes[shape].body;
     if (!core.is_awake(body) || !may_leave(core.poses[body])) return core.boxes[shape];
-    return both(core.boxes[shape], box_along_way(core, {core.boxes[shape], way_of(core, body, dt), body, shape, true}));
+    return both(core.boxes[shape], box_along_way(core, {core.boxes[shape], way_of(core, body, dt), body, shape, true, 0}));
 }
 
 // If few boxes changed: the awake bodies with a shape near one, in `bodies`. No other body is part of a new pair.
@@ -118,7 +118,7 @@ ISLET_APART ListedShapes list_moving(const Core& core, const BitSet& bodies, Mov
             for (std::uint32_t s = core.bodies[body].shape_head; s != null_index; s = core.shapes[s].next) {
                 const bool moved = core.moved_shapes.test(s);
                 if (moved) part.changed = both(part.changed, core.boxes[s]);
-                const MovingShape shape = {core.boxes[s], way, body, s, leaves};
+                const MovingShape shape = {core.boxes[s], way, body, s, leaves, kin_of(core.shapes[s].filter)};
                 if (!filters.may_agree(core.shapes[s].filter) && !is_near_rest(core, shape)) continue;
                 shapes[part.first + part.count++] = shape;
                 if (max_lanes > 1 && moved) ++part.moved;

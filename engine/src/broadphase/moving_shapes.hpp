@@ -35,8 +35,16 @@ struct MovingShape {
     Way way;   // its body's, if that leaves the box
     std::uint32_t body;
     std::uint32_t shape;
-    bool leaves;  // the way may lead out of the box
+    bool leaves;        // the way may lead out of the box
+    std::uint16_t kin;  // of its filter's group if that is negative, else 0
 };
+
+/// The low bits of a negative group: shapes with the same group have the same. (One lane has no use for it.)
+inline std::uint16_t kin_of([[maybe_unused]] const Filter& filter) {
+    if constexpr (max_lanes > 1)
+        if (filter.group < 0) return static_cast<std::uint16_t>(filter.group);
+    return 0;
+}
 
 /// The box of a shape's way, but no farther than its surroundings: a body that is faster for its size must be a bullet to stop at moving bodies.
 ISLET_SHARED Aabb box_along_way(const Core& core, const MovingShape& m) {
@@ -65,6 +73,8 @@ struct Moving {
         const MovingShape& a = in_place(place_1);
         const MovingShape& b = in_place(place_2);
         if (a.body == b.body) return false;
+        // Limbs overlap in every step, so it pays to know early that they do not collide.
+        if (max_lanes > 1 && a.kin != 0 && a.kin == b.kin && core.shapes[a.shape].filter.group == core.shapes[b.shape].filter.group) return false;
         if (!has_continuous || (!a.leaves && !b.leaves) || meet_at_once(a.box, b.box)) return true;
         const Way way_a = way(a), way_b = way(b);
         if (!may_meet_on(a.box, way_a, b.box, way_b, fall)) return false;

@@ -88,11 +88,15 @@ struct ContactBlock : BodyPair<L> {
     F sum_n, sum_t;  // N s, of this sweep
 
     ISLET_PART ContactBlock(const SolverBody* bodies, const ContactRows<L::width>& r) {
-        this->gather(bodies, r.body_a, r.body_b);
+        this->template gather<words_counted<L::width>>(bodies, r.body_a, r.body_b);
         n = {L::load(normal_x(r)), L::load(normal_y(r))};
         rn_ab = L::load(r.rn_ab);
         rt_ab = L::load(r.rt_ab);
         sum_n = sum_t = L::splat(0.0f);
+    }
+    /// Writes the velocities back.
+    ISLET_PART void scatter(SolverBody* bodies, const ContactRows<L::width>& r) const {
+        BodyPair<L>::template scatter<words_counted<L::width>>(bodies, r.body_a, r.body_b);
     }
     ISLET_PART void spin_by_normal(F rna, F rnb, F impulse) {
         wa = wa - ia * (rna * impulse);
@@ -127,31 +131,57 @@ ISLET_PART F excess_of(const SweepLanes<L>& sweep, bool biased, F normal_mass, F
     }
 }
 
-/// The normal rows.
+/// max(min(a, bound), -bound). Most contacts of a pile stick.
+template <class L, class F = typename L::F>
+ISLET_PART F bounded(F a, F bound) {
+    if constexpr (L::width == 1 && !short_loops)
+        if (L::abs(a) < bound) return a;
+    return max(min(a, bound), L::splat(0.0f) - bound);
+}
+
+/// One pass over all rows of a block, in parts.
 template <class L, class Lanes>
-ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, bool biased, const Lanes& lanes) {
+struct BlockPass {
     using F = typename L::F;
-    const F zero = L::splat(0.0f);
-    const F mass = s.ma + s.mb;
-    F vn = dot(s.n, s.vb - s.va);
-    // How far the two surfaces moved apart along n is the row's Jacobian times the bodies' motion. `moved` is the part that is the same for both points.
-    const F turned = s.dqb - s.dqa;
-    const F moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
-    const std::uint32_t points = r.two_points, first = points >> 1;
-    F lean = zero;  // N s, of what the points sink apart by; none in lanes of one point
-    if (biased && points != 0) {
-        const F one = L::load(normal_impulse_of(r, first)), other = L::load(normal_impulse_of(r, 1 - first));
-        bool pressed = true;
-        if constexpr (L::width == 1) pressed = bits_of(one + other) != 0;
-        if (pressed) {
-            const F mass_1 = L::load(r.points[first].normal_mass), mass_2 = L::load(r.points[1 - first].normal_mass);
-            const F alike = mass_1 * ((one + other) / (mass_1 + mass_2));  // the first point's share if both sink by the same
-            const F share = L::splat(lean_share), least = zero - share * one, most = share * other;
-            lean = min(max(L::splat(2.0f * lean_share) * (alike - one), least), most);
-            if constexpr (L::width > 1) lean = select(L::load(r.points[1].normal_mass) > zero, lean, zero);
+    ContactBlock<L>& s;
+    ContactRows<L::width>& r;
+    const SweepLanes<L>& sweep;
+    Lanes lanes;
+    bool biased;
+    F mass, vn, vt;   // 1/kg; m/s along the normal and the tangent
+    F turned, moved;  // since the step began: rad; m along the normal, of which both points have the same part
+    F lean;           // N s, of what the points sink apart by; none in lanes of one point
+    F mu;
+
+    ISLET_PART BlockPass(ContactBlock<L>& block, ContactRows<L::width>& rows, const SweepLanes<L>& numbers, bool is_biased, Lanes of)
+        : s(block), r(rows), sweep(numbers), lanes(of), biased(is_biased) {}
+
+    ISLET_PART void begin_normals(std::uint32_t points, std::uint32_t first) {
+        const F zero = L::splat(0.0f);
+        s.sum_n = s.sum_t = zero;
+        mass = s.ma + s.mb;
+        vn = dot(s.n, s.vb - s.va);
+        // How far the two surfaces moved apart along n is the row's Jacobian times the bodies' motion.
+        turned = s.dqb - s.dqa;
+        moved = dot(s.n, s.dpb - s.dpa) + s.dqb * s.rn_ab;
+        lean = zero;
+        if (biased && points != 0) {
+            const F one = L::load(normal_impulse_of(r, first)), other = L::load(normal_impulse_of(r, 1 - first));
+            bool pressed = true;
+            if constexpr (L::width == 1) pressed = bits_of(one + other) != 0;
+            if (pressed) {
+                const F mass_1 = L::load(r.points[first].normal_mass), mass_2 = L::load(r.points[1 - first].normal_mass);
+                const F alike = mass_1 * ((one + other) / (mass_1 + mass_2));  // the first point's share if both sink by the same
+                const F share = L::splat(lean_share), least = zero - share * one, most = share * other;
+                lean = min(max(L::splat(2.0f * lean_share) * (alike - one), least), most);
+                if constexpr (L::width > 1) lean = select(L::load(r.points[1].normal_mass) > zero, lean, zero);
+            }
         }
     }
-    for_points(r, points != 0, first, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i, auto is_first) ISLET_INLINED_LAMBDA {
+    template <class IsFirst>
+    ISLET_PART void solve_normal(std::uint32_t i, IsFirst is_first) {
+        const F zero = L::splat(0.0f);
+        const typename ContactRows<L::width>::Point& p = r.points[i];
         const F rna = L::load(p.rna), rnb = rna + s.rn_ab;
         const F separation = L::load(p.separation) + moved + rna * turned;
         const F normal_mass = L::load(p.normal_mass);
@@ -165,29 +195,22 @@ ISLET_PART void solve_normals(ContactBlock<L>& s, ContactRows<L::width>& r, cons
         vn = vn + mass * delta;
         s.spin_by_normal(rna, rnb, delta);
         lean = zero - lean;
-    });
-    if (r.is_bouncy())
+    }
+    ISLET_PART void note_normals(std::uint32_t points) {
+        if (!r.is_bouncy()) return;
         for (std::uint32_t i = 0; i < 2; ++i)
             if (i == 0 || points != 0) note_impulse<L>(r, i, L::load(normal_impulse_of(r, i)));
-}
+    }
 
-/// max(min(a, bound), -bound). Most contacts of a pile stick.
-template <class L, class F = typename L::F>
-ISLET_PART F bounded(F a, F bound) {
-    if constexpr (L::width == 1 && !short_loops)
-        if (L::abs(a) < bound) return a;
-    return max(min(a, bound), L::splat(0.0f) - bound);
-}
-
-/// The friction rows, with the normal impulses just found.
-template <class L, class Lanes>
-ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, const Lanes& lanes) {
-    using F = typename L::F;
-    const F mass = s.ma + s.mb;
-    const F mu = L::load(friction_of(r));
-    F vt = cross(s.vb - s.va, s.n);
-    if (r.is_special()) vt = vt - L::load(r.tangent_speed);
-    for_points(r, r.two_points != 0, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i, auto is_first) ISLET_INLINED_LAMBDA {
+    /// Friction, with the normal impulses just found.
+    ISLET_PART void begin_friction() {
+        mu = L::load(friction_of(r));
+        vt = cross(s.vb - s.va, s.n);
+        if (r.is_special()) vt = vt - L::load(r.tangent_speed);
+    }
+    template <class IsFirst>
+    ISLET_PART void solve_friction(std::uint32_t i, IsFirst is_first) {
+        const typename ContactRows<L::width>::Point& p = r.points[i];
         if constexpr (L::width == 1)
             if ((bits_of(*normal_impulse_of(r, i)) | bits_of(*tangent_impulse_of(r, i))) == 0) return;  // as between most shapes that stand side by side
         const F rta = L::load(p.rta), rtb = rta + s.rt_ab;
@@ -200,32 +223,44 @@ ISLET_PART void solve_friction(ContactBlock<L>& s, ContactRows<L::width>& r, con
         s.sum_t = is_first ? delta : s.sum_t + delta;
         vt = vt + mass * delta;
         s.spin_by_tangent(rta, rtb, delta);
-    });
-}
+    }
 
-/// The rolling row: wb - wa = 0, bounded by the sum of the normal impulses.
-template <class L, class Lanes>
-ISLET_PART void solve_rolling(ContactBlock<L>& s, ContactRows<L::width>& r, const Lanes& lanes) {
-    using F = typename L::F;
-    const F zero = L::splat(0.0f);
-    const F old = L::load(rolling_impulse_of(r));
-    const F resistance = L::load(r.rolling_resistance);
-    const F bound = select(resistance > zero, resistance * normal_impulses_of<L>(r), zero);  // 0 * inf would be NaN if a normal impulse has overflowed
-    const F lambda = lanes.pick(max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound), old);
-    const F delta = lanes.pick(lambda - old, zero);
-    L::store(rolling_impulse_of(r), lambda);
-    s.wa = s.wa - s.ia * delta;
-    s.wb = s.wb + s.ib * delta;
+    /// The rolling row: wb - wa = 0, bounded by the sum of the normal impulses.
+    ISLET_PART void solve_rolling() {
+        if (!r.is_special()) return;
+        const F zero = L::splat(0.0f);
+        const F old = L::load(rolling_impulse_of(r));
+        const F resistance = L::load(r.rolling_resistance);
+        const F bound = select(resistance > zero, resistance * normal_impulses_of<L>(r), zero);  // 0 * inf would be NaN if a normal impulse has overflowed
+        const F lambda = lanes.pick(max(min(old - L::load(r.rolling_mass) * (s.wb - s.wa), bound), zero - bound), old);
+        const F delta = lanes.pick(lambda - old, zero);
+        L::store(rolling_impulse_of(r), lambda);
+        s.wa = s.wa - s.ia * delta;
+        s.wb = s.wb + s.ib * delta;
+    }
+    ISLET_PART void push_centres() { s.push_centres(in_world(s.n, s.sum_n, s.sum_t)); }
+};
+
+/// One pass over all rows of a block; or of two that are alike, part by part in turns.
+///
+/// Each row waits for the row before it, and the processor's arithmetic units wait, too. A second block that pushes none of the same bodies fills the gaps:
+/// two together take three quarters of the time.
+template <class L, class... Pass>
+ISLET_PART void solve_rows(const ContactRows<L::width>& r, Pass... pass) {
+    const std::uint32_t points = r.two_points, first = points >> 1;
+    (pass.begin_normals(points, first), ...);
+    for_points(points != 0, first, [&](std::uint32_t i, auto is_first) ISLET_INLINED_LAMBDA { (pass.solve_normal(i, is_first), ...); });
+    (pass.note_normals(points), ...);
+    (pass.begin_friction(), ...);
+    for_points(points != 0, 0, [&](std::uint32_t i, auto is_first) ISLET_INLINED_LAMBDA { (pass.solve_friction(i, is_first), ...); });
+    (pass.solve_rolling(), ...);
+    (pass.push_centres(), ...);
 }
 
 /// One pass over all rows of a block.
 template <class L, class Lanes>
-ISLET_PART void solve_rows(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, bool biased, const Lanes& lanes) {
-    s.sum_n = s.sum_t = L::splat(0.0f);
-    solve_normals<L>(s, r, sweep, biased, lanes);
-    solve_friction<L>(s, r, lanes);
-    if (r.is_special()) solve_rolling<L>(s, r, lanes);
-    s.push_centres(in_world(s.n, s.sum_n, s.sum_t));
+ISLET_PART void solve_block(ContactBlock<L>& s, ContactRows<L::width>& r, const SweepLanes<L>& sweep, bool biased, const Lanes& lanes) {
+    solve_rows<L>(r, BlockPass<L, Lanes>(s, r, sweep, biased, lanes));
 }
 
 /// The lanes whose impulses the last pass changed by more than a little.
@@ -250,17 +285,51 @@ ISLET_COPIED void sweep_blocks(SolverBody* bodies, ContactRows<W>* rows, std::ui
             std::uint32_t passes = 1 + r.extra_passes[0];
             for (bool again = true; again;) {
                 ContactBlock<L> s(bodies, r);
-                solve_rows<L>(s, r, sweep, biased, AllLanes{});
-                s.scatter(bodies, r.body_a, r.body_b);
+                solve_block<L>(s, r, sweep, biased, AllLanes{});
+                s.scatter(bodies, r);
                 again = --passes != 0 && has_changed<L>(s, r);
             }
         } else {
             ContactBlock<L> s(bodies, r);
-            solve_rows<L>(s, r, sweep, biased, AllLanes{});
-            s.scatter(bodies, r.body_a, r.body_b);
+            solve_block<L>(s, r, sweep, biased, AllLanes{});
+            s.scatter(bodies, r);
             if (any_lands(r)) ContactKernel<W>::land(bodies, r, L::bits(has_changed<L>(s, r)), numbers);
         }
         if (!biased && r.two_points) r.two_points ^= 3;  // the next substep begins with the other point
+    }
+}
+
+/// The same over blocks of one colour, which push no body in common: two at a time where both have as many points. `shares`: their contacts may share loads.
+template <std::uint32_t W, bool shares = false>
+ISLET_PART void sweep_in_twos(SolverBody* bodies, ContactRows<W>* rows, std::uint32_t count, const SweepNumbers& numbers, bool biased) {
+    using L = LaneOf<W>;
+    const SweepLanes<L> sweep(numbers);
+    const auto sweep_of = [&]([[maybe_unused]] const ContactRows<W>& r) ISLET_INLINED_LAMBDA {
+        SweepLanes<L> own = sweep;
+        if constexpr (shares)
+            if (numbers.shares) own.share(r);
+        return own;
+    };
+    for (std::uint32_t block = 0; block < count;) {
+        ContactRows<W>& a = rows[block];
+        if (block + 1 == count || a.two_points != rows[block + 1].two_points) {
+            ContactKernel<W>::solve(bodies, &a, 1, numbers);
+            ++block;
+            continue;
+        }
+        ContactRows<W>& b = rows[block + 1];
+        ContactBlock<L> of_a(bodies, a), of_b(bodies, b);
+        const SweepLanes<L> sweep_a = sweep_of(a), sweep_b = sweep_of(b);
+        solve_rows<L>(a, BlockPass<L, AllLanes>(of_a, a, sweep_a, biased, {}), BlockPass<L, AllLanes>(of_b, b, sweep_b, biased, {}));
+        of_a.scatter(bodies, a);
+        of_b.scatter(bodies, b);
+        if (any_lands(a)) ContactKernel<W>::land(bodies, a, L::bits(has_changed<L>(of_a, a)), numbers);
+        if (any_lands(b)) ContactKernel<W>::land(bodies, b, L::bits(has_changed<L>(of_b, b)), numbers);
+        if (!biased && a.two_points) {  // the next substep begins with the other point
+            a.two_points ^= 3;
+            b.two_points ^= 3;
+        }
+        block += 2;
     }
 }
 
@@ -311,6 +380,21 @@ void ContactKernel<W>::solve(SolverBody* bodies, Rows* rows, std::uint32_t count
 }
 
 template <std::uint32_t W>
+void ContactKernel<W>::solve_in_twos([[maybe_unused]] SolverBody* bodies, [[maybe_unused]] Rows* rows, [[maybe_unused]] std::uint32_t count,
+                                     [[maybe_unused]] const SweepNumbers& numbers) {
+    if constexpr (W > 1) {
+        const bool biased = is_positive(numbers.bias_rate);
+        if (short_loops || numbers.shares) {
+            sweep_in_twos<W, true>(bodies, rows, count, numbers, biased || !short_loops);
+        } else if (biased) {
+            sweep_in_twos<W>(bodies, rows, count, numbers, true);
+        } else {
+            sweep_in_twos<W>(bodies, rows, count, numbers, false);
+        }
+    }
+}
+
+template <std::uint32_t W>
 void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, const SweepNumbers& numbers) {
     using L = LaneOf<W>;
     if constexpr (W > 1) {
@@ -330,11 +414,11 @@ void ContactKernel<W>::land(SolverBody* bodies, Rows& r, std::uint32_t changed, 
         const BodyPair<L> before = s;
         const bool all_pushed = L::positive(min(s.ma, s.mb)) == (1u << W) - 1;
         for (std::uint32_t pass = 0; pass < most && L::bits(mask) != 0; ++pass) {
-            solve_rows<L>(s, r, sweep, biased, MaskedLanes<decltype(mask)>{mask});
+            solve_block<L>(s, r, sweep, biased, MaskedLanes<decltype(mask)>{mask});
             if (!all_pushed) s.keep_unpushed(before);
             mask = mask & has_changed<L>(s, r);
         }
-        s.scatter(bodies, r.body_a, r.body_b);
+        s.scatter(bodies, r);
     }
 }
 
@@ -399,14 +483,19 @@ bool ContactKernel<W>::restitute(SolverBody* bodies, Rows* rows, std::uint32_t c
     bool any = false;
     for (std::uint32_t block = 0; block < count; ++block) {
         Rows& r = rows[block];
+        if constexpr (W > 1)
+            if (!r.rebounds) continue;
         if (!r.is_bouncy()) continue;
         const Rebounds<L> rebounds(r, L::splat(-threshold));
-        if (!rebounds.any()) continue;
+        if (!rebounds.any()) {
+            if constexpr (W > 1) r.rebounds = false;
+            continue;
+        }
         any = true;
         ContactBlock<L> s(bodies, r);
         solve_restitution<L>(s, r, rebounds);
         s.push_centres(s.sum_n * s.n);
-        s.scatter(bodies, r.body_a, r.body_b);
+        s.scatter(bodies, r);
     }
     return any;
 }

@@ -19,8 +19,6 @@ namespace islet::detail {
 
 inline constexpr std::uint32_t manifold_words = sizeof(ContactManifold) / 4;
 inline constexpr std::uint32_t manifold_head_words = offsetof(ContactManifold, normal) / 4;
-inline constexpr std::uint32_t motion_words = sizeof(SolverMotion) / 4;
-inline constexpr std::uint32_t pose_words = sizeof(Pose) / 4;
 
 /// Columns stand on level faces: contacts with two points whose normal is nearly along gravity. Undone fast, their overlaps would pump up the sway of a column.
 /// Corners and tilted faces sink in easily, and rarely bear a column.
@@ -68,8 +66,8 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
         const ContactManifold& m = manifold_of(r, lane, in.manifolds);
         lanes.body_a[i] = m.body_a;
         lanes.body_b[i] = m.body_b;
-        r.body_a[i] = is_live ? in.slot_of[m.body_a] : PlanIndex{0};
-        r.body_b[i] = is_live ? in.slot_of[m.body_b] : PlanIndex{0};
+        r.body_a[i] = slot_scale<W> * (is_live ? in.slot_of[m.body_a] : PlanIndex{0});
+        r.body_b[i] = slot_scale<W> * (is_live ? in.slot_of[m.body_b] : PlanIndex{0});
         const std::uint32_t flags = is_live ? m.flags : 0;
         lanes.has_point[0][i] = is_live ? 1.0f : 0.0f;
         lanes.has_point[1][i] = (flags & two_point_flag) != 0 ? 1.0f : 0.0f;
@@ -82,6 +80,7 @@ ISLET_PART void name_bodies(const PrepareInput& in, ContactRows<W>& r, ContactLa
     r.two_points = (any & two_point_flag) != 0 ? 1 : 0;
     if constexpr (has_surfaces) r.special = (any & contact_special) != 0;
     r.bouncy = (any & bouncy_flags) != 0;
+    if constexpr (W > 1) r.rebounds = r.bouncy;
     if constexpr (W == 1)
         r.extra_passes[0] = 0;
     else
@@ -211,8 +210,8 @@ template <class L>
 ISLET_PART typename L::F normal_gain(const PrepareInput& in, const ContactRows<L::width>& r, LaneVec<typename L::F> n) {
     using F = typename L::F;
     typename L::template Columns<8> a, b;
-    L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_a, a);
-    L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), r.body_b, b);
+    L::template gather8<words_counted<L::width>>(reinterpret_cast<const float*>(in.motions), r.body_a, a);
+    L::template gather8<words_counted<L::width>>(reinterpret_cast<const float*>(in.motions), r.body_b, b);
     return dot(n, LaneVec<F>{b[4], b[5]} - LaneVec<F>{a[4], a[5]}) * L::splat(in.numbers.inv_h);
 }
 
@@ -241,7 +240,8 @@ ISLET_PART WarmStartSum<typename L::F> prepare_points(const PrepareInput& in, Co
     L::store(r.rn_ab, rn_ab);
 
     WarmStartSum<F> sum{zero, zero, zero, zero};
-    for_points(r, r.two_points != 0, 0, [&](typename ContactRows<L::width>::Point& p, std::uint32_t i, auto is_first) ISLET_INLINED_LAMBDA {
+    for_points(r.two_points != 0, 0, [&](std::uint32_t i, auto is_first) ISLET_INLINED_LAMBDA {
+        typename ContactRows<L::width>::Point& p = r.points[i];
         const F used = has_point<L>(lanes, i);
         const F rta = dot(n, m.anchor(i)), rna = cross(m.anchor(i), n);
         const F rtb = rta + rt_ab, rnb = rna + rn_ab;
@@ -345,7 +345,7 @@ ISLET_PART void prepare_block(const PrepareInput& in, const ContactManifold* man
     const LaneManifolds<L> m(manifolds, lanes.contact);
     const MotionSince<L> since(m, in.poses, lanes.body_a, lanes.body_b);
     BodyPair<L> s;
-    s.gather(in.bodies, r.body_a, r.body_b);
+    s.template gather<words_counted<W>>(in.bodies, r.body_a, r.body_b);
     WarmStartSum<F> start = prepare_points<L>(in, r, lanes, m, since, s);
     if (r.is_bouncy()) prepare_bounce<L>(in, r, lanes, m, s);
     undo_overlap<L>(in.numbers, r, lanes, m.load(), s);
@@ -354,8 +354,9 @@ ISLET_PART void prepare_block(const PrepareInput& in, const ContactManifold* man
         start.turning_a = start.turning_a + rolling;
         start.turning_b = start.turning_b + rolling;
     }
-    if constexpr (W == 1) s.gather(in.bodies, r.body_a, r.body_b);  // anew, rather than kept all the while
-    s.add_warm_start(in.bodies, r.body_a, r.body_b, in_world(m.normal(), start.along_n, start.along_t), start.turning_a, start.turning_b);
+    if constexpr (W == 1) s.template gather<words_counted<W>>(in.bodies, r.body_a, r.body_b);  // anew, rather than kept all the while
+    s.template add_warm_start<words_counted<W>>(in.bodies, r.body_a, r.body_b, in_world(m.normal(), start.along_n, start.along_t), start.turning_a,
+                                                start.turning_b);
 }
 
 /// ContactKernel::prepare, to be compiled with the caller's instructions.

@@ -10,6 +10,13 @@
 
 namespace islet::detail {
 
+/// By how much body_a and body_b of a row go up from slot to slot. An address on x86 can contain eight times a number, but not the 32 that a slot has bytes; so
+/// lanes count each slot as four, which saves a shift for every body that a block loads or writes.
+template <std::uint32_t W>
+inline constexpr std::uint32_t slot_scale = W == 1 ? 1 : 4;
+template <std::uint32_t W>
+inline constexpr std::uint32_t words_counted = slot_words / slot_scale<W>;
+
 /// The rows of W contacts of one colour. Each of up to two points has a row along the normal n and a row along the tangent t = right_perp(n).
 ///
 /// Let r be the arm from a body's centre to the contact point, rn = r x n and rt = t x r. A body's spin w then moves its point with the speed w rn along n and
@@ -24,7 +31,7 @@ struct alignas(W * 4) ContactRows {
         float normal_impulse[W];   // N s
         float tangent_impulse[W];  // N s
     };
-    std::uint32_t body_a[W], body_b[W];  // solver slots; 0 in the padding
+    std::uint32_t body_a[W], body_b[W];  // solver slots times slot_scale<W>; 0 in the padding
     std::uint32_t contact[W];            // null_index in the padding
     float nx[W], ny[W];
     float friction[W];
@@ -34,8 +41,9 @@ struct alignas(W * 4) ContactRows {
     float restitution[W], approach[2][W], peak[2][W];  // if bouncy or reporting hits: m/s, normal velocity as the surfaces meet; N s, largest impulse
     std::uint8_t two_points;                           // 0: no contact of the block has two; 1: some have; 2: the same, and the second is solved first
     bool special, bouncy, shared;                      // of any lane; is_special(), is_bouncy() and sharing() read them
+    bool rebounds;                                     // some lane may bounce: set until a look at the impulses shows that none does
     std::uint8_t extra_passes[W];                      // landing_passes if the shapes come together fast, else 0
-    std::uint8_t sharers[W * 3 - 4];                   // of W lanes, if shared: contacts that the two bodies have, 1 to 4
+    std::uint8_t sharers[W * 3 - 5];                   // of W lanes, if shared: contacts that the two bodies have, 1 to 4
 
     ISLET_INLINE bool is_special() const { return has_surfaces && special; }
     ISLET_INLINE bool is_bouncy() const { return (has_restitution || has_hits) && bouncy; }
@@ -132,16 +140,16 @@ struct KnownBool {
     constexpr operator bool() const { return is; }
 };
 
-/// Calls row(point, index, is_first) for a block's points, the one with the index `first` first. Sums may begin with what is_first says is the first; they are
-/// zero before. On a page there is one copy of the row, for which no point is.
-template <class Rows, class Row>
-ISLET_PART void for_points(Rows& r, bool two, std::uint32_t first, Row&& row) {
+/// Calls row(index, is_first) for one point or two, the one with the index `first` first. Sums may begin with what is_first says is the first; they are zero
+/// before. On a page there is one copy of the row, for which no point is.
+template <class Row>
+ISLET_PART void for_points(bool two, std::uint32_t first, Row&& row) {
 #if defined(__wasm__)
     std::uint32_t i = first;
-    for (std::uint32_t left = two ? 2 : 1; left > 0; --left, i = 1 - i) row(r.points[i], i, KnownBool<false>{});
+    for (std::uint32_t left = two ? 2 : 1; left > 0; --left, i = 1 - i) row(i, KnownBool<false>{});
 #else
-    row(r.points[first], first, KnownBool<true>{});
-    if (two) row(r.points[1 - first], 1 - first, KnownBool<false>{});
+    row(first, KnownBool<true>{});
+    if (two) row(1 - first, KnownBool<false>{});
 #endif
 }
 

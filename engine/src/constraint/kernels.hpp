@@ -75,8 +75,10 @@ struct ContactKernel {
     /// The same for one block whose contacts may be of several worlds: the caller has filled in all but the frame, the points and the rolling row. The lanes
     /// count contacts from in.manifolds, and bodies from in.poses.
     static void prepare_named(const PrepareInput& in, const ContactLanes<W>& lanes, Rows& r);
-    /// One sweep.
+    /// One sweep, block by block.
     static void solve(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
+    /// The same over blocks of one colour, which push no body in common: two at a time, where W > 1.
+    static void solve_in_twos(SolverBody* bodies, Rows* rows, std::uint32_t count, const SweepNumbers& numbers);
     /// Solves those lanes of a block again that land and that the last pass changed. `changed`: a bit a lane.
     static void land(SolverBody* bodies, Rows& rows, std::uint32_t changed, const SweepNumbers& numbers);
     /// One sweep over the contacts that land, alone.
@@ -99,6 +101,16 @@ struct LoneKernel8 : ContactKernel<1> {
 /// The kernel of contacts that are solved one by one beside others in so many lanes.
 template <std::uint32_t beside>
 using LoneKernel = std::conditional_t<beside == 8, LoneKernel8, ContactKernel<1>>;
+
+/// One sweep over blocks of one colour.
+template <class Kernel>
+ISLET_INLINE void solve_color(SolverBody* bodies, typename Kernel::Rows* rows, std::uint32_t count, const SweepNumbers& numbers) {
+    if constexpr (Kernel::W == 1) {
+        Kernel::solve(bodies, rows, count, numbers);
+    } else {
+        Kernel::solve_in_twos(bodies, rows, count, numbers);
+    }
+}
 
 /// One sweep over a run of joints of one kernel, W joints at a time.
 template <std::uint32_t W>

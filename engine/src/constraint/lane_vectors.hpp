@@ -43,23 +43,28 @@ ISLET_LANE LaneVec<typename L::F> turn(typename L::F d, LaneVec<typename L::F> v
 }
 
 /// Writes four words back to each of two bodies, from the word `first` on. Those that cannot be pushed (`ma`, `mb`: inverse masses of 0) are only ever read:
-/// constraints of one colour share them, and may be solved on several threads. The fourth word is as it was.
-template <class L, std::uint32_t first, class Slot>
+/// constraints of one colour share them, and may be solved on several threads. The fourth word is as it was. `words`: how many one count of `body_a` and
+/// `body_b` stands for.
+template <class L, std::uint32_t first, std::uint32_t words = slot_words, class Slot>
 ISLET_LANE void scatter_pushed(SolverBody* bodies, const Slot* body_a, const Slot* body_b, typename L::F ma, typename L::F mb, const typename L::F (&out_a)[4],
                                const typename L::F (&out_b)[4]) {
-    constexpr std::uint32_t words = sizeof(SolverBody) / 4;
     float* const base = reinterpret_cast<float*>(bodies) + first;
     if constexpr (L::width == 1) {
         float* const a = base + std::size_t{words} * body_a[0];
         float* const b = base + std::size_t{words} * body_b[0];
         if (is_positive(ma)) a[0] = out_a[0], a[1] = out_a[1], a[2] = out_a[2];
         if (is_positive(mb)) b[0] = out_b[0], b[1] = out_b[1], b[2] = out_b[2];
-    } else if (L::positive(min(ma, mb)) == (1u << L::width) - 1) {
-        L::template scatter4<words>(base, body_a, out_a);
-        L::template scatter4<words>(base, body_b, out_b);
     } else {
-        L::template scatter4_where<words>(L::positive(ma), base, body_a, out_a);
-        L::template scatter4_where<words>(L::positive(mb), base, body_b, out_b);
+        const auto put = [&](const Slot* body, typename L::F inv_mass, const typename L::F(&out)[4]) ISLET_INLINED_LAMBDA {
+            const std::uint32_t pushed = L::positive(inv_mass);
+            if (pushed == (1u << L::width) - 1) {
+                L::template scatter4<words>(base, body, out);
+            } else if (pushed != 0) {
+                L::template scatter4_where<words>(pushed, base, body, out);
+            }
+        };
+        put(body_a, ma, out_a);
+        put(body_b, mb, out_b);
     }
 }
 
@@ -73,9 +78,8 @@ struct BodyPair {
     LaneVec<F> dpa, dpb;  // m that the centre has gone since the step began
     F dqa, dqb;           // rad turned since the step began
 
-    template <class Slot>
+    template <std::uint32_t words = slot_words, class Slot>
     ISLET_PART void gather(const SolverBody* bodies, const Slot* body_a, const Slot* body_b) {
-        constexpr std::uint32_t words = sizeof(SolverBody) / 4;
         typename L::template Columns<8> a, b;
         L::template gather8<words>(reinterpret_cast<const float*>(bodies), body_a, a);
         L::template gather8<words>(reinterpret_cast<const float*>(bodies), body_b, b);
@@ -93,11 +97,11 @@ struct BodyPair {
         ib = b[7];
     }
     /// Writes the velocities back.
-    template <class Slot>
+    template <std::uint32_t words = slot_words, class Slot>
     ISLET_PART void scatter(SolverBody* bodies, const Slot* body_a, const Slot* body_b) const {
         const F out_a[4] = {va.x, va.y, wa, ma};
         const F out_b[4] = {vb.x, vb.y, wb, mb};
-        scatter_pushed<L, 0>(bodies, body_a, body_b, ma, mb, out_a, out_b);
+        scatter_pushed<L, 0, words>(bodies, body_a, body_b, ma, mb, out_a, out_b);
     }
     /// Gives bodies that cannot be pushed the velocities that they had before: if an impulse has overflowed, they may be NaN.
     ISLET_PART void keep_unpushed(const BodyPair& before) {
@@ -109,12 +113,12 @@ struct BodyPair {
     }
     /// Adds what warm starting does to the velocities: an impulse on B and its opposite on A, and an angular impulse on each, A turned against its own. (Before
     /// the first substep the words of dp and dq hold warm_v and warm_w.)
-    template <class Slot>
+    template <std::uint32_t words = slot_words, class Slot>
     ISLET_PART void add_warm_start(SolverBody* bodies, const Slot* body_a, const Slot* body_b, LaneVec<F> impulse, F turning_a, F turning_b) const {
         const LaneVec<F> warm_va = dpa - ma * impulse, warm_vb = dpb + mb * impulse;
         const F out_a[4] = {warm_va.x, warm_va.y, dqa - ia * turning_a, ia};
         const F out_b[4] = {warm_vb.x, warm_vb.y, dqb + ib * turning_b, ib};
-        scatter_pushed<L, 4>(bodies, body_a, body_b, ma, mb, out_a, out_b);
+        scatter_pushed<L, 4, words>(bodies, body_a, body_b, ma, mb, out_a, out_b);
     }
 };
 

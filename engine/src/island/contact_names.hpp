@@ -39,6 +39,11 @@ void name_contacts(Core& core, ContactRows<W>* rows, std::uint32_t count, const 
             // A contact's own flags decide, whatever the other contacts of the block have, and whatever its shapes would mix to now.
             const std::uint32_t c = index_of(contacts[block * W + i]);
             const bool is_live = W == 1 || c != null_index;
+            const std::uint32_t soon = block + 1 < count ? index_of(contacts[(block + 1) * W + i]) : null_index;
+            if (W > 1 && soon != null_index) {  // its materials are likely to be wanted, too
+                ISLET_PREFETCH(&core.shapes[core.contacts[soon].shape_a].friction);
+                ISLET_PREFETCH(&core.shapes[core.contacts[soon].shape_b].friction);
+            }
             const std::uint32_t own = W == 1 ? any : is_live ? core.manifolds[c].flags : 0;
             set_surface(r, i, own, is_live ? surface_of(core, c) : MixedSurface{});
         }

@@ -28,6 +28,10 @@ ISLET_SHARED float within_bounds(float a, float bound) { return abs(a) > bound ?
 inline float within_bounds(float a, float bound) { return clamp(a, -bound, bound); }  // without a branch
 #endif
 
+/// The squared lengths that a vector can be divided by: below, underflow has lost digits; above, the square has overflowed. NaN is outside, too.
+inline constexpr float least_square = 1e-36f;
+inline constexpr float largest_square = 3.402823466e+38f;
+
 inline std::uint32_t bits_of(float a) { return __builtin_bit_cast(std::uint32_t, a); }
 
 /// a > 0, of what is never NaN: a comparison of whole numbers costs least, above all without a floating-point unit.

@@ -7,10 +7,7 @@
 namespace islet {
 namespace {
 
-// The squared lengths that a vector can be divided by: below, underflow has lost digits; above, the square has overflowed. NaN is outside, too.
-constexpr float least_square = 1e-36f;
-constexpr float largest_square = 3.402823466e+38f;
-bool has_direction(float square) { return square >= least_square && square <= largest_square; }
+bool has_direction(float square) { return square >= detail::least_square && square <= detail::largest_square; }
 
 }  // namespace
 

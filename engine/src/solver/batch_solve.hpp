@@ -137,7 +137,7 @@ struct BatchSolve {
     }
 
     /// Whether one kernel solves the colour's blocks one by one: not one that has a row by itself, or, in sixteen lanes, two blocks.
-    bool is_plain(std::uint32_t color) const { return !is_lone(color) && (lanes == W || batch.first_block[color + 1] - batch.first_block[color] == 1); }
+    bool is_plain(std::uint32_t color) const { return !is_lone(color) && batch.first_block[color + 1] - batch.first_block[color] == 1; }
 
     /// Calls work(kernel, its rows, how many, first block, colour) piece by piece.
     template <class Work>
@@ -347,7 +347,12 @@ void BatchSolve<lanes>::sweep_colors(const SweepNumbers& dynamic, const SweepNum
     while (has_run(run) && s.plan.runs[run].color == no_color) ++run;
     if constexpr (W > 1) {
         over_pieces([&](auto kernel, auto* rows, std::uint32_t count, std::uint32_t, std::uint32_t c) {
-            decltype(kernel)::solve(s.bodies, rows, count, c < dynamic_color_limit ? dynamic : ground);
+            const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
+            if (is_plain(c)) {
+                decltype(kernel)::solve(s.bodies, rows, count, numbers);
+            } else {
+                solve_color<decltype(kernel)>(s.bodies, rows, count, numbers);
+            }
         });
     }
     for (std::uint32_t left = piece_colors == 0 ? s.plan.colors : 0; left != 0; left &= left - 1) {
@@ -362,7 +367,7 @@ void BatchSolve<lanes>::sweep_colors(const SweepNumbers& dynamic, const SweepNum
         const SweepNumbers& numbers = c < dynamic_color_limit ? dynamic : ground;
         over(count, contact_grain / W, [&](std::uint32_t first, std::uint32_t end) {
             with_rows(c, begin + first, begin + end,
-                      [&](auto kernel, auto* rows, std::uint32_t blocks, std::uint32_t) { decltype(kernel)::solve(s.bodies, rows, blocks, numbers); });
+                      [&](auto kernel, auto* rows, std::uint32_t blocks, std::uint32_t) { solve_color<decltype(kernel)>(s.bodies, rows, blocks, numbers); });
         });
     }
 }
@@ -375,8 +380,11 @@ float BatchSolve<lanes>::measure(const SweepNumbers& dynamic, const SweepNumbers
         if (island_of[slot] != no_plan_index) s.residuals[island_of[slot]] = 0;
     const auto try_contacts = [&](auto kernel, auto& r, const SweepNumbers& numbers) {
         Trial trial(reinterpret_cast<std::byte*>(&r), sizeof r);
-        for (const std::uint32_t slot : r.body_a) trial.add(slot);
-        for (const std::uint32_t slot : r.body_b) trial.add(slot);
+        constexpr std::uint32_t width = decltype(kernel)::W;
+        for (std::uint32_t i = 0; i < width; ++i) {
+            trial.add(r.body_a[i] / slot_scale<width>);
+            trial.add(r.body_b[i] / slot_scale<width>);
+        }
         begin_trial(trial, s.bodies);
         if constexpr (decltype(kernel)::W == 1) {
             const ContactManifold before = *r.manifold;  // has the impulses

@@ -1,12 +1,16 @@
-// Bodies over a substep in vectors: the velocity of a body, x, y and the turn, is one of four lanes, and its way another. The fourth lane of each is some other
-// number of the record, and stays as it is.
+// Bodies in vectors. Over a substep the velocity of a body, x, y and the turn, is one vector of four lanes, and its way another; the fourth lane of each is
+// some other number of the record, and stays as it is. As a solve begins and ends each body is a lane.
 //
 // Each function works through slots first <= i < end, and returns early at a slot whose velocity may exceed a limit. The caller does that one as for one lane
 // (solver_bodies.hpp). Below the limits the arithmetic is the same, and so are the bits.
 #pragma once
 
+#include <cstddef>
+
+#include "../constraint/lane_vectors.hpp"
 #include "../constraint/solver_body.hpp"
 #include "../math/lanes.hpp"
+#include "../math/scalar.hpp"
 
 // Whether this build integrates bodies in vectors.
 #if ISLET_MAX_LANES >= 4 && !ISLET_FOR_MSVC
@@ -30,6 +34,28 @@ struct WayVectors {
     SolverBody* bodies;
     float most, most_turn;
     float h;  // s, substep
+};
+
+/// Where the bodies of a solve come from.
+struct BodyInput {
+    SolverBody* solved;
+    SolverMotion* motions_solved;
+    const PlanIndex* body_of;  // by slot
+    const Pose* poses;
+    const Motion* motions;
+    Body* bodies;
+    Vec2 gravity;  // m/s^2
+    float h;       // s, substep
+};
+
+/// Where the bodies of a solve go.
+struct BodyOutput {
+    const SolverBody* bodies;
+    const PlanIndex* body_of;  // by slot
+    Pose* poses;
+    Motion* motions;
+    float square;    // m^2/s^2: a body whose squared speed is less is not limited
+    float max_turn;  // rad/s
 };
 
 #if ISLET_BODY_VECTORS
@@ -105,9 +131,100 @@ ISLET_LANE std::uint32_t integrate_vectors(const WayVectors& all, std::uint32_t 
     return slot;
 }
 
-/// The same two at a time (kernel_avx2.cpp), for processors with AVX2 alone.
+template <class L>
+struct SlotLanes {
+    std::uint32_t in_order[L::width];  // of the bodies in the solve
+    std::uint32_t body[L::width];      // in the world
+
+    ISLET_LANE SlotLanes() {
+        for (std::uint32_t i = 0; i < L::width; ++i) in_order[i] = i;
+    }
+    ISLET_LANE void find(const PlanIndex* body_of) {
+        for (std::uint32_t i = 0; i < L::width; ++i) body[i] = body_of[i];
+    }
+};
+
+/// Reads velocities and masses, and what a substep adds to the velocities.
+template <class L>
+ISLET_LANE std::uint32_t read_bodies(const BodyInput& in, std::uint32_t slot, std::uint32_t end_slot) {
+    using F = typename L::F;
+    constexpr std::uint32_t body_words = sizeof(Body) / 4;
+    static_assert(sizeof(Body) % 4 == 0 && offsetof(Body, angular_damping) == offsetof(Body, linear_damping) + 4 &&
+                  offsetof(Body, gravity_scale) == offsetof(Body, linear_damping) + 8);
+    const F zero = L::splat(0.0f), one = L::splat(1.0f), h = L::splat(in.h);
+    SlotLanes<L> at;
+    for (; slot + L::width <= end_slot; slot += L::width) {
+        at.find(in.body_of + slot);
+        typename L::template Columns<8> motion;
+        typename L::template Columns<4> mass, body;  // masses, extent and flags; dampings, scale of gravity, threshold of sleep
+        L::template gather8<motion_words>(reinterpret_cast<const float*>(in.motions), at.body, motion);
+        L::template gather4<pose_words>(&in.poses->inv_mass, at.body, mass);
+        L::template gather4<body_words>(&in.bodies->linear_damping, at.body, body);
+        float stretches[L::width];
+        for (std::uint32_t i = 0; i < L::width; ++i) {
+            stretches[i] = in.bodies[at.body[i]].stretch;
+            in.bodies[at.body[i]].stretch = 0;
+        }
+        const F inv_mass = mass[0], stretch = L::load(stretches);
+        const F inv_inertia = select(stretch * mass[1] > one, one / stretch, mass[1]);
+        const auto moves = inv_mass > zero;
+        const auto gained = [&](float gravity, F force)
+                                ISLET_INLINED_LAMBDA { return select(moves, h * (body[2] * L::splat(gravity) + inv_mass * force), zero); };
+        const auto kept = [&](F damping) ISLET_INLINED_LAMBDA { return select(moves, one / (one + h * damping), one); };
+        const F velocity[4] = {motion[0] + zero, motion[1] + zero, motion[2] + zero, inv_mass}, way[4] = {zero, zero, zero, inv_inertia};
+        const F free[4] = {zero, zero, zero, kept(body[1])};
+        const F gain[4] = {gained(in.gravity.x, motion[4]), gained(in.gravity.y, motion[5]), select(moves, h * (mass[1] * motion[6]), zero), kept(body[0])};
+        auto* const out = reinterpret_cast<float*>(in.solved + slot);
+        auto* const motion_out = reinterpret_cast<float*>(in.motions_solved + slot);
+        L::template scatter4<slot_words>(out, at.in_order, velocity);
+        L::template scatter4<slot_words>(out + 4, at.in_order, way);
+        L::template scatter4<slot_words>(motion_out, at.in_order, free);
+        L::template scatter4<slot_words>(motion_out + 4, at.in_order, gain);
+    }
+    return slot;
+}
+
+/// Writes velocities and poses to the world, and clears the forces. Returns early before a block of which some body is not ordinary.
+template <class L>
+ISLET_LANE std::uint32_t write_bodies(const BodyOutput& out, std::uint32_t slot, std::uint32_t end_slot) {
+    using F = typename L::F;
+    using V = LaneVec<F>;
+    auto* const poses = reinterpret_cast<float*>(out.poses);
+    auto* const motions = reinterpret_cast<float*>(out.motions);
+    const F zero = L::splat(0.0f);
+    SlotLanes<L> at;
+    for (; slot + L::width <= end_slot; slot += L::width) {
+        at.find(out.body_of + slot);
+        typename L::template Columns<8> solved, pose, motion;
+        L::template gather8<slot_words>(reinterpret_cast<const float*>(out.bodies + slot), at.in_order, solved);
+        L::template gather8<pose_words>(poses, at.body, pose);
+        L::template gather8<motion_words>(motions, at.body, motion);
+        const V v = {solved[0], solved[1]}, dp = {solved[4], solved[5]}, q = {pose[2], pose[3]};
+        const F w = solved[2], dq = solved[6];
+        const V turned = turn<L>(dq, q);
+        const F length = dot(turned, turned);
+        const auto ordinary = (dot(v, v) < L::splat(out.square)) & (L::abs(w) <= L::splat(out.max_turn)) & (L::abs(dq) <= L::splat(0.5f * pi)) &
+                              (L::abs(dp.x) + L::abs(dp.y) < L::splat(max_position)) & (length >= L::splat(least_square)) &
+                              (length <= L::splat(largest_square));
+        if (L::bits(ordinary) != (1u << L::width) - 1) return slot;
+
+        const auto turns = L::abs(dq) > zero;
+        const F most = L::splat(max_position), least = L::splat(-max_position), inv_length = L::splat(1.0f) / L::sqrt(length);
+        const F new_pose[4] = {max(min(pose[0] + dp.x, most), least), max(min(pose[1] + dp.y, most), least), select(turns, inv_length * turned.x, q.x),
+                               select(turns, inv_length * turned.y, q.y)};
+        L::template scatter4<pose_words>(poses, at.body, new_pose);
+        const F velocity[4] = {v.x + zero, v.y + zero, w, motion[3]}, force[4] = {zero, zero, zero, motion[7]};
+        L::template scatter4<motion_words>(motions, at.body, velocity);
+        L::template scatter4<motion_words>(motions + 4, at.body, force);
+    }
+    return slot;
+}
+
+/// The same two at a time, or eight (kernel_avx2.cpp), for processors with AVX2 alone.
 std::uint32_t integrate_velocities_8(const VelocityVectors& all, std::uint32_t slot, std::uint32_t end_slot);
 std::uint32_t integrate_positions_8(const WayVectors& all, std::uint32_t slot, std::uint32_t end_slot);
+std::uint32_t read_bodies_8(const BodyInput& in, std::uint32_t slot, std::uint32_t end_slot);
+std::uint32_t write_bodies_8(const BodyOutput& out, std::uint32_t slot, std::uint32_t end_slot);
 
 #endif
 

@@ -33,12 +33,14 @@ inline void gather_motion(SolverMotion& m, const Core& core, std::uint32_t body,
 /// a, but at most `bound` on either side, and 0 if it is not a number.
 ISLET_SHARED float within(float a, float bound) { return a == a ? within_bounds(a, bound) : 0; }
 
+inline constexpr float slow_share = 0.9f;  // of a squared speed limit: what is below it needs no root to be known as slower
+
 /// v, but no longer than max_speed. Velocities may have overflowed: infinity counts as a very large number, and NaN as zero.
 inline Vec2 limit_speed(Vec2 v, float max_speed) {
     constexpr float huge = 1.0e18f;  // its square is still a number
     v = {within(v.x, huge), within(v.y, huge)};
 #if !defined(__OPTIMIZE_SIZE__)
-    if (dot(v, v) < 0.9f * max_speed * max_speed) return {v.x + 0.0f, v.y + 0.0f};  // slow enough, without a root
+    if (dot(v, v) < slow_share * max_speed * max_speed) return {v.x + 0.0f, v.y + 0.0f};  // slow enough, without a root
 #endif
     const float speed = length(v);
     if (speed > max_speed) v = (max_speed / speed) * v;

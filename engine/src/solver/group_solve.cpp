@@ -112,8 +112,8 @@ void GroupSolve<K>::name_lane(OpenBlock<W>& open, Rows& r, const Member& member,
     open.lanes.has_point[1][i] = (m.flags & two_point_flag) != 0 ? 1.0f : 0.0f;
     open.flags |= m.flags;
     open.member[i] = &member;
-    r.body_a[i] = member.first_slot + s.plan.slot_of[m.body_a];
-    r.body_b[i] = member.first_slot + s.plan.slot_of[m.body_b];
+    r.body_a[i] = slot_scale<W> * (member.first_slot + s.plan.slot_of[m.body_a]);
+    r.body_b[i] = slot_scale<W> * (member.first_slot + s.plan.slot_of[m.body_b]);
     r.extra_passes[i] = (m.flags & contact_ahead) != 0 ? landing_passes : std::uint8_t{0};
     r.sharers[i] = static_cast<std::uint8_t>(m.sharers());
 }
@@ -134,7 +134,7 @@ void GroupSolve<K>::close_block(OpenBlock<W>& open, Rows& r) {
     r.shared = (open.flags >> contact_sharers_shift & 3u) != 0;
     r.two_points = (open.flags & two_point_flag) != 0 ? 1 : 0;
     r.special = (open.flags & contact_special) != 0;
-    r.bouncy = (open.flags & bouncy_flags) != 0;
+    r.bouncy = r.rebounds = (open.flags & bouncy_flags) != 0;
     for (std::uint32_t i = 0; (r.special || r.bouncy) && i < W; ++i) {
         const std::uint32_t c = i < used ? r.contact[i] - open.member[i]->first_contact : null_index;
         const Core* core = i < used ? &open.member[i]->s.core : nullptr;
@@ -201,7 +201,7 @@ void GroupSolve<K>::sweep(const SweepNumbers& dynamic, const SweepNumbers& groun
             if (r.color == c) solve_joint_run(r, W, s.bodies, s.joint_rows + r.offset, joints);
         });
         const std::uint32_t blocks = first_block[c + 1] - first_block[c];
-        if (blocks != 0) K::solve(all().bodies, rows + first_block[c], blocks, c < dynamic_color_limit ? dynamic : ground);
+        if (blocks != 0) solve_color<K>(all().bodies, rows + first_block[c], blocks, c < dynamic_color_limit ? dynamic : ground);
     }
     for (std::uint32_t i = 0; has.lands && i < landing_sweeps; ++i) {
         for_overflow([&](Solve& s, ContactRows<1>* overflow, std::uint32_t n) {

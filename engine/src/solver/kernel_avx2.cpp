@@ -31,6 +31,8 @@ std::uint32_t integrate_positions_8(const WayVectors& all, std::uint32_t slot, s
     slot = integrate_vectors<TwoBodies>(all, slot, end_slot);
     return slot + 1 == end_slot ? integrate_vectors<OneBody>(all, slot, end_slot) : slot;
 }
+std::uint32_t read_bodies_8(const BodyInput& in, std::uint32_t slot, std::uint32_t end_slot) { return read_bodies<Lane8>(in, slot, end_slot); }
+std::uint32_t write_bodies_8(const BodyOutput& out, std::uint32_t slot, std::uint32_t end_slot) { return write_bodies<Lane8>(out, slot, end_slot); }
 #endif
 #endif
 
