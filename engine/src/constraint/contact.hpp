@@ -241,7 +241,7 @@ struct BlockPass {
     ISLET_PART void push_centres() { s.push_centres(in_world(s.n, s.sum_n, s.sum_t)); }
 };
 
-/// One pass over all rows of a block; or of two that are alike, part by part in turns.
+/// One pass over all rows of a block; or of two that have as many points, part by part in turns. `r` is the first one's rows.
 ///
 /// Each row waits for the row before it, and the processor's arithmetic units wait, too. A second block that pushes none of the same bodies fills the gaps:
 /// two together take three quarters of the time.

@@ -46,8 +46,10 @@ struct SolverMotion {
     float linear_factor = 1;   // v <- factor (v + a)
 };
 
+/// Words of four bytes in the records that lanes load and write. A SolverMotion has as many as a SolverBody.
 inline constexpr std::uint32_t slot_words = sizeof(SolverBody) / 4, pose_words = sizeof(Pose) / 4, motion_words = sizeof(Motion) / 4;
 
+static_assert(sizeof(SolverMotion) == sizeof(SolverBody));
 static_assert(sizeof(SolverBody) == solver_body_bytes && sizeof(SolverMotion) == solver_motion_bytes);
 
 /// N s, N m s: a contact or joint with impulses this large forgets them and starts anew in the next step. No real load comes near it, but extreme numbers

@@ -136,7 +136,7 @@ struct BatchSolve {
         }
     }
 
-    /// Whether one kernel solves the colour's blocks one by one: not one that has a row by itself, or, in sixteen lanes, two blocks.
+    /// Whether the colour is one block: then it can be part of a longer piece. Of several blocks, two are solved at a time; a lone contact has another kernel.
     bool is_plain(std::uint32_t color) const { return !is_lone(color) && batch.first_block[color + 1] - batch.first_block[color] == 1; }
 
     /// Calls work(kernel, its rows, how many, first block, colour) piece by piece.

@@ -131,6 +131,7 @@ ISLET_LANE std::uint32_t integrate_vectors(const WayVectors& all, std::uint32_t 
     return slot;
 }
 
+/// The bodies of a block of slots.
 template <class L>
 struct SlotLanes {
     std::uint32_t in_order[L::width];  // of the bodies in the solve
@@ -144,7 +145,7 @@ struct SlotLanes {
     }
 };
 
-/// Reads velocities and masses, and what a substep adds to the velocities.
+/// Reads velocities and masses, and what a substep adds to the velocities: all that read_body in solver_bodies.hpp does where nothing is lightened.
 template <class L>
 ISLET_LANE std::uint32_t read_bodies(const BodyInput& in, std::uint32_t slot, std::uint32_t end_slot) {
     using F = typename L::F;
@@ -184,7 +185,7 @@ ISLET_LANE std::uint32_t read_bodies(const BodyInput& in, std::uint32_t slot, st
     return slot;
 }
 
-/// Writes velocities and poses to the world, and clears the forces. Returns early before a block of which some body is not ordinary.
+/// Writes velocities and poses to the world, and clears the forces. Returns early before a block of which some body is not within all limits.
 template <class L>
 ISLET_LANE std::uint32_t write_bodies(const BodyOutput& out, std::uint32_t slot, std::uint32_t end_slot) {
     using F = typename L::F;
